@@ -1,0 +1,1 @@
+"""clickgen: ladder logic as text for AutomationDirect CLICK PLCs."""

@@ -1,0 +1,109 @@
+"""Every problem code, once: its severity and its title. Codes are stable; a retired one is never given again.
+
+CG1xx syntax, CG2xx names and addresses, CG3xx operands and types, CG4xx program structure and hardware limits,
+CG5xx logic worth a second look, CG6xx the address table.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import NamedTuple
+
+
+class Severity(Enum):
+    """ERROR stops the build; WARNING and INFO are said and the build goes on."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    INFO = "info"
+
+
+class Code(NamedTuple):
+    severity: Severity
+    title: str
+
+
+_E, _W, _I = Severity.ERROR, Severity.WARNING, Severity.INFO
+
+CODES: dict[str, Code] = {
+    # -- syntax ---------------------------------------------------------------------------------------------------
+    "CG101": Code(_E, "the file is not readable as Python"),
+    "CG102": Code(_E, "this statement has no place at the top level of a program"),
+    "CG103": Code(_E, "a routine holds only rungs"),
+    "CG104": Code(_E, "a rung has no else or elif"),
+    "CG105": Code(_E, "and, or, not, &, | and ~ are not part of the language"),
+    "CG106": Code(_E, "comparisons do not chain"),
+    "CG107": Code(_E, "this is not a condition"),
+    "CG108": Code(_E, "no such instruction"),
+    "CG109": Code(_E, "the instruction has no such argument"),
+    "CG110": Code(_E, "an argument is missing"),
+    "CG111": Code(_E, "an argument is given twice"),
+    "CG112": Code(_E, "this statement has no place in a rung"),
+    "CG113": Code(_E, "this is not an address or a constant"),
+    "CG114": Code(_E, "a routine is written def name(): with no parameters, subroutines under @sub"),
+    "CG115": Code(_E, "an argument is of the wrong kind"),
+    "CG116": Code(_E, "the formula cannot be read"),
+    "CG117": Code(_E, "the formula has no such function"),
+    "CG118": Code(_E, "the program is nested too deeply"),
+    "CG119": Code(_E, "a for loop is written for _ in range(n):"),
+    "CG120": Code(_E, "this import cannot be read"),
+    # -- names and addresses --------------------------------------------------------------------------------------
+    "CG201": Code(_E, "the bank has no such address"),
+    "CG202": Code(_E, "the range is empty, reversed or crosses a gap"),
+    "CG203": Code(_E, "CLICK does not take this nickname"),
+    "CG204": Code(_E, "one nickname is used for two banks"),
+    "CG205": Code(_E, "two sources disagree about an address"),
+    "CG206": Code(_E, "no such system nickname"),
+    "CG207": Code(_E, "no timer or counter has this name"),
+    "CG208": Code(_E, "the bank is full"),
+    "CG209": Code(_E, "a name has no address and the table is frozen"),
+    "CG210": Code(_W, "an input or output was given an address by clickgen"),
+    "CG211": Code(_W, "ClickNick mishandles nicknames of XD and YD"),
+    "CG212": Code(_E, "a pointer goes through a DS register"),
+    "CG213": Code(_E, "this bank cannot be pointed into"),
+    # -- operands and types ---------------------------------------------------------------------------------------
+    "CG301": Code(_E, "the instruction does not take this operand"),
+    "CG302": Code(_E, "the constant is out of range"),
+    "CG303": Code(_E, "values of different kinds cannot be compared"),
+    "CG304": Code(_E, "this address cannot be written"),
+    "CG305": Code(_E, "CLICK cannot copy between these"),
+    "CG306": Code(_E, "the range has the wrong length"),
+    "CG307": Code(_E, "a pointer has no place here"),
+    "CG308": Code(_E, "immediate has no place here"),
+    "CG309": Code(_E, "hexadecimal and decimal values are mixed in one formula"),
+    "CG310": Code(_E, "parentheses are nested more than 8 deep"),
+    "CG311": Code(_E, "the formula has more than 68 operands"),
+    "CG312": Code(_W, "sources disagree whether CLICK takes this"),
+    "CG313": Code(_E, "oneshot has no place here"),
+    "CG314": Code(_E, "this option has no place here"),
+    "CG315": Code(_W, "a decimal number in a hexadecimal formula"),
+    # -- structure and limits -------------------------------------------------------------------------------------
+    "CG401": Code(_E, "the program has no main"),
+    "CG402": Code(_E, "two routines have the same name"),
+    "CG403": Code(_E, "main has no unconditional end()"),
+    "CG404": Code(_E, "a subroutine does not end in an unconditional return"),
+    "CG405": Code(_E, "no such subroutine"),
+    "CG406": Code(_E, "a subroutine calls a subroutine"),
+    "CG407": Code(_E, "a loop stands inside a loop"),
+    "CG408": Code(_E, "a loop is not closed"),
+    "CG409": Code(_E, "next_loop() without an open loop"),
+    "CG410": Code(_E, "end() belongs in main"),
+    "CG411": Code(_E, "return belongs in a subroutine"),
+    "CG412": Code(_E, "a timer or counter has two owners"),
+    "CG413": Code(_E, "the rung comment is too long for CLICK"),
+    "CG414": Code(_E, "the rung does not fit CLICK's grid"),
+    "CG415": Code(_E, "a routine is too long for one CLICK file"),
+    "CG416": Code(_E, "too many subroutines"),
+    "CG417": Code(_E, "CLICK does not take this subroutine name"),
+    "CG418": Code(_W, "a counter has no reset"),
+    "CG419": Code(_W, "a shift register has no clock or no reset"),
+    "CG420": Code(_I, "rtof is emulated"),
+    "CG421": Code(_W, "CLICK shows part of this comment as styled text"),
+    "CG422": Code(_E, "next_loop() stands alone in an unconditional rung"),
+    "CG423": Code(_W, "a timer stands inside a loop"),
+    "CG424": Code(_W, "main is too long for one CLICK file and is split"),
+    # -- the address table ----------------------------------------------------------------------------------------
+    "CG601": Code(_E, "a row of the address table is malformed"),
+    "CG602": Code(_E, "the address table gives a nickname or an address twice"),
+    "CG603": Code(_E, "the address table holds a nickname that CLICK does not take"),
+}

@@ -1,0 +1,151 @@
+"""The 16 memory banks and addresses in them (click-facts, section 1)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+from typing import NamedTuple
+
+
+class Kind(Enum):
+    """What one cell of a bank holds; the value is CLICK's word for it in a nickname CSV."""
+
+    BIT = "BIT"
+    INT16 = "INT"
+    INT32 = "INT2"
+    HEX = "HEX"
+    FLOAT = "FLOAT"
+    TEXT = "TEXT"
+
+
+# Ten slots of 16 points; X017..X020 and the like do not exist.
+_SLOTS = ((1, 16), (21, 36)) + tuple((n * 100 + 1, n * 100 + 16) for n in range(1, 9))
+
+
+@dataclass(frozen=True)
+class Bank:
+    """One memory bank. ``ranges`` are inclusive; ``retentive`` is CLICK's default for its cells."""
+
+    name: str
+    kind: Kind
+    ranges: tuple[tuple[int, int], ...]
+    title: str
+    retentive: bool = False
+    settings_fixed: bool = False
+    """True where CLICK lets nobody edit initial value and retention (SC, SD, XD, YD)."""
+    allocatable: bool = True
+    """True where clickgen may choose an address for a name."""
+    digits: int = 1
+
+    @property
+    def first(self) -> int:
+        return self.ranges[0][0]
+
+    @property
+    def last(self) -> int:
+        return self.ranges[-1][1]
+
+    @property
+    def is_bit(self) -> bool:
+        return self.kind is Kind.BIT
+
+    @property
+    def dsl(self) -> str:
+        """The bank's name in a program: ``ds``."""
+        return self.name.lower()
+
+    def has(self, number: int) -> bool:
+        return any(first <= number <= last for first, last in self.ranges)
+
+    def numbers(self) -> Iterator[int]:
+        for first, last in self.ranges:
+            yield from range(first, last + 1)
+
+    def describe_range(self) -> str:
+        """The legal numbers for a message: ``1..16, 21..36, 101..116``."""
+        return ", ".join(f"{first}..{last}" for first, last in self.ranges)
+
+
+def _bank(
+    name: str, kind: Kind, last: int, title: str, retentive: bool = False, **more: bool
+) -> Bank:
+    return Bank(name, kind, ((1, last),), title, retentive, **more)
+
+
+_ALL = (
+    Bank("X", Kind.BIT, _SLOTS, "input bits", digits=3),
+    Bank("Y", Kind.BIT, _SLOTS, "output bits", digits=3),
+    _bank("C", Kind.BIT, 2000, "control relays"),
+    _bank("T", Kind.BIT, 500, "timer bits"),
+    _bank("CT", Kind.BIT, 250, "counter bits", retentive=True),
+    _bank("SC", Kind.BIT, 1000, "system control relays", settings_fixed=True, allocatable=False),
+    _bank("DS", Kind.INT16, 4500, "16-bit integers", retentive=True),
+    _bank("DD", Kind.INT32, 1000, "32-bit integers", retentive=True),
+    _bank("DH", Kind.HEX, 500, "hexadecimal words", retentive=True),
+    _bank("DF", Kind.FLOAT, 500, "floating-point numbers", retentive=True),
+    Bank(
+        "XD", Kind.HEX, ((0, 8),), "input words", settings_fixed=True, allocatable=False
+    ),
+    Bank(
+        "YD", Kind.HEX, ((0, 8),), "output words", settings_fixed=True, allocatable=False
+    ),
+    _bank("TD", Kind.INT16, 500, "timer current values", allocatable=False),
+    _bank("CTD", Kind.INT32, 250, "counter current values", retentive=True, allocatable=False),
+    _bank("SD", Kind.INT16, 1000, "system data registers", settings_fixed=True, allocatable=False),
+    _bank("TXT", Kind.TEXT, 1000, "text characters", retentive=True),
+)
+
+BANKS: dict[str, Bank] = {bank.name: bank for bank in _ALL}
+"""Every bank by name, in the row order of CLICK's nickname CSV."""
+
+ORDER: dict[str, int] = {name: index for index, name in enumerate(BANKS)}
+
+CURRENT_VALUE_OF = {"TD": "T", "CTD": "CT"}
+"""The banks of current values, and the bank of the bits they belong to (same numbers)."""
+
+VALUE_BANK = {bit: value for value, bit in CURRENT_VALUE_OF.items()}
+
+UPPER_BYTE_BANKS = ("XD", "YD")
+"""Banks that also have an address ``0u``."""
+
+
+class Address(NamedTuple):
+    """One cell of the machine, such as X001 or DS17; ``upper`` is the ``u`` of XD0u and YD0u."""
+
+    bank: str
+    number: int
+    upper: bool = False
+
+    def __str__(self) -> str:
+        if self.bank == "X" or self.bank == "Y":
+            return f"{self.bank}{self.number:03d}"
+        return f"{self.bank}{self.number}{'u' if self.upper else ''}"
+
+    @property
+    def kind(self) -> Kind:
+        return BANKS[self.bank].kind
+
+    @property
+    def sort_key(self) -> tuple[int, int, bool]:
+        """CLICK's row order: by bank, then by number."""
+        return (ORDER[self.bank], self.number, self.upper)
+
+
+def parse_address(text: str) -> Address | None:
+    """Read an address as CLICK writes it (``X001``, ``DS17``, ``XD0u``; any case), or None if it is none."""
+    text = text.strip()
+    name = text.rstrip("uU0123456789").upper()
+    bank = BANKS.get(name)
+    digits = text[len(name) :]
+    if bank is None or not digits:
+        return None
+    upper = digits[-1] in "uU"
+    if upper:
+        digits = digits[:-1]
+    if not digits.isascii() or not digits.isdigit():
+        return None
+    number = int(digits)
+    if upper and (name not in UPPER_BYTE_BANKS or number != 0):
+        return None
+    return Address(name, number, upper) if bank.has(number) else None

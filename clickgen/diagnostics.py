@@ -1,0 +1,65 @@
+"""Problems: what is wrong, where, and the way out. The codes are a table in ``codes.py``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from clickgen.codes import CODES, Severity
+from clickgen.source import Span
+
+
+@dataclass(frozen=True)
+class Label:
+    """A second place that a problem speaks of, such as the earlier of two owners."""
+
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True)
+class Diagnostic:
+    """One problem. ``span`` is None only for a problem that has no place in a file."""
+
+    code: str
+    message: str
+    span: Span | None
+    help: str = ""
+    labels: tuple[Label, ...] = ()
+
+    @property
+    def severity(self) -> Severity:
+        return CODES[self.code].severity
+
+    @property
+    def is_error(self) -> bool:
+        return self.severity is Severity.ERROR
+
+    @property
+    def sort_key(self) -> tuple[str, int, int, str, str]:
+        span = self.span or Span("", 0, 0, 0, 0)
+        return (span.path, span.line, span.col, self.code, self.message)
+
+
+@dataclass
+class Diagnostics:
+    """What the stages found so far. Stages add; nothing stops at the first."""
+
+    found: list[Diagnostic] = field(default_factory=list)
+
+    def add(
+        self,
+        code: str,
+        span: Span | None,
+        message: str,
+        help: str = "",
+        labels: tuple[Label, ...] = (),
+    ) -> None:
+        self.found.append(Diagnostic(code, message, span, help, labels))
+
+    @property
+    def has_errors(self) -> bool:
+        return any(problem.is_error for problem in self.found)
+
+    def in_order(self) -> tuple[Diagnostic, ...]:
+        """Every problem once, by file and position."""
+        return tuple(sorted(dict.fromkeys(self.found), key=lambda problem: problem.sort_key))

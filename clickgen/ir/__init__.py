@@ -1,0 +1,1 @@
+"""What the person wrote, as frozen trees: operands, conditions, rungs, routines."""

@@ -1,0 +1,54 @@
+"""Conditions: contacts and comparisons in series (All) and parallel (Any)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from clickgen.ir.operands import Cell, Constant, Immediate, Named, Pointer, Range
+from clickgen.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """A contact on a bit. ``edge`` is "" for a level, "rise" or "fall" for one scan of change."""
+
+    operand: Named | Cell | Range | Immediate
+    span: Span
+    negated: bool = False
+    edge: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Compare:
+    """``left op right`` with op one of ``== != < <= > >=``."""
+
+    op: str
+    left: Named | Cell | Pointer | Constant
+    right: Named | Cell | Pointer | Constant
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class All:
+    """Terms in series."""
+
+    terms: tuple[Condition, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Any:
+    """Terms in parallel."""
+
+    terms: tuple[Condition, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Always:
+    """``True``: the bare power rail."""
+
+    span: Span
+
+
+Condition = Contact | Compare | All | Any | Always

@@ -1,0 +1,118 @@
+"""Operands: cells, ranges, pointers and constants, each with the place it was written.
+
+``Named`` is what a program says; resolving replaces each by the ``Cell`` its nickname stands for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from clickgen.device.banks import Address
+from clickgen.source import EmbeddedText, Span
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """``ds.Step``: a nickname seen through a bank."""
+
+    bank: str
+    name: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """One address, such as ``ds[5]``."""
+
+    address: Address
+    span: Span
+
+    @property
+    def bank(self) -> str:
+        return self.address.bank
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """Consecutive addresses, both ends included; ``first`` above ``last`` is the reversed direction."""
+
+    bank: str
+    first: int
+    last: int
+    span: Span
+
+    def __len__(self) -> int:
+        return abs(self.last - self.first) + 1
+
+    @property
+    def is_reversed(self) -> bool:
+        return self.first > self.last
+
+    def addresses(self) -> list[Address]:
+        step = -1 if self.is_reversed else 1
+        return [Address(self.bank, n) for n in range(self.first, self.last + step, step)]
+
+
+@dataclass(frozen=True, slots=True)
+class Pointer:
+    """``ds[ds.Index]``: the cell of ``bank`` whose number the register holds."""
+
+    bank: str
+    register: Named | Cell
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Immediate:
+    """``x[1].immediate``: the physical point, past the scan's image."""
+
+    target: Named | Cell | Range
+    span: Span
+
+    @property
+    def bank(self) -> str:
+        return self.target.bank
+
+
+@dataclass(frozen=True, slots=True)
+class Integer:
+    value: int
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Hex:
+    """A constant written in hexadecimal: ``0x00FF`` or ``"00FFh"``."""
+
+    value: int
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Real:
+    """A floating-point constant; ``text`` is how the person wrote it."""
+
+    value: float
+    text: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A string constant; in a formula slot it is the formula."""
+
+    value: str
+    span: Span
+    embedded: EmbeddedText
+
+
+@dataclass(frozen=True, slots=True)
+class CharCode:
+    """A character by its ASCII code: ``"$0D"``."""
+
+    value: int
+    span: Span
+
+
+Constant = Integer | Hex | Real | Text | CharCode
+Operand = Named | Cell | Range | Pointer | Immediate | Constant
