@@ -1,1 +1,31 @@
-"""clickgen: ladder logic as text for AutomationDirect CLICK PLCs."""
+"""clickgen: ladder logic as text for AutomationDirect CLICK PLCs.
+
+``build`` does what the command ``clickgen build`` does, in memory::
+
+    import clickgen
+
+    result = clickgen.build("prog.py")
+    for problem in result.diagnostics:
+        print(problem.code, problem.span, problem.message)
+    if result.ok:
+        result.write(Path("out"))
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from clickgen.pipeline import BuildResult, CouldNotRun, build
+
+__version__ = "0.1.0"
+__all__ = ["BuildResult", "CouldNotRun", "__version__", "build"]
+
+
+def __getattr__(name: str) -> Any:
+    """Load the pipeline at first use: ``clickgen --version`` needs none of it."""
+    if name in __all__:
+        import clickgen.pipeline
+
+        return getattr(clickgen.pipeline, name)
+    raise AttributeError(f"module 'clickgen' has no attribute {name!r}")

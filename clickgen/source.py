@@ -78,14 +78,10 @@ class EmbeddedText:
 
 
 _PREFIX = re.compile(r"[A-Za-z]*")
-_ESCAPE = re.compile(
-    r"\\(?:\n|[0-7]{1,3}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|N\{[^}]*\}|.)", re.DOTALL
-)
+_ESCAPE = re.compile(r"\\(?:\n|[0-7]{1,3}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|N\{[^}]*\}|.)", re.DOTALL)
 
 
-def embedded_text(
-    source: SourceFile, parts: list[tuple[str, int, int]], value: str
-) -> EmbeddedText:
+def embedded_text(source: SourceFile, parts: list[tuple[str, int, int]], value: str) -> EmbeddedText:
     """Map the characters of a string literal's value to the file.
 
     ``parts`` holds the literal as written, one (text with quotes, line, column) for each implicitly joined piece.

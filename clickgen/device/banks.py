@@ -20,7 +20,7 @@ class Kind(Enum):
 
 
 # Ten slots of 16 points; X017..X020 and the like do not exist.
-_SLOTS = ((1, 16), (21, 36)) + tuple((n * 100 + 1, n * 100 + 16) for n in range(1, 9))
+_SLOTS = ((1, 16), (21, 36), *((n * 100 + 1, n * 100 + 16) for n in range(1, 9)))
 
 
 @dataclass(frozen=True)
@@ -67,9 +67,7 @@ class Bank:
         return ", ".join(f"{first}..{last}" for first, last in self.ranges)
 
 
-def _bank(
-    name: str, kind: Kind, last: int, title: str, retentive: bool = False, **more: bool
-) -> Bank:
+def _bank(name: str, kind: Kind, last: int, title: str, retentive: bool = False, **more: bool) -> Bank:
     return Bank(name, kind, ((1, last),), title, retentive, **more)
 
 
@@ -84,12 +82,8 @@ _ALL = (
     _bank("DD", Kind.INT32, 1000, "32-bit integers", retentive=True),
     _bank("DH", Kind.HEX, 500, "hexadecimal words", retentive=True),
     _bank("DF", Kind.FLOAT, 500, "floating-point numbers", retentive=True),
-    Bank(
-        "XD", Kind.HEX, ((0, 8),), "input words", settings_fixed=True, allocatable=False
-    ),
-    Bank(
-        "YD", Kind.HEX, ((0, 8),), "output words", settings_fixed=True, allocatable=False
-    ),
+    Bank("XD", Kind.HEX, ((0, 8),), "input words", settings_fixed=True, allocatable=False),
+    Bank("YD", Kind.HEX, ((0, 8),), "output words", settings_fixed=True, allocatable=False),
     _bank("TD", Kind.INT16, 500, "timer current values", allocatable=False),
     _bank("CTD", Kind.INT32, 250, "counter current values", retentive=True, allocatable=False),
     _bank("SD", Kind.INT16, 1000, "system data registers", settings_fixed=True, allocatable=False),
@@ -105,6 +99,9 @@ CURRENT_VALUE_OF = {"TD": "T", "CTD": "CT"}
 """The banks of current values, and the bank of the bits they belong to (same numbers)."""
 
 VALUE_BANK = {bit: value for value, bit in CURRENT_VALUE_OF.items()}
+
+POINTED = ("C", "DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "TXT")
+"""The banks that a pointer can point into (click-facts, section 3, copy family)."""
 
 UPPER_BYTE_BANKS = ("XD", "YD")
 """Banks that also have an address ``0u``."""

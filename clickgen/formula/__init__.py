@@ -1,0 +1,40 @@
+"""The room of formulas: what ``calc`` and ``math_hex`` hold in their strings, read and printed in CLICK's form."""
+
+from clickgen.formula.nodes import (
+    Binary,
+    Call,
+    Formula,
+    Group,
+    HexNumber,
+    Mode,
+    Node,
+    Number,
+    Operand,
+    Pi,
+    Sum,
+    Unary,
+    references,
+    walk,
+)
+from clickgen.formula.parse import parse_formula
+from clickgen.formula.printer import print_formula, print_source
+
+__all__ = [
+    "Binary",
+    "Call",
+    "Formula",
+    "Group",
+    "HexNumber",
+    "Mode",
+    "Node",
+    "Number",
+    "Operand",
+    "Pi",
+    "Sum",
+    "Unary",
+    "parse_formula",
+    "print_formula",
+    "print_source",
+    "references",
+    "walk",
+]

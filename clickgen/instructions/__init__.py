@@ -1,0 +1,11 @@
+"""The instructions of the language, one file per family, each declared once as a Spec."""
+
+from __future__ import annotations
+
+from clickgen.instructions import coils, control, copies, counters, data, maths, timers
+from clickgen.instructions.spec import Spec
+
+FAMILIES = (coils, timers, counters, copies, data, maths, control)
+
+INSTRUCTIONS: dict[str, Spec] = {spec.name: spec for family in FAMILIES for spec in family.SPECS}
+"""Every instruction that a program calls by name."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from clickgen.ir.operands import Cell, Constant, Immediate, Named, Pointer, Range
+from clickgen.ir.operands import Cell, Immediate, Named, Range, Single
 from clickgen.source import Span
 
 
@@ -23,8 +23,8 @@ class Compare:
     """``left op right`` with op one of ``== != < <= > >=``."""
 
     op: str
-    left: Named | Cell | Pointer | Constant
-    right: Named | Cell | Pointer | Constant
+    left: Single
+    right: Single
     span: Span
 
 

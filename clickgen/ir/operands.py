@@ -115,4 +115,6 @@ class CharCode:
 
 
 Constant = Integer | Hex | Real | Text | CharCode
-Operand = Named | Cell | Range | Pointer | Immediate | Constant
+Single = Named | Cell | Pointer | Constant
+"""What holds or is one value."""
+Operand = Single | Range | Immediate

@@ -1,0 +1,1 @@
+"""IR rungs to CLICK rungs: expansion, splitting, scratch addresses, and the drawing in the grid."""

@@ -1,0 +1,1 @@
+"""Names to addresses: the address table, declarations, system names, allocation; and the types of constants."""

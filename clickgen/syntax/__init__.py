@@ -1,0 +1,1 @@
+"""Reading source text: libcst for statements and their comments, ast for expressions and their places."""

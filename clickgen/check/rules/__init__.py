@@ -1,0 +1,44 @@
+"""The rules, one file each. A rule is a function ``check(facts, problems)`` in a module of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from clickgen.check.facts import Facts
+from clickgen.check.rules import (
+    calls,
+    comments,
+    comparisons,
+    contacts,
+    copies,
+    endings,
+    formulas,
+    loops,
+    operands,
+    owners,
+    pins,
+    retentive_off_delay,
+    routines,
+    searches,
+)
+from clickgen.diagnostics import Diagnostics
+
+Rule = Callable[[Facts, Diagnostics], None]
+
+RULES: tuple[Rule, ...] = (
+    routines.check,
+    endings.check,
+    calls.check,
+    loops.check,
+    owners.check,
+    comments.check,
+    contacts.check,
+    comparisons.check,
+    operands.check,
+    copies.check,
+    searches.check,
+    formulas.check,
+    pins.check,
+    retentive_off_delay.check,
+)
+"""In the order in which a person reads a program: its routines, their structure, their operands."""

@@ -1,0 +1,42 @@
+# Everything runs in .venv, which the first target that needs it sets up. Needs Python 3.11+ and make.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+DEMO := fixtures/cases/demo/prog.py
+
+.PHONY: demo test lint types golden bench clean
+
+$(VENV)/ready: pyproject.toml scripts/dev_requirements.py
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+		{ echo "clickgen needs Python 3.11 or newer; name one with make PYTHON=python3.12"; exit 1; }
+	$(PYTHON) -m venv $(VENV)
+	$(PYTHON) scripts/dev_requirements.py > $(VENV)/dev-requirements.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e . -r $(VENV)/dev-requirements.txt
+	@touch $@
+
+demo: $(VENV)/ready  ## build the demo program and show what comes out
+	@mkdir -p build/demo-source
+	@cp fixtures/cases/demo/prog.py build/demo-source/demo.py
+	@$(BIN)/clickgen build build/demo-source/demo.py -o build/demo
+	@echo
+	@echo "The listing begins:"
+	@sed -n '1,40p' build/demo/listing.txt
+
+test: lint types  ## everything that must hold
+	$(BIN)/python -m pytest -q -n auto
+
+lint: $(VENV)/ready
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check
+
+types: $(VENV)/ready
+	$(BIN)/mypy
+
+golden: $(VENV)/ready  ## write the golden files anew; read the diff before you commit it
+	$(BIN)/python scripts/golden.py
+
+bench: $(VENV)/ready  ## ratios and growth, measured in one run
+	$(BIN)/python scripts/bench.py
+
+clean:
+	rm -rf build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis

@@ -1,0 +1,48 @@
+"""Compared values are of one class: decimal, hexadecimal or text (click-facts, section 3)."""
+
+from __future__ import annotations
+
+from clickgen.check.facts import Facts
+from clickgen.check.values import constant_fault, value_class
+from clickgen.device.banks import BANKS
+from clickgen.diagnostics import Diagnostics
+from clickgen.ir.conditions import Compare
+from clickgen.ir.operands import Cell, Constant, Text
+from clickgen.resolve.constants import kind_of
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    for compare in facts.comparisons:
+        _check(compare, problems)
+
+
+def _check(compare: Compare, problems: Diagnostics) -> None:
+    left, right = compare.left, compare.right
+    for side in (left, right):
+        if isinstance(side, Cell) and BANKS[side.bank].is_bit:
+            bank = BANKS[side.bank].dsl
+            problems.add(
+                "CG303",
+                side.span,
+                f"{side.address} is a bit and cannot be compared",
+                f"a bit is a condition by itself: {bank}.Name, or nc({bank}.Name)",
+            )
+            return
+    if isinstance(left, Constant) and isinstance(right, Constant):
+        problems.add("CG303", compare.span, "two constants are compared", "compare a register")
+        return
+    classes = value_class(left), value_class(right)
+    if classes[0] != classes[1]:
+        problems.add(
+            "CG303",
+            compare.span,
+            f"a {classes[0]} value and a {classes[1]} value cannot be compared",
+            "copy one to a register of the other's kind in a rung before, or write the constant in its form",
+        )
+        return
+    for constant, other in ((left, right), (right, left)):
+        fault = constant_fault(constant, kind_of(other))
+        if fault:
+            problems.add("CG302", constant.span, fault, "the comparison could never change")
+        if isinstance(constant, Text) and len(constant.value) != 1:
+            problems.add("CG302", constant.span, "a TXT address holds one character", 'compare with one: txt[1] == "A"')

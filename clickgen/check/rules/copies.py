@@ -1,0 +1,123 @@
+"""Copies go only between banks that CLICK copies between, with ranges that match (click-facts, section 6)."""
+
+from __future__ import annotations
+
+from clickgen.check.facts import Facts
+from clickgen.device.banks import BANKS, Address
+from clickgen.diagnostics import Diagnostics
+from clickgen.instructions.copies import CONVERSIONS, COPY
+from clickgen.instructions.spec import Pair
+from clickgen.ir.operands import Cell, Operand, Range, Text
+from clickgen.ir.program import Action, Options
+from clickgen.lower.tokens import extended, form_of
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    for placed in facts.actions:
+        if placed.spec.matrix == ("", ""):
+            continue
+        before = len(problems.found)
+        _check_options(placed.action, problems)
+        if len(problems.found) == before:
+            _check_pair(placed.action, problems)
+            _check_lengths(placed.action, problems)
+
+
+def _check_options(action: Action, problems: Diagnostics) -> None:
+    options = action.args.get("options")
+    if not isinstance(options, Options):
+        return
+    spec = action.spec
+    if options.name not in spec.conversions:
+        takes = f"it takes {', '.join(spec.conversions)}" if spec.conversions else "it converts nothing"
+        problems.add("CG314", options.span, f"{spec.name} has no option {options.name}: {takes}", "leave it out")
+        return
+    sources, targets = CONVERSIONS[options.name]
+    source, target = (form_of(action.args[name]) for name in spec.matrix)
+    if source not in sources or target not in targets:
+        problems.add(
+            "CG314",
+            options.span,
+            f"{options.name} converts {'/'.join(sources)} to {'/'.join(targets)}, not {source} to {target}",
+            "leave it out, or choose another option",
+        )
+    elif options.exponential and source != "DF":
+        problems.add(
+            "CG314", options.span, "exponential text is for floating-point numbers (DF)", "leave out exponential=True"
+        )
+
+
+def _check_pair(action: Action, problems: Diagnostics) -> None:
+    spec = action.spec
+    source, target = (action.args[name] for name in spec.matrix)
+    source_form, target_form = form_of(source), form_of(target)
+    pairs = [pair for variant in spec.variants for pair in variant.pairs]
+    pair = next((pair for pair in pairs if source_form in pair.sources and target_form in pair.targets), None)
+    if pair is None:
+        _refuse(action, source_form, target_form, pairs, problems)
+        return
+    if pair.disputed:
+        problems.add(
+            "CG312",
+            action.span,
+            f"{spec.name} from {source_form} to {target_form}: {pair.disputed}",
+            "try it on the machine before you rely on it",
+        )
+    if pair.lengths:
+        packed = source if isinstance(source, Range) else target
+        low, high = pair.lengths
+        if isinstance(packed, Range) and not low <= len(packed) <= high:
+            allowed = str(low) if low == high else f"{low} to {high}"
+            problems.add(
+                "CG306",
+                packed.span,
+                f"this range has {len(packed)} addresses; {source_form} to {target_form} takes {allowed}",
+                "the end of a slice is not included: c[1:17] is 16 bits",
+            )
+
+
+def _refuse(action: Action, source: str, target: str, pairs: list[Pair], problems: Diagnostics) -> None:
+    reachable = list(dict.fromkeys(bank for pair in pairs if source in pair.sources for bank in pair.targets))
+    help = (
+        f"{source} goes to {', '.join(reachable)}" if reachable else f"{action.spec.name} copies nothing from {source}"
+    )
+    if action.spec is COPY and BANKS.get(target) is not None and BANKS[target].is_bit and source not in BANKS:
+        help = "to turn a bit on or off use set(...) or reset(...)"
+    problems.add("CG305", action.span, f"CLICK cannot {action.spec.name} from {source} to {target}", help)
+
+
+def _check_lengths(action: Action, problems: Diagnostics) -> None:
+    spec = action.spec
+    for param in spec.params:
+        if not param.extends_over:
+            continue
+        source, target = action.args[param.extends_over], action.args[param.name]
+        if isinstance(target, Range) and isinstance(source, Range) and len(target) != len(source):
+            problems.add(
+                "CG306",
+                target.span,
+                f"the source has {len(source)} addresses and the destination {len(target)}",
+                "write the destination's first address alone; its end follows from the source",
+            )
+        elif isinstance(target, Cell) and isinstance(source, Range):
+            _check_room(extended(action, param), target, problems)
+    source, target = (action.args[name] for name in spec.matrix)
+    if isinstance(source, Text) and isinstance(target, Cell) and target.bank == "TXT":
+        first = target.address.number
+        last = first + len(source.value) - 1
+        if not BANKS["TXT"].has(last):
+            problems.add(
+                "CG306", source.span, f"the text would reach TXT{last}, behind the last TXT address", "begin it earlier"
+            )
+
+
+def _check_room(whole: Operand, first: Cell, problems: Diagnostics) -> None:
+    assert isinstance(whole, Range)
+    bank = BANKS[whole.bank]
+    if not all(bank.has(address.number) for address in whole.addresses()):
+        problems.add(
+            "CG306",
+            first.span,
+            f"the copy would reach {Address(whole.bank, whole.last)}: {bank.name} has {bank.describe_range()}",
+            "begin it earlier, or copy fewer addresses",
+        )

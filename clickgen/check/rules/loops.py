@@ -1,0 +1,77 @@
+"""Loops are closed, stand in no other loop, and close in a rung of their own (C0103, C0009)."""
+
+from __future__ import annotations
+
+from clickgen.check.facts import Facts, Placed
+from clickgen.diagnostics import Diagnostics, Label
+from clickgen.instructions import timers
+from clickgen.instructions.control import FOR, NEXT
+from clickgen.ir.program import Loop, Routine, loops_in
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    with_body = {id(loop.action) for loop in _loops(facts) if loop.body is not None}
+    open_loop: Placed | None = None
+    routine: Routine | None = None
+    for placed in facts.actions:
+        if placed.routine is not routine:
+            _refuse_open(open_loop, problems)
+            open_loop, routine = None, placed.routine
+        outer = placed.loop.action if placed.loop else open_loop.action if open_loop else None
+        if placed.spec is FOR:
+            if outer is not None:
+                problems.add(
+                    "CG407",
+                    placed.action.span,
+                    f"this loop stands inside the loop of line {outer.span.line}",
+                    "CLICK has no loop in a loop: unroll one of them, or close the first with next_loop() before",
+                    (Label(outer.span, "the outer loop"),),
+                )
+            elif id(placed.action) not in with_body:
+                open_loop = placed
+        elif placed.spec is NEXT:
+            _check_next(placed, open_loop, problems)
+            open_loop = None
+        elif outer is not None and placed.spec in timers.SPECS:
+            problems.add(
+                "CG423",
+                placed.action.span,
+                "this timer stands inside a loop and would run several times in a scan (C1004)",
+                "move it out of the loop",
+            )
+    _refuse_open(open_loop, problems)
+
+
+def _loops(facts: Facts) -> list[Loop]:
+    found: list[Loop] = []
+    for routine in facts.program.routines:
+        waiting = list(routine.rungs)
+        while waiting:
+            for loop in loops_in(waiting.pop().items):
+                found.append(loop)
+                waiting += loop.body or ()
+    return found
+
+
+def _refuse_open(loop: Placed | None, problems: Diagnostics) -> None:
+    if loop is not None and loop.routine.is_whole:
+        problems.add(
+            "CG408",
+            loop.action.span,
+            f"this loop is not closed in {loop.routine.name}",
+            "put the repeated rungs into its body, or close it with if True: next_loop()",
+        )
+
+
+def _check_next(placed: Placed, open_loop: Placed | None, problems: Diagnostics) -> None:
+    span = placed.action.span
+    if placed.loop is not None:
+        problems.add("CG409", span, "a loop with a body closes by itself", "leave next_loop() out")
+    elif open_loop is None and not placed.routine.is_whole:
+        return
+    elif open_loop is None:
+        problems.add("CG409", span, "there is no open loop here", "open one with for _ in range(n): pass")
+    elif not placed.is_unconditional or len(placed.rung.items) != 1:
+        problems.add(
+            "CG422", span, "next_loop() stands alone in an unconditional rung (C0009)", "write if True: next_loop()"
+        )

@@ -1,0 +1,139 @@
+"""Each operand is one that its instruction takes there: its bank, form, constant, and whether it can be written."""
+
+from __future__ import annotations
+
+from clickgen.check.facts import Facts, Placed
+from clickgen.check.values import constant_fault
+from clickgen.device.banks import BANKS
+from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
+from clickgen.diagnostics import Diagnostics
+from clickgen.instructions.spec import Access, Param, ParamKind, Slot
+from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Operand, Pointer, Range
+from clickgen.ir.program import Action
+from clickgen.lower.tokens import form_of
+from clickgen.resolve.constants import kind_of
+
+_READ_ONLY = {"X": "an input", "T": "a timer's bit", "CT": "a counter's bit", "XD": "an input word"}
+_WRITABLE = {"SC": WRITABLE_SC, "SD": WRITABLE_SD}
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    for placed in facts.actions:
+        for param in placed.spec.params:
+            operand = placed.action.args.get(param.name)
+            if param.kind is ParamKind.OPERAND and isinstance(operand, Operand):
+                _check(placed, param, operand, problems)
+        _check_oneshot(placed.action, problems)
+
+
+def _check(placed: Placed, param: Param, operand: Operand, problems: Diagnostics) -> None:
+    slot = param.slot
+    if slot.access is Access.WRITE and _is_read_only(operand, slot, problems):
+        return
+    if isinstance(operand, Immediate):
+        if operand.bank not in slot.immediates:
+            banks = f"; it takes immediate {', '.join(slot.immediates)}" if slot.immediates else ""
+            problems.add(
+                "CG308",
+                operand.span,
+                f"{placed.spec.name} takes no immediate {operand.bank} here{banks}",
+                "leave out .immediate",
+            )
+    elif isinstance(operand, Pointer):
+        if operand.bank not in slot.pointers:
+            problems.add(
+                "CG307",
+                operand.span,
+                f"{placed.spec.name} takes no pointer here: only copy does",
+                "copy the value to a register first, and use that",
+            )
+    elif isinstance(operand, Constant):
+        _check_constant(placed, param, operand, problems)
+    elif operand.bank not in (slot.ranges if isinstance(operand, Range) else slot.cells):
+        _refuse(placed, param, operand, problems)
+    elif isinstance(operand, Range) and operand.is_reversed and not slot.reversible:
+        problems.add(
+            "CG202", operand.span, f"{placed.spec.name} takes its range forwards", "write the slice without :-1"
+        )
+
+
+def _refuse(placed: Placed, param: Param, operand: Named | Cell | Range, problems: Diagnostics) -> None:
+    slot = param.slot
+    what = f"a range of {operand.bank}" if isinstance(operand, Range) else _shown(operand)
+    help = ""
+    if isinstance(operand, Cell) and operand.bank in slot.ranges:
+        number = operand.address.number
+        bank = BANKS[operand.bank].dsl
+        help = f"write a range: {bank}[{number}:{number + 1}] is one address"
+    elif isinstance(operand, Range) and operand.bank in slot.cells:
+        help = "it takes one address"
+    problems.add(
+        "CG301",
+        operand.span,
+        f"{placed.spec.name} does not take {what} as {param.name!r}: it takes {slot.describe()}",
+        help,
+    )
+
+
+def _is_read_only(operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
+    """Report a target that nothing can write (click-facts, sections 3 and 6)."""
+    target = operand.target if isinstance(operand, Immediate) else operand
+    reason = _READ_ONLY.get(target.bank) if isinstance(target, Named | Cell | Range | Pointer) else None
+    if reason and not (isinstance(target, Pointer) and target.bank in slot.pointers and target.bank != "XD"):
+        problems.add(
+            "CG304", operand.span, f"{_shown(target)} is {reason}: no instruction writes it", "write another address"
+        )
+        return True
+    addresses = (
+        [target.address] if isinstance(target, Cell) else target.addresses() if isinstance(target, Range) else []
+    )
+    for address in addresses:
+        writable = _WRITABLE.get(address.bank)
+        if writable is not None and address.number not in writable:
+            numbers = ", ".join(map(str, sorted(writable)))
+            problems.add(
+                "CG304", operand.span, f"{address} cannot be written", f"the writable {address.bank}: {numbers}"
+            )
+            return True
+    return False
+
+
+def _shown(target: object) -> str:
+    if isinstance(target, Cell):
+        return str(target.address)
+    return f"{target.bank.lower()}.{target.name}" if isinstance(target, Named) else f"a {form_of(target)} address"
+
+
+def _check_constant(placed: Placed, param: Param, constant: Operand, problems: Diagnostics) -> None:
+    slot, action = param.slot, placed.action
+    if form_of(constant) not in slot.constants:
+        problems.add(
+            "CG301",
+            constant.span,
+            f"{placed.spec.name} does not take this constant as {param.name!r}: it takes {slot.describe()}",
+        )
+        return
+    if isinstance(constant, Integer) and slot.limits:
+        low, high = slot.limits
+        if not low <= constant.value <= high:
+            problems.add(
+                "CG302",
+                constant.span,
+                f"{param.name!r} of {placed.spec.name} is {constant.value}, outside {low}..{high}",
+                "choose a larger unit"
+                if param.name == "setpoint" and constant.value > high and "unit" in action.args
+                else "",
+            )
+            return
+    fault = constant_fault(constant, kind_of(action.args.get(param.typed_by)))
+    if fault:
+        problems.add("CG302", constant.span, fault, "write a constant that the destination can hold")
+
+
+def _check_oneshot(action: Action, problems: Diagnostics) -> None:
+    target = action.args.get("address")
+    if isinstance(target, Immediate) and action.flag("oneshot"):
+        span = action.args["oneshot"].span
+        problems.add(
+            "CG313", span, "an immediate coil has no one-shot (click-facts, section 3)", "leave out one of the two"
+        )

@@ -1,0 +1,29 @@
+"""One timer or counter number has one instruction (C010A, C010B)."""
+
+from __future__ import annotations
+
+from clickgen.check.facts import Facts
+from clickgen.device.banks import Address
+from clickgen.diagnostics import Diagnostics, Label
+from clickgen.instructions.spec import Access
+from clickgen.ir.operands import Cell
+from clickgen.ir.program import Action
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    owners: dict[Address, Action] = {}
+    for placed in facts.actions:
+        for param in placed.spec.params:
+            operand = placed.action.args.get(param.name)
+            if param.slot.access is not Access.OWN or not isinstance(operand, Cell):
+                continue
+            earlier = owners.setdefault(operand.address, placed.action)
+            if earlier is not placed.action:
+                kind = "timer" if operand.bank == "T" else "counter"
+                problems.add(
+                    "CG412",
+                    operand.span,
+                    f"{operand.address} belongs to the {kind} of line {earlier.span.line} already",
+                    f"give this {kind} another name",
+                    (Label(earlier.span, "its first owner"),),
+                )

@@ -1,0 +1,34 @@
+"""rtof is built from other instructions; its bit cannot be read as part of a range."""
+
+from __future__ import annotations
+
+from clickgen.check.facts import Facts
+from clickgen.device.banks import Address
+from clickgen.diagnostics import Diagnostics
+from clickgen.instructions.timers import RTOF
+from clickgen.ir.operands import Cell, Range
+from clickgen.ir.walk import program_operands
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    timers: set[Address] = set()
+    for placed in facts.actions:
+        timer = placed.action.args.get("timer")
+        if placed.spec is RTOF and isinstance(timer, Cell):
+            timers.add(timer.address)
+            problems.add(
+                "CG420",
+                placed.action.span,
+                f"CLICK has no retentive off-delay: {timer.address} becomes a retentive on-delay with two scratch bits",
+                "the listing shows the rungs; reading the timer's bit reads one of the scratch bits",
+            )
+    if not timers:
+        return
+    for operand in program_operands(facts.program):
+        if isinstance(operand, Range) and operand.bank == "T" and not timers.isdisjoint(operand.addresses()):
+            problems.add(
+                "CG301",
+                operand.span,
+                "this range holds the bit of an rtof, which stands elsewhere",
+                "name the bits one by one",
+            )

@@ -1,0 +1,35 @@
+"""A search goes forward through one bank, and compares like with like (click-facts, section 3)."""
+
+from __future__ import annotations
+
+from clickgen.check.facts import Facts
+from clickgen.check.values import value_class
+from clickgen.diagnostics import Diagnostics
+from clickgen.instructions.data import SEARCH
+from clickgen.ir.operands import Cell, Operand
+from clickgen.ir.program import Action
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    for placed in facts.actions:
+        if placed.spec is SEARCH:
+            _check(placed.action, problems)
+
+
+def _check(action: Action, problems: Diagnostics) -> None:
+    start, end, value = action.args["start"], action.args["end"], action.args["value"]
+    if not (isinstance(start, Cell) and isinstance(end, Cell) and isinstance(value, Operand)):
+        return
+    if start.bank != end.bank:
+        problems.add("CG306", end.span, f"the search begins in {start.bank} and ends in {end.bank}", "search one bank")
+    elif start.address.number > end.address.number:
+        problems.add(
+            "CG306", end.span, f"the search ends at {end.address}, before it begins at {start.address}", "swap them"
+        )
+    searched, sought = value_class(start), value_class(value)
+    if searched != sought:
+        problems.add(
+            "CG303", value.span, f"a {sought} value cannot be found among {searched} values", "search another bank"
+        )
+    elif searched == "text" and action.word("condition") not in ("==", "!="):
+        problems.add("CG301", action.args["condition"].span, "texts are searched with == or !=", 'search("==", ...)')

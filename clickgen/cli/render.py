@@ -1,0 +1,118 @@
+"""Problems as a person reads them in a terminal: code, place, source line with the span marked, the way out."""
+
+from __future__ import annotations
+
+import os
+import sys
+import unicodedata
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import TextIO
+
+from clickgen.codes import Severity
+from clickgen.diagnostics import Diagnostic
+from clickgen.source import Span
+
+_COLORS = {Severity.ERROR: "31", Severity.WARNING: "33", Severity.INFO: "36"}
+_FRAME_WIDTH = 110
+"""How much of a long source line is shown, in characters."""
+
+
+def use_color(stream: TextIO, environ: Mapping[str, str] = os.environ) -> bool:
+    """Colour only on a terminal, and never with NO_COLOR set (https://no-color.org)."""
+    return stream.isatty() and not environ.get("NO_COLOR") and environ.get("TERM") != "dumb"
+
+
+class Renderer:
+    """Writes problems for people. ``line_of`` gives the text of a file's line for the frame."""
+
+    def __init__(self, color: bool, line_of: Callable[[str, int], str]) -> None:
+        self._color = color
+        self._line_of = line_of
+
+    def render(self, problem: Diagnostic) -> str:
+        severity = problem.severity
+        head = self._paint(f"{severity.value}[{problem.code}]", f"1;{_COLORS[severity]}")
+        place = f"{printable(problem.span.path)}:{problem.span.line}:{problem.span.col}: " if problem.span else ""
+        lines = [f"{self._paint(place, '1')}{head}: {printable(problem.message)}"]
+        if problem.span:
+            lines += self._frame(problem.span, "^", _COLORS[severity])
+        for label in problem.labels:
+            where = label.span.line if problem.span and label.span.path == problem.span.path else str(label.span)
+            lines.append(f"  {self._paint('note', '1')}: {printable(label.text)} ({_line_or_place(where)})")
+            lines += self._frame(label.span, "-", "36")
+        if problem.help:
+            lines.append(f"  {self._paint('help', '1;32')}: {printable(problem.help)}")
+        return "\n".join(lines)
+
+    def _frame(self, span: Span, mark: str, color: str) -> Iterator[str]:
+        text = self._line_of(span.path, span.line)
+        if not text.strip():
+            return
+        number = str(span.line)
+        end = span.end_col if span.end_line == span.line else len(text) + 1
+        start = max(0, min(span.col - 1, len(text)) - _FRAME_WIDTH // 2) if len(text) > _FRAME_WIDTH else 0
+        shown = text[start : start + _FRAME_WIDTH]
+        before = _width(printable(shown[: span.col - 1 - start]))
+        marked = max(1, _width(printable(shown[span.col - 1 - start : max(end - 1 - start, 0)])))
+        gutter = " " * len(number)
+        yield f"  {number} | {printable(shown)}"
+        yield f"  {gutter} | {' ' * before}{self._paint(mark * marked, color)}"
+
+    def _paint(self, text: str, style: str) -> str:
+        return f"\x1b[{style}m{text}\x1b[0m" if self._color and text else text
+
+
+def _line_or_place(where: int | str) -> str:
+    return f"line {where}" if isinstance(where, int) else where
+
+
+def printable(text: str) -> str:
+    """Text without control characters: a file must not steer the terminal. A tab becomes four spaces."""
+    if text.isascii() and text.isprintable():
+        return text
+    return "".join(
+        character if character.isprintable() or character == "\n" else "    " if character == "\t" else "\N{MIDDLE DOT}"
+        for character in text
+    )
+
+
+def _width(text: str) -> int:
+    """The columns that a text takes in a terminal."""
+    if text.isascii():
+        return len(text)
+    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
+
+
+def summary(problems: Iterable[Diagnostic]) -> str:
+    """``2 errors, 1 warning``, or an empty text."""
+    counts: dict[Severity, int] = dict.fromkeys(Severity, 0)
+    for problem in problems:
+        counts[problem.severity] += 1
+    nouns = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
+    return ", ".join(
+        f"{count} {nouns[severity]}{'s' if count > 1 else ''}" for severity, count in counts.items() if count
+    )
+
+
+def source_lines() -> Callable[[str, int], str]:
+    """A reader of lines of files for frames; what cannot be read has no lines."""
+    cache: dict[str, list[str]] = {}
+
+    def line_of(path: str, number: int) -> str:
+        if path not in cache:
+            try:
+                with open(path, encoding="utf-8-sig", errors="replace", newline="") as file:
+                    cache[path] = file.read().replace("\r\n", "\n").replace("\r", "\n").split("\n")
+            except OSError:
+                cache[path] = []
+        lines = cache[path]
+        return lines[number - 1] if 0 < number <= len(lines) else ""
+
+    return line_of
+
+
+def write_problems(problems: Iterable[Diagnostic], stream: TextIO = sys.stderr) -> None:
+    """All problems with a blank line between, errors last of all read first: in the order of the file."""
+    renderer = Renderer(use_color(stream), source_lines())
+    for problem in problems:
+        stream.write(renderer.render(problem) + "\n\n")

@@ -1,0 +1,70 @@
+"""CLICK's limits on files, routines and comments, in numbers (click-facts, sections 0 and 5)."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+RUNGS_MAX = 256
+"""Rungs in one ladder file."""
+ROWS_AND_RUNGS_MAX = 2047
+"""Expanded grid rows plus rungs in one ladder file; beyond it the codec corrupts silently."""
+SUBROUTINES_MAX = 986
+SUBROUTINE_NAME_MAX = 24
+COMMENT_BYTES_MAX = 1400
+"""Bytes of a rung comment after RTF encoding."""
+
+_SUBSTITUTES = str.maketrans(
+    {
+        "\N{EM DASH}": "-",
+        "\N{EN DASH}": "-",
+        "\N{RIGHTWARDS ARROW}": "->",
+        "\N{LEFTWARDS ARROW}": "<-",
+        "\N{GREATER-THAN OR EQUAL TO}": ">=",
+        "\N{LESS-THAN OR EQUAL TO}": "<=",
+        "\N{NOT EQUAL TO}": "!=",
+        "\N{LEFT DOUBLE QUOTATION MARK}": '"',
+        "\N{RIGHT DOUBLE QUOTATION MARK}": '"',
+        "\N{LEFT SINGLE QUOTATION MARK}": "'",
+        "\N{RIGHT SINGLE QUOTATION MARK}": "'",
+    }
+)
+_STYLES = (
+    (re.compile(r"\*\*(.+?)\*\*", re.DOTALL), 5 - 4),
+    (re.compile(r"(?<!\w)__(.+?)__(?!\w)", re.DOTALL), 6 - 4),
+    (re.compile(r"\*(.+?)\*", re.DOTALL), 5 - 2),
+    (re.compile(r"(?<!\w)_(.+?)_(?!\w)", re.DOTALL), 5 - 2),
+)
+"""Marks that become bold, underlined or italic text, and what each pair adds in bytes."""
+
+
+def comment_bytes(comment: str) -> int:
+    """The length of a rung comment as CLICK stores it: a line break costs 5 bytes, each of ``\\ { }`` two."""
+    text = "".join(map(_down_converted, comment.translate(_SUBSTITUTES)))
+    size = len(text) + 4 * text.count("\n") + sum(map(text.count, "\\{}"))
+    for pattern, extra in _STYLES:
+        text, count = pattern.subn(lambda match: match[1], text)
+        size += count * extra
+    return size
+
+
+def _down_converted(character: str) -> str:
+    """What a character outside ASCII becomes: its base letter, nothing for a mark, else a question mark."""
+    if character.isascii():
+        return character
+    kept = []
+    for part in unicodedata.normalize("NFKD", character):
+        if part.isascii():
+            kept.append(part)
+        elif not unicodedata.category(part).startswith("M"):
+            kept.append("?")
+    return "".join(kept)
+
+
+def styled_part(comment: str) -> str:
+    """The first stretch of a comment that CLICK would show bold, underlined or italic; "" when there is none."""
+    for pattern, _ in _STYLES:
+        match = pattern.search(comment)
+        if match:
+            return match.group()
+    return ""

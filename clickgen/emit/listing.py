@@ -1,0 +1,202 @@
+"""listing.txt: the program as a person reads it and as ``git diff`` shows it.
+
+Nothing in it changes without the program changing: no dates, no source lines, rungs numbered in each routine.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+from clickgen.device.banks import CURRENT_VALUE_OF, Address, parse_address
+from clickgen.device.system import system_name_of
+from clickgen.ir.conditions import All, Always, Any, Condition
+from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
+from clickgen.ir.program import Action, Branch, Item
+from clickgen.ir.walk import condition_operands
+from clickgen.lower.effects import touches
+from clickgen.lower.split import ClickRoutine, ClickRung
+from clickgen.lower.tokens import NEVER_CONTACT, action_token, operand_token
+from clickgen.lower.words import condition_words
+
+_WIDTH = 100
+"""A condition longer than this is broken at its terms."""
+
+
+class Names:
+    """Addresses with their nicknames beside them: ``C1:StartButton``."""
+
+    def __init__(self, nicknames: Mapping[Address, str]) -> None:
+        self._nicknames = nicknames
+
+    def nickname(self, address: Address) -> str:
+        """The nickname of an address, CLICK's own included; a current value goes by its timer's or counter's."""
+        own = self._nicknames.get(address)
+        if own:
+            return own
+        bit = CURRENT_VALUE_OF.get(address.bank)
+        if bit:
+            return self._nicknames.get(Address(bit, address.number), "")
+        return system_name_of(address) or ""
+
+    def show(self, operand: Operand) -> str:
+        if isinstance(operand, Cell):
+            nickname = self.nickname(operand.address)
+            return f"{operand.address}:{nickname}" if nickname else str(operand.address)
+        if isinstance(operand, Pointer):
+            return f"{operand.bank}[{self.show(operand.register)}]"
+        if isinstance(operand, Immediate):
+            return f"immediate({self.show(operand.target)})"
+        return operand_token(operand)
+
+    def numbers_in(self, bank: str) -> list[int]:
+        return sorted(address.number for address in self._nicknames if address.bank == bank)
+
+
+def listing(title: str, routines: Iterable[ClickRoutine], nicknames: Mapping[Address, str]) -> str:
+    """The whole listing: counts, every routine rung by rung, and the cross-reference."""
+    routines = tuple(routines)
+    names = Names(nicknames)
+    lines = [f"CLICK program {title}", ""]
+    width = max(len(routine.name) for routine in routines)
+    for routine in routines:
+        rows = sum(len(rung.grid) for rung in routine.rungs)
+        lines.append(f"  {routine.name:<{width}}  {_count(len(routine.rungs), 'rung')}, {_count(rows, 'row')}")
+    for routine in routines:
+        lines += ["", "", routine.name, "=" * len(routine.name)]
+        for number, rung in enumerate(routine.rungs, 1):
+            lines += ["", *_rung(number, rung, names)]
+    lines += ["", "", "Cross-reference", "===============", ""]
+    lines += _cross_reference(routines, names)
+    return "\n".join(lines) + "\n"
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+# -- rungs ------------------------------------------------------------------------------------------------------------
+
+
+def _rung(number: int, rung: ClickRung, names: Names) -> Iterator[str]:
+    yield f"Rung {number}"
+    for line in rung.comment.split("\n") if rung.comment else ():
+        yield f"  | {line}".rstrip()
+    yield from _condition("  ", rung.condition, names)
+    yield from _items("    ", rung.items, names)
+
+
+def _items(indent: str, items: tuple[Item, ...], names: Names) -> Iterator[str]:
+    for item in items:
+        if isinstance(item, Branch):
+            yield from _condition(indent, item.condition, names)
+            yield from _items(indent + "  ", item.items, names)
+        else:
+            assert isinstance(item, Action)
+            yield indent + action_token(item, names.show)
+            for param in item.spec.pins:
+                condition = item.pin(param.name)
+                words = condition_words(condition, names.show) if condition else f"never ({NEVER_CONTACT})"
+                yield f"{indent}  {param.pin} if {words}"
+
+
+def _condition(indent: str, condition: Condition, names: Names) -> Iterator[str]:
+    """``if`` and the condition in words; a long one with each term on a line of its own."""
+    words = condition_words(condition, names.show)
+    if isinstance(condition, Always):
+        yield f"{indent}always"
+    elif len(words) <= _WIDTH or not isinstance(condition, All | Any):
+        yield f"{indent}if {words}"
+    else:
+        joiner = "and" if isinstance(condition, All) else "or"
+        for index, term in enumerate(condition.terms):
+            text = condition_words(type(condition)((term, term), condition.span), names.show)
+            text = text[: (len(text) - len(joiner) - 2) // 2]
+            yield f"{indent}{'if ' if index == 0 else f'   {joiner} '}{text}"
+
+
+# -- cross-reference --------------------------------------------------------------------------------------------------
+
+
+@dataclass
+class _Uses:
+    written: dict[str, list[int]] = field(default_factory=dict)
+    read: dict[str, list[int]] = field(default_factory=dict)
+
+    def add(self, routine: str, rung: int, is_written: bool) -> None:
+        rungs = (self.written if is_written else self.read).setdefault(routine, [])
+        if not rungs or rungs[-1] != rung:
+            rungs.append(rung)
+
+
+_Key = tuple[tuple[int, int, bool], int, str]
+"""Sorts addresses in CLICK's order, a range behind its first address, a pointer before its bank."""
+
+
+class _CrossReference:
+    def __init__(self, names: Names) -> None:
+        self._names = names
+        self._named: dict[str, list[int]] = {}
+        self.uses: dict[_Key, _Uses] = {}
+
+    def add(self, operand: Operand, routine: str, rung: int, is_written: bool) -> None:
+        if isinstance(operand, Immediate):
+            operand = operand.target
+        if isinstance(operand, Cell):
+            self._note((operand.address.sort_key, 0, str(operand.address)), routine, rung, is_written)
+        elif isinstance(operand, Range):
+            low, high = sorted((operand.first, operand.last))
+            first, length = Address(operand.bank, low), high - low + 1
+            text = str(first) if length == 1 else f"{first}..{Address(operand.bank, high)}"
+            self._note((first.sort_key, length - 1, text), routine, rung, is_written)
+            for number in self._named_in(operand.bank, low, high) if length > 1 else ():
+                address = Address(operand.bank, number)
+                self._note((address.sort_key, 0, str(address)), routine, rung, is_written)
+        elif isinstance(operand, Pointer):
+            key = ((Address(operand.bank, -1).sort_key), 0, operand_token(operand))
+            self._note(key, routine, rung, is_written)
+
+    def _named_in(self, bank: str, low: int, high: int) -> list[int]:
+        if bank not in self._named:
+            self._named[bank] = self._names.numbers_in(bank)
+        numbers = self._named[bank]
+        return numbers[bisect_left(numbers, low) : bisect_left(numbers, high + 1)]
+
+    def _note(self, key: _Key, routine: str, rung: int, is_written: bool) -> None:
+        uses = self.uses.get(key)
+        if uses is None:
+            uses = self.uses[key] = _Uses()
+        uses.add(routine, rung, is_written)
+
+
+def _cross_reference(routines: tuple[ClickRoutine, ...], names: Names) -> list[str]:
+    table = _CrossReference(names)
+    for routine in routines:
+        for number, rung in enumerate(routine.rungs, 1):
+            for operand in condition_operands(rung.condition):
+                table.add(operand, routine.name, number, False)
+            for operand, is_written in _touched(rung.items):
+                table.add(operand, routine.name, number, is_written)
+    rows = [("Address", "Nickname", "Written", "Read")]
+    for key, uses in sorted(table.uses.items()):
+        _, length, text = key
+        address = parse_address(text) if length == 0 else None
+        nickname = names.nickname(address) if address else ""
+        rows.append((text, nickname, _places(uses.written), _places(uses.read)))
+    widths = [max(len(row[column]) for row in rows) for column in range(2)]
+    return [f"{row[0]:<{widths[0]}}  {row[1]:<{widths[1]}}  {row[2] or '-'} | {row[3] or '-'}" for row in rows]
+
+
+def _touched(items: tuple[Item, ...]) -> Iterator[tuple[Operand, bool]]:
+    for item in items:
+        if isinstance(item, Branch):
+            yield from ((operand, False) for operand in condition_operands(item.condition))
+            yield from _touched(item.items)
+        else:
+            assert isinstance(item, Action)
+            yield from touches(item)
+
+
+def _places(uses: Mapping[str, list[int]]) -> str:
+    return "; ".join(f"{routine} {', '.join(map(str, rungs))}" for routine, rungs in uses.items())

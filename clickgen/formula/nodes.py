@@ -1,0 +1,133 @@
+"""The formula a person wrote, as frozen nodes. Written parentheses are kept, so that CLICK shows what was written.
+
+``start`` and ``end`` are character offsets into the formula; the end is exclusive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+from clickgen.ir.operands import Cell, Named, Pointer, Range
+
+Mode = Literal["decimal", "hex"]
+"""``decimal`` for calc, ``hex`` for math_hex."""
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A decimal number of a decimal formula; ``text`` is how the person wrote it."""
+
+    text: str
+    value: int | float
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class HexNumber:
+    """A number of a hexadecimal formula, 0..FFFFh; ``digits`` is how many CLICK shows, at most 4."""
+
+    value: int
+    start: int
+    end: int
+    digits: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Pi:
+    """CLICK's ``PI``, 3.1415927."""
+
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Operand:
+    """One cell, by name, address or pointer."""
+
+    ref: Named | Cell | Pointer
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Sum:
+    """``SUM(ds[1:11])``: what DS1 to DS10 add up to. Both ends of ``range`` are included."""
+
+    range: Range
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Unary:
+    """``-x`` or ``NOT x``. CLICK has neither: the printer lowers them."""
+
+    op: Literal["-", "NOT"]
+    operand: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Binary:
+    """``left op right``; op is one of ``+ - * / ^ MOD AND OR XOR LSH RSH LRO RRO``. A shift is a call in CLICK."""
+
+    op: str
+    left: Node
+    right: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A function of one value; ``name`` in upper case."""
+
+    name: str
+    argument: Node
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Parentheses that a person wrote."""
+
+    inner: Node
+    start: int
+    end: int
+
+
+Node = Number | HexNumber | Pi | Operand | Sum | Unary | Binary | Call | Group
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A whole formula and the instruction family it belongs to."""
+
+    root: Node
+    mode: Mode
+
+
+def walk(formula: Formula) -> Iterator[Node]:
+    """Every node, from left to right, a node before its parts."""
+    waiting: list[Node] = [formula.root]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        if isinstance(node, Binary):
+            waiting += (node.right, node.left)
+        elif isinstance(node, Unary):
+            waiting.append(node.operand)
+        elif isinstance(node, Call):
+            waiting.append(node.argument)
+        elif isinstance(node, Group):
+            waiting.append(node.inner)
+
+
+def references(formula: Formula) -> list[Operand | Sum]:
+    """The cells and ranges that the formula reads, from left to right."""
+    return [node for node in walk(formula) if isinstance(node, Operand | Sum)]

@@ -1,0 +1,139 @@
+"""A formula in CLICK's native form: one space between all tokens (click-facts, section 4).
+
+It prints as written, the written parentheses kept. Parentheses are added where a lowering needs them (``NOT x`` is
+``x XOR FFFFh``, ``-x`` is ``0 - x``) and where operators meet whose order on CLICK is unknown, so that CLICK
+computes what the source means.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from clickgen.formula.nodes import (
+    Binary,
+    Call,
+    Formula,
+    Group,
+    HexNumber,
+    Mode,
+    Node,
+    Number,
+    Operand,
+    Pi,
+    Sum,
+    Unary,
+)
+from clickgen.formula.words import SHIFTS
+from clickgen.ir.operands import Cell, Named, Pointer, Range
+
+OperandText = Callable[[Named | Cell | Pointer | Range], str]
+
+_CALLS = frozenset(SHIFTS.values())
+
+# Usual maths, which CLICK is taken to follow: (operator, operator inside it) needs no parentheses on the left or on
+# the right. Of MOD, of AND, OR, XOR among others, and of ^ in a row nobody says how CLICK groups them.
+_LEFT = {
+    "+": frozenset("+-*/^"),
+    "-": frozenset("+-*/^"),
+    "*": frozenset("*/^"),
+    "/": frozenset("*/^"),
+    "AND": frozenset(("AND",)),
+    "OR": frozenset(("OR",)),
+    "XOR": frozenset(("XOR",)),
+}
+_RIGHT = {"+": frozenset("*/^"), "-": frozenset("*/^"), "*": frozenset("^"), "/": frozenset("^")}
+_NONE: frozenset[str] = frozenset()
+
+
+def print_formula(formula: Formula, operand_text: OperandText) -> str:
+    """The formula as CLICK writes it. ``operand_text`` gives ``DS5`` for a cell and ``DS1 : DS10`` for a range."""
+    return _print(formula.root, formula.mode, operand_text)
+
+
+def _print(node: Node, mode: Mode, operand_text: OperandText) -> str:
+    """One node, standing alone: at the top or between parentheses."""
+    if isinstance(node, Operand):
+        return operand_text(node.ref)
+    if isinstance(node, Number):
+        return number_text(node)
+    if isinstance(node, HexNumber):
+        return f"{node.value:0{node.digits}X}h"
+    if isinstance(node, Pi):
+        return "PI"
+    if isinstance(node, Group):
+        return f"( {_print(node.inner, mode, operand_text)} )"
+    if isinstance(node, Call):
+        return f"{node.name} ( {_print(node.argument, mode, operand_text)} )"
+    if isinstance(node, Sum):
+        return f"SUM ( {operand_text(node.range)} )"
+    if isinstance(node, Unary):
+        if node.op == "-":
+            zero = "0h" if mode == "hex" else "0"
+            return f"{zero} - {_inside(node.operand, _RIGHT['-'], mode, operand_text)}"
+        return f"{_inside(node.operand, _NONE, mode, operand_text)} XOR FFFFh"
+    if node.op in _CALLS:
+        left, right = _print(node.left, mode, operand_text), _print(node.right, mode, operand_text)
+        return f"{node.op} ( {left} , {right} )"
+    left = _inside(node.left, _LEFT.get(node.op, _NONE), mode, operand_text)
+    right = _inside(node.right, _RIGHT.get(node.op, _NONE), mode, operand_text)
+    return f"{left} {node.op} {right}"
+
+
+def _inside(node: Node, bare: frozenset[str], mode: Mode, operand_text: OperandText) -> str:
+    """One node beside an operator, in parentheses unless its own operator is one of ``bare``."""
+    text = _print(node, mode, operand_text)
+    if isinstance(node, Unary) or (isinstance(node, Binary) and node.op not in _CALLS and node.op not in bare):
+        return f"( {text} )"
+    return text
+
+
+def number_text(number: Number) -> str:
+    """The number as written, with a digit on both sides of the point and without an exponent."""
+    text = number.text
+    if "e" in text or "E" in text:
+        from decimal import Decimal
+
+        text = format(Decimal(repr(float(number.value))), "f")
+        return text if "." in text else f"{text}.0"
+    if text.startswith("."):
+        text = f"0{text}"
+    return f"{text}0" if text.endswith(".") else text
+
+
+def print_source(formula: Formula) -> str:
+    """The formula as a program would hold it; reading it gives the same formula again."""
+    return _source(formula.root)
+
+
+def _source(node: Node) -> str:
+    if isinstance(node, Operand):
+        return source_reference(node.ref)
+    if isinstance(node, Number):
+        return node.text
+    if isinstance(node, HexNumber):
+        return f"0x{node.value:0{node.digits}X}"
+    if isinstance(node, Pi):
+        return "PI"
+    if isinstance(node, Group):
+        return f"({_source(node.inner)})"
+    if isinstance(node, Call):
+        return f"{node.name}({_source(node.argument)})"
+    if isinstance(node, Sum):
+        return f"SUM({source_reference(node.range)})"
+    if isinstance(node, Unary):
+        return f"{node.op}{' ' if node.op == 'NOT' else ''}{_source(node.operand)}"
+    if node.op in _CALLS:
+        return f"{node.op}({_source(node.left)}, {_source(node.right)})"
+    return f"{_source(node.left)} {node.op} {_source(node.right)}"
+
+
+def source_reference(ref: Named | Cell | Pointer | Range) -> str:
+    """An operand in the dialect: ``ds.Name``, ``ds["Any name"]``, ``xd["0u"]``, ``ds[ds.Index]``, ``ds[1:11]``."""
+    bank = ref.bank.lower()
+    if isinstance(ref, Named):
+        return f"{bank}.{ref.name}" if ref.name.isidentifier() else f'{bank}["{ref.name}"]'
+    if isinstance(ref, Cell):
+        return f'{bank}["0u"]' if ref.address.upper else f"{bank}[{ref.address.number}]"
+    if isinstance(ref, Range):
+        return f"{bank}[{ref.first}:{ref.last + 1}]"
+    return f"{bank}[{source_reference(ref.register)}]"

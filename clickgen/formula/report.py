@@ -1,0 +1,20 @@
+"""Problems of one formula, placed by character offsets into its string."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from clickgen.diagnostics import Diagnostics
+from clickgen.source import EmbeddedText
+
+
+@dataclass
+class Report:
+    """What is wrong with one formula so far."""
+
+    text: EmbeddedText
+    problems: Diagnostics = field(default_factory=Diagnostics)
+
+    def add(self, code: str, start: int, end: int, message: str, help: str = "") -> None:
+        """Add a problem of ``text.value[start:end]``."""
+        self.problems.add(code, self.text.span(start, end), message, help)

@@ -1,0 +1,54 @@
+"""Program control: call, the for loop, end, return, NOP (click-facts, sections 3 and 5)."""
+
+from __future__ import annotations
+
+from clickgen.instructions.spec import INTEGER, ONESHOT, Param, ParamKind, Slot, Spec, Variant
+
+CALL = Spec(
+    name="call",
+    params=(Param("subroutine", ParamKind.ROUTINE, aliases=("subroutine_name",)),),
+    variants=(Variant('call("{subroutine}")'),),
+    summary="Run a subroutine.",
+    example="call(auto_mode)",
+)
+RETURN = Spec(
+    name="return",
+    params=(),
+    variants=(Variant("return()"),),
+    summary="Go back from a subroutine to main.",
+    example="return",
+)
+END = Spec(
+    name="end",
+    params=(),
+    variants=(Variant("end()"),),
+    summary="End the scan of the program.",
+    example="end()",
+    alone=True,
+)
+FOR = Spec(
+    name="for",
+    params=(Param("count", slot=Slot(cells=("DS",), constants=(INTEGER,), limits=(1, 32767))), ONESHOT),
+    variants=(Variant("for({count}{oneshot})"),),
+    summary="Run the rungs up to next_loop() several times in one scan.",
+    example="for _ in range(ds.Count): pass",
+    alone=True,
+)
+NEXT = Spec(
+    name="next_loop",
+    params=(),
+    variants=(Variant("next()"),),
+    summary="Close the loop that a for opened.",
+    example="next_loop()",
+    alone=True,
+)
+NOP = Spec(
+    name="pass",
+    params=(),
+    variants=(Variant("NOP"),),
+    summary="Do nothing: keeps a rung without outputs legal (C0003).",
+    example="pass",
+)
+
+SPECS = (CALL, END, NEXT)
+"""What is written as a call; return, for and pass have syntax of their own."""

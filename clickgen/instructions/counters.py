@@ -1,0 +1,38 @@
+"""Counters: ctu, ctd, ctud (click-facts, section 3, "Timers, counters", and trap 6)."""
+
+from __future__ import annotations
+
+from clickgen.instructions.spec import INTEGER, Access, Param, ParamKind, Slot, Spec, Variant
+
+_COUNTER = Param("counter", slot=Slot(cells=("CT",), access=Access.OWN))
+_SETPOINT = Param("setpoint", slot=Slot(cells=("DS", "DD"), constants=(INTEGER,), limits=(-(2**31), 2**31 - 1)))
+_RESET = Param("reset", ParamKind.PIN, default=None, pin=".reset()", missing_pin="CG418")
+_DOWN = Param("count_down", ParamKind.PIN, pin=".down()")
+_ARGUMENTS = "({counter},{counter_value},preset={setpoint})"
+
+CTU = Spec(
+    name="ctu",
+    params=(_COUNTER, _SETPOINT, _RESET),
+    variants=(Variant("count_up" + _ARGUMENTS),),
+    summary="Count up; the counter bit is on from the setpoint upward.",
+    example="ctu(ct.Parts, setpoint=100, reset=lambda: c.NewBatch)",
+    height=3,
+)
+CTD = Spec(
+    name="ctd",
+    params=(_COUNTER, _SETPOINT, _RESET),
+    variants=(Variant("count_down" + _ARGUMENTS),),
+    summary="Count down.",
+    example="ctd(ct.Left, setpoint=50, reset=lambda: c.Refilled)",
+    height=3,
+)
+CTUD = Spec(
+    name="ctud",
+    params=(_COUNTER, _SETPOINT, _DOWN, _RESET),
+    variants=(Variant("count_up" + _ARGUMENTS),),
+    summary="Count up on the rung and down on a second input.",
+    example="ctud(ct.Level, setpoint=50, count_down=lambda: re(c.Taken), reset=lambda: c.Empty)",
+    height=3,
+)
+
+SPECS = (CTU, CTD, CTUD)

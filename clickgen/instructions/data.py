@@ -1,0 +1,59 @@
+"""Shift registers and table search (click-facts, section 3, "Shift" and "Search")."""
+
+from __future__ import annotations
+
+from clickgen.instructions.spec import (
+    CODE,
+    HEX,
+    INTEGER,
+    ONESHOT,
+    REAL,
+    TEXT,
+    Access,
+    Param,
+    ParamKind,
+    Slot,
+    Spec,
+    Variant,
+)
+
+SHIFT = Spec(
+    name="shift",
+    params=(
+        Param("range", slot=Slot(ranges=("C",), access=Access.WRITE, reversible=True), aliases=("address",)),
+        Param("clock", ParamKind.PIN, default=None, pin=".clock()", missing_pin="CG419"),
+        Param("reset", ParamKind.PIN, default=None, pin=".reset()", missing_pin="CG419"),
+    ),
+    variants=(Variant("shift({range})"),),
+    summary="Shift register: the rung is the data bit, which moves in on each rising edge of the clock.",
+    example="shift(c[1:9], clock=lambda: c.Clock, reset=lambda: c.Clear)",
+    height=3,
+    notes=("A reversed slice, c[8:0:-1], shifts the other way.",),
+)
+
+_SEARCHED = ("DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "SD", "TXT")
+
+SEARCH = Spec(
+    name="search",
+    params=(
+        Param("condition", ParamKind.COMPARISON),
+        Param(
+            "value",
+            slot=Slot(cells=_SEARCHED, constants=(INTEGER, HEX, REAL, TEXT, CODE)),
+            aliases=("search_value",),
+            typed_by="start",
+        ),
+        Param("start", slot=Slot(cells=_SEARCHED), aliases=("start_address",)),
+        Param("end", slot=Slot(cells=_SEARCHED), aliases=("end_address",)),
+        Param("result", slot=Slot(cells=("DS", "DD"), access=Access.WRITE), aliases=("result_address",)),
+        Param("flag", slot=Slot(cells=("C",), access=Access.WRITE), aliases=("result_flag",)),
+        Param("continuous", ParamKind.FLAG, default=False),
+        ONESHOT,
+    ),
+    variants=(Variant("search({start}..{end} {condition} {value},result={result},found={flag}{continuous}{oneshot})"),),
+    summary="Find the first register of a range that meets a condition; both ends are searched.",
+    example='search("==", ds.Target, ds[100], ds[200], ds.FoundAt, c.Found)',
+    height=2,
+)
+
+SPECS = (SHIFT, SEARCH)

@@ -1,0 +1,179 @@
+"""How an instruction is declared: its signature, operands, pins, height and ladder token, as data.
+
+Every stage reads the same Spec: signature checks, operand checks, grid heights, tokens, listing, documentation.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import Final
+
+BITS = ("X", "Y", "C", "T", "CT", "SC")
+REGISTERS = ("DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "SD", "TXT")
+INTEGER, HEX, REAL, TEXT, CODE = "integer", "hex", "real", "text", "code"
+"""The forms of constants; they stand beside bank names in a ``Slot`` and a ``Pair``."""
+
+NUMBERS = (INTEGER, HEX, REAL)
+CONSTANTS = (INTEGER, HEX, REAL, TEXT, CODE)
+
+
+class Access(Enum):
+    """What an instruction does to an operand. A timer or counter OWNs its number: bit and current value."""
+
+    READ = "read"
+    WRITE = "written"
+    OWN = "owned"
+
+
+@dataclass(frozen=True)
+class Slot:
+    """What one operand position takes, by form; each field names banks (or forms of constants)."""
+
+    cells: tuple[str, ...] = ()
+    ranges: tuple[str, ...] = ()
+    pointers: tuple[str, ...] = ()
+    immediates: tuple[str, ...] = ()
+    constants: tuple[str, ...] = ()
+    limits: tuple[int, int] | None = None
+    """The least and greatest integer constant."""
+    access: Access = Access.READ
+    reversible: bool = False
+    """True where a reversed range means something (a shift register's direction)."""
+
+    def describe(self) -> str:
+        """What the slot takes, for a message: ``a DS register or an integer 0..32767``."""
+        parts = []
+        if self.cells:
+            parts.append(f"an address in {_listed(self.cells)}")
+        if self.ranges:
+            parts.append(f"a range in {_listed(self.ranges)}")
+        if self.immediates:
+            parts.append(f"an immediate {_listed(self.immediates)}")
+        if self.pointers:
+            parts.append("a pointer")
+        if INTEGER in self.constants:
+            parts.append("an integer" + (f" {self.limits[0]}..{self.limits[1]}" if self.limits else ""))
+        parts += [_FORM_TITLES[form] for form in self.constants if form != INTEGER]
+        return _listed(tuple(parts), "or")
+
+
+_FORM_TITLES = {HEX: "a hexadecimal constant", REAL: "a number", TEXT: "a text", CODE: "a character code"}
+
+
+def _listed(words: tuple[str, ...], joiner: str = "or") -> str:
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} {joiner} {words[-1]}"
+
+
+class ParamKind(Enum):
+    """How an argument is written; the value completes "… must be"."""
+
+    OPERAND = "an address or a constant"
+    FLAG = "True or False"
+    UNIT = "Tms, Ts, Tm, Th or Td"
+    PIN = "a condition, written as a lambda: reset=lambda: c.Reset"
+    OPTIONS = "to_value, to_ascii, to_binary or to_text(...)"
+    FORMULA = 'a formula in quotes: "ds.A * 2"'
+    ROUTINE = "a subroutine, by its function or by its name in quotes"
+    COMPARISON = 'a comparison in quotes: "==", "!=", "<", "<=", ">" or ">="'
+
+
+class _Required(Enum):
+    REQUIRED = "required"
+
+
+REQUIRED: Final = _Required.REQUIRED
+
+
+@dataclass(frozen=True)
+class Param:
+    """One parameter of an instruction.
+
+    ``default`` is REQUIRED, or None (left out), or the value of a flag or unit. ``typed_by`` names the parameter whose
+    kind decides the form of a constant here: ``copy(5, dh.X)`` emits ``0005h``.
+    """
+
+    name: str
+    kind: ParamKind = ParamKind.OPERAND
+    slot: Slot = field(default_factory=Slot)
+    default: object = REQUIRED
+    aliases: tuple[str, ...] = ()
+    typed_by: str = ""
+    pin: str = ""
+    """The token of a pin's row: ``.reset()``."""
+    missing_pin: str = ""
+    """The problem code when this pin is left out and gets the never-contact."""
+    extends_over: str = ""
+    """The range parameter whose length this first address is extended to (block copy)."""
+
+
+@dataclass(frozen=True)
+class Pair:
+    """One row of a copy matrix: these sources go to these targets.
+
+    ``lengths`` bounds the range's length; ``disputed`` says who doubts the row, which makes it a warning.
+    """
+
+    sources: tuple[str, ...]
+    targets: tuple[str, ...]
+    lengths: tuple[int, int] | None = None
+    disputed: str = ""
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One ladder token that an instruction can become. Without ``pairs`` it is the only one.
+
+    ``token`` is a format string over the parameters' rendered texts.
+    """
+
+    token: str
+    pairs: tuple[Pair, ...] = ()
+
+
+@dataclass(frozen=True)
+class Spec:
+    """One instruction of the language.
+
+    ``height`` is in grid rows, pins included (click-facts, sections 3 and 5). ``sets_flags`` are the system bits that
+    running it can change. ``alone`` instructions get a CLICK rung of their own.
+    """
+
+    name: str
+    params: tuple[Param, ...]
+    variants: tuple[Variant, ...]
+    summary: str
+    example: str
+    height: int = 1
+    matrix: tuple[str, str] = ("", "")
+    """The names of the source and target parameters that the variants' pairs speak of."""
+    conversions: tuple[str, ...] = ()
+    """The options that a copy takes."""
+    alone: bool = False
+    sets_flags: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+
+    @property
+    def pins(self) -> tuple[Param, ...]:
+        return tuple(param for param in self.params if param.kind is ParamKind.PIN)
+
+    @property
+    def signature(self) -> str:
+        """As a person writes it: ``ton(timer, setpoint, unit=Tms)``."""
+        return f"{self.name}({', '.join(map(_shown, self.params))})"
+
+
+def _shown(param: Param) -> str:
+    if param.default is REQUIRED and param.kind is not ParamKind.PIN:
+        return param.name
+    if param.kind is ParamKind.PIN:
+        return f"{param.name}=lambda: ..."
+    return f"{param.name}={param.default}"
+
+
+ONESHOT: Final = Param("oneshot", ParamKind.FLAG, default=False, aliases=("one_shot",))
+
+COPY_FLAGS = ("SC43", "SC44")
+"""Out of range, address error (click-facts, section 8)."""
+MATH_FLAGS = ("SC40", "SC43")
+"""Division error, out of range (click-facts, section 4)."""

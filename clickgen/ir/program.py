@@ -1,0 +1,173 @@
+"""The program: routines, rungs, branches, loops, actions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from clickgen.instructions.spec import Spec
+from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
+from clickgen.ir.operands import Cell, Constant, Named, Operand
+from clickgen.source import SourceFile, Span
+
+if TYPE_CHECKING:
+    from clickgen.formula.nodes import Formula
+
+
+@dataclass(frozen=True, slots=True)
+class FormulaText:
+    """A formula as read, and the span of its string."""
+
+    formula: Formula
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """A copy's conversion: ``to_text(suppress_zero=False)``. The three settings belong to to_text alone."""
+
+    name: str
+    span: Span
+    suppress_zero: bool = True
+    exponential: bool = False
+    termination_code: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A word of the language in an argument: a unit, a comparison, a subroutine's name, True or False."""
+
+    value: str | bool
+    span: Span
+
+
+Value = Operand | Condition | FormulaText | Options | Word
+CONDITION_TYPES = (Contact, Compare, All, Any, Always)
+
+
+@dataclass(frozen=True, slots=True)
+class Action:
+    """One instruction with its arguments by parameter name; what was left out is absent."""
+
+    spec: Spec
+    args: Mapping[str, Value]
+    span: Span
+
+    def flag(self, name: str) -> bool:
+        word = self.args.get(name)
+        return isinstance(word, Word) and word.value is True
+
+    def word(self, name: str) -> str:
+        """The text of a word argument, or "" when it was left out."""
+        word = self.args.get(name)
+        return str(word.value) if isinstance(word, Word) else ""
+
+    def pin(self, name: str) -> Condition | None:
+        value = self.args.get(name)
+        return value if isinstance(value, CONDITION_TYPES) else None
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """A nested ``if``: its condition is in series with its parents'."""
+
+    condition: Condition
+    items: tuple[Item, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """``for _ in range(n):``. ``body`` is None when next_loop() closes it, else the rungs that it closes around."""
+
+    action: Action
+    body: tuple[Rung, ...] | None
+
+    @property
+    def span(self) -> Span:
+        return self.action.span
+
+
+Item = Action | Branch | Loop
+
+
+@dataclass(frozen=True, slots=True)
+class Rung:
+    """One ``if`` of a routine. ``span`` is the whole statement, ``head`` its ``if`` line up to the colon."""
+
+    condition: Condition
+    items: tuple[Item, ...]
+    comment: str
+    head: Span
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Routine:
+    """main or a subroutine. ``span`` is its ``def`` up to the name.
+
+    ``is_whole`` is False when some of it could not be read: then nothing is said about what it lacks.
+    """
+
+    name: str
+    rungs: tuple[Rung, ...]
+    span: Span
+    is_main: bool
+    is_whole: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Declaration:
+    """``nickname(ds.MaxAlarms, ds[5], initial=10, retentive=True, comment="...")``; None is what was left out."""
+
+    named: Named
+    cell: Cell
+    span: Span
+    initial: Constant | None = None
+    retentive: bool | None = None
+    comment: str | None = None
+
+
+@dataclass(frozen=True)
+class Program:
+    """All that was read: routines in the order of their definitions, main among them."""
+
+    source: SourceFile
+    routines: tuple[Routine, ...]
+    declarations: tuple[Declaration, ...]
+
+    @property
+    def main(self) -> Routine | None:
+        return next((routine for routine in self.routines if routine.is_main), None)
+
+    @property
+    def subroutines(self) -> tuple[Routine, ...]:
+        return tuple(routine for routine in self.routines if not routine.is_main)
+
+
+def actions_in(items: tuple[Item, ...]) -> Iterator[Action]:
+    """Every action of a rung in source order, branches included; a loop is its ``for``, without its body."""
+    for item in items:
+        if isinstance(item, Branch):
+            yield from actions_in(item.items)
+        elif isinstance(item, Loop):
+            yield item.action
+        else:
+            yield item
+
+
+def rungs_in(rungs: tuple[Rung, ...]) -> Iterator[Rung]:
+    """Every rung in source order, the bodies of loops included."""
+    for rung in rungs:
+        yield rung
+        for item in loops_in(rung.items):
+            yield from rungs_in(item.body or ())
+
+
+def loops_in(items: tuple[Item, ...]) -> Iterator[Loop]:
+    for item in items:
+        if isinstance(item, Loop):
+            yield item
+        elif isinstance(item, Branch):
+            yield from loops_in(item.items)

@@ -1,0 +1,169 @@
+"""Walking and rewriting the program tree."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from clickgen.formula.nodes import Formula, references
+from clickgen.formula.nodes import Operand as FormulaOperand
+from clickgen.formula.refs import map_refs
+from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
+from clickgen.ir.operands import Cell, Immediate, Named, Operand, Pointer, Range, Single
+from clickgen.ir.program import Action, Branch, FormulaText, Item, Loop, Program, Rung, Value
+
+# -- walking ----------------------------------------------------------------------------------------------------------
+
+
+def condition_operands(condition: Condition) -> Iterator[Operand]:
+    """Every operand of a condition in source order."""
+    if isinstance(condition, Contact):
+        yield condition.operand
+    elif isinstance(condition, Compare):
+        yield condition.left
+        yield condition.right
+    elif isinstance(condition, All | Any):
+        for term in condition.terms:
+            yield from condition_operands(term)
+
+
+def leaves(condition: Condition) -> Iterator[Contact | Compare]:
+    """Every contact and comparison of a condition in source order."""
+    if isinstance(condition, All | Any):
+        for term in condition.terms:
+            yield from leaves(term)
+    elif not isinstance(condition, Always):
+        yield condition
+
+
+def action_operands(action: Action) -> Iterator[Operand]:
+    """Every operand of an action, those of its pins and its formula included."""
+    for value in action.args.values():
+        yield from value_operands(value)
+
+
+def value_operands(value: Value) -> Iterator[Operand]:
+    if isinstance(value, Contact | Compare | All | Any | Always):
+        yield from condition_operands(value)
+    elif isinstance(value, FormulaText):
+        for node in references(value.formula):
+            yield from _with_register(node.ref if isinstance(node, FormulaOperand) else node.range)
+    elif isinstance(value, Operand):
+        yield from _with_register(value)
+
+
+def _with_register(operand: Operand) -> Iterator[Operand]:
+    """An operand, and behind a pointer the register it goes through."""
+    yield operand
+    if isinstance(operand, Pointer):
+        yield operand.register
+
+
+def rung_operands(rung: Rung) -> Iterator[Operand]:
+    """Every operand of a rung in source order, those of loop bodies included."""
+    yield from condition_operands(rung.condition)
+    yield from items_operands(rung.items)
+
+
+def items_operands(items: tuple[Item, ...]) -> Iterator[Operand]:
+    """Every operand of what hangs on a condition, in source order."""
+    for item in items:
+        if isinstance(item, Action):
+            yield from action_operands(item)
+        elif isinstance(item, Branch):
+            yield from condition_operands(item.condition)
+            yield from items_operands(item.items)
+        else:
+            yield from action_operands(item.action)
+            for rung in item.body or ():
+                yield from rung_operands(rung)
+
+
+def program_operands(program: Program) -> Iterator[Operand]:
+    """Every operand of every rung, routine by routine."""
+    for routine in program.routines:
+        for rung in routine.rungs:
+            yield from rung_operands(rung)
+
+
+# -- rewriting --------------------------------------------------------------------------------------------------------
+
+
+class Rewriter:
+    """Rebuilds a program with other addresses. Subclasses say how a name or a cell changes, wherever it stands."""
+
+    def cell(self, cell: Named | Cell) -> Named | Cell:
+        return cell
+
+    def single(self, operand: Single) -> Single:
+        if isinstance(operand, Named | Cell):
+            return self.cell(operand)
+        if isinstance(operand, Pointer):
+            return Pointer(operand.bank, self.cell(operand.register), operand.span)
+        return operand
+
+    def operand(self, operand: Operand) -> Operand:
+        if isinstance(operand, Immediate):
+            target = operand.target
+            return operand if isinstance(target, Range) else Immediate(self.cell(target), operand.span)
+        return operand if isinstance(operand, Range) else self.single(operand)
+
+    def compare(self, compare: Compare) -> Compare:
+        return replace(compare, left=self.single(compare.left), right=self.single(compare.right))
+
+    def action(self, action: Action) -> Action:
+        return Action(action.spec, {name: self.value(value) for name, value in action.args.items()}, action.span)
+
+    def program(self, program: Program) -> Program:
+        routines = tuple(replace(routine, rungs=self.rungs(routine.rungs)) for routine in program.routines)
+        return replace(program, routines=routines)
+
+    def rungs(self, rungs: tuple[Rung, ...]) -> tuple[Rung, ...]:
+        return tuple(
+            Rung(self.condition(rung.condition), self.items(rung.items), rung.comment, rung.head, rung.span)
+            for rung in rungs
+        )
+
+    def items(self, items: tuple[Item, ...]) -> tuple[Item, ...]:
+        return tuple(self._item(item) for item in items)
+
+    def condition(self, condition: Condition) -> Condition:
+        if isinstance(condition, Contact):
+            return self.contact(condition)
+        if isinstance(condition, Compare):
+            return self.compare(condition)
+        if isinstance(condition, All):
+            return All(tuple(map(self.condition, condition.terms)), condition.span)
+        if isinstance(condition, Any):
+            return Any(tuple(map(self.condition, condition.terms)), condition.span)
+        return condition
+
+    def contact(self, contact: Contact) -> Contact:
+        operand = self.operand(contact.operand)
+        assert isinstance(operand, Named | Cell | Range | Immediate)
+        return Contact(operand, contact.span, contact.negated, contact.edge)
+
+    def value(self, value: Value) -> Value:
+        if isinstance(value, Contact | Compare | All | Any | Always):
+            return self.condition(value)
+        if isinstance(value, FormulaText):
+            return FormulaText(self.formula(value.formula), value.span)
+        if isinstance(value, Operand):
+            return self.operand(value)
+        return value
+
+    def formula(self, formula: Formula) -> Formula:
+        return map_refs(formula, self._ref)
+
+    def _ref(self, ref: Named | Cell | Pointer) -> Named | Cell | Pointer:
+        if isinstance(ref, Pointer):
+            return Pointer(ref.bank, self.cell(ref.register), ref.span)
+        return self.cell(ref)
+
+    def _item(self, item: Item) -> Item:
+        if isinstance(item, Action):
+            return self.action(item)
+        if isinstance(item, Branch):
+            return Branch(self.condition(item.condition), self.items(item.items), item.span)
+        body = None if item.body is None else self.rungs(item.body)
+        return Loop(self.action(item.action), body)

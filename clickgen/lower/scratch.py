@@ -1,0 +1,136 @@
+"""Scratch addresses: cells that clickgen needs for itself, taken from the top of a bank downward, one for each use.
+
+While rungs are lowered a scratch use has a placeholder; when all uses are known each gets its address: the one it had
+in the address table, else one that an earlier build left over, else the highest free one. A use is known by what it
+is for, the rung number aside, so that a rung inserted before it moves nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from clickgen.device.banks import Address
+from clickgen.device.nicknames import COMMENT_MAX
+from clickgen.diagnostics import Diagnostics
+from clickgen.ir.operands import Cell
+from clickgen.resolve.allocate import Allocator
+from clickgen.resolve.table import AddressTable, Row
+from clickgen.source import Span
+
+PREFIX = "Scratch_"
+_RUNG_NUMBER = re.compile(r" rung \d+")
+
+
+@dataclass(frozen=True)
+class ScratchUse:
+    """One need of a scratch cell: ``reason`` is its comment in the address table."""
+
+    placeholder: Address
+    reason: str
+    span: Span
+
+    @property
+    def purpose(self) -> str:
+        """The reason without the rung number."""
+        return _purpose(self.reason)
+
+
+def _purpose(comment: str) -> str:
+    return _RUNG_NUMBER.sub("", comment, count=1)
+
+
+def scratch_name(address: Address) -> str:
+    return f"{PREFIX}{address}"
+
+
+def is_scratch(row: Row) -> bool:
+    """True for a row that clickgen itself wrote for a scratch use."""
+    return row.nickname == scratch_name(row.address)
+
+
+class Scratch:
+    """Hands out placeholders, and addresses for them at the end."""
+
+    def __init__(self) -> None:
+        self.uses: list[ScratchUse] = []
+
+    def take(self, bank: str, reason: str, span: Span) -> Cell:
+        """A cell of ``bank`` for one use."""
+        placeholder = Address(bank, -1 - len(self.uses))
+        reason = reason if len(reason) <= COMMENT_MAX else reason[: COMMENT_MAX - 3] + "..."
+        self.uses.append(ScratchUse(placeholder, reason, span))
+        return Cell(placeholder, span)
+
+    def assign(
+        self, table: AddressTable, allocator: Allocator, frozen: bool, problems: Diagnostics
+    ) -> dict[Address, Row]:
+        """The table row of each placeholder."""
+        assigned: dict[Address, Row] = {}
+        for bank in sorted({use.placeholder.bank for use in self.uses}):
+            uses = [use for use in self.uses if use.placeholder.bank == bank]
+            old = [row for row in table.rows if row.address.bank == bank and is_scratch(row)]
+            addresses = _matched(uses, sorted(old, key=lambda row: -row.address.number))
+            for use in uses:
+                if use not in addresses:
+                    address = None if frozen else allocator.highest(bank)
+                    if address is None:
+                        _no_scratch(use, bank, frozen, table, problems)
+                        continue
+                    addresses[use] = address
+            _settle(addresses)
+            for use, address in addresses.items():
+                assigned[use.placeholder] = _row(table, address, use.reason)
+        return assigned
+
+
+def _matched(uses: list[ScratchUse], old: list[Row]) -> dict[ScratchUse, Address]:
+    """Uses matched with the rows of earlier builds: by the whole comment, then by purpose, then in order."""
+    addresses: dict[ScratchUse, Address] = {}
+    keys: tuple[Callable[[str], str], ...] = (str, _purpose, lambda _: "")
+    for key in keys:
+        left: dict[str, list[Row]] = {}
+        for row in old:
+            left.setdefault(key(row.comment), []).append(row)
+        for use in uses:
+            rows = left.get(key(use.reason))
+            if use not in addresses and rows:
+                row = rows.pop(0)
+                addresses[use] = row.address
+                old.remove(row)
+    return addresses
+
+
+def _settle(addresses: dict[ScratchUse, Address]) -> None:
+    """Uses with the same comment get their addresses in descending order, so that the next build matches them alike."""
+    groups: dict[str, list[ScratchUse]] = {}
+    for use in sorted(addresses, key=lambda use: -use.placeholder.number):
+        groups.setdefault(use.reason, []).append(use)
+    for group in groups.values():
+        for use, address in zip(group, sorted((addresses[use] for use in group), key=lambda a: -a.number), strict=True):
+            addresses[use] = address
+
+
+def _row(table: AddressTable, address: Address, reason: str) -> Row:
+    stands = table.by_address.get(address)
+    if stands is not None and stands.nickname:
+        return stands if stands.comment == reason else replace(stands, comment=reason, line=0, raw="")
+    return table.named(address, scratch_name(address), reason)
+
+
+def _no_scratch(use: ScratchUse, bank: str, frozen: bool, table: AddressTable, problems: Diagnostics) -> None:
+    if frozen:
+        problems.add(
+            "CG209",
+            use.span,
+            f"this rung needs a scratch {bank} address that is not in {table.path} yet ({use.reason})",
+            "build once without --frozen and commit the table",
+        )
+    else:
+        problems.add(
+            "CG208",
+            use.span,
+            f"no {bank} address is free for scratch use ({use.reason})",
+            f"free some {bank} rows of {table.path}",
+        )

@@ -1,0 +1,353 @@
+"""One source rung to one or several CLICK rungs with the same meaning.
+
+Every condition of a source rung is looked at before any of its actions runs. Where the rung has to be split, a
+condition that an earlier part could change, or that must not be looked at twice, goes to a scratch bit first.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from clickgen.instructions.coils import OUT
+from clickgen.instructions.control import END, NEXT, RETURN
+from clickgen.instructions.timers import RTOF
+from clickgen.ir.conditions import All, Always, Any, Condition, Contact
+from clickgen.ir.operands import Cell
+from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Rung, actions_in, rungs_in
+from clickgen.lower.effects import Cells, Effects, has_edge, is_volatile, reads
+from clickgen.lower.expand import OffDelays, Own, expand_formula, expand_oneshot_range
+from clickgen.lower.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw, pin_network
+from clickgen.lower.network import bits, network
+from clickgen.lower.scratch import Scratch
+from clickgen.lower.words import condition_words
+from clickgen.source import Span
+
+_FREE_COLUMNS = COLUMNS - 1
+"""A condition whose legs merge, or that feeds several outputs, leaves the last column for the wire behind the merge."""
+
+
+@dataclass(frozen=True)
+class ClickRung:
+    """One rung of CLICK: a condition and what hangs on it, in instructions that CLICK has."""
+
+    condition: Condition
+    items: tuple[Item, ...]
+    comment: str
+    span: Span
+
+    @cached_property
+    def grid(self) -> Grid:
+        """The drawn rung. Raises DoesNotFit."""
+        return draw(self.condition, self.items)
+
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        return tuple(actions_in(self.items))
+
+
+@dataclass(frozen=True)
+class ClickRoutine:
+    name: str
+    is_main: bool
+    rungs: tuple[ClickRung, ...]
+    span: Span
+
+
+@dataclass(eq=False)
+class _Node:
+    """A rung's or a branch's condition, by identity."""
+
+    condition: Condition
+    parent: _Node | None = None
+    is_own: bool = False
+
+    @property
+    def path(self) -> tuple[_Node, ...]:
+        return (*(self.parent.path if self.parent else ()), self)
+
+
+@dataclass
+class _Step:
+    """One action with the conditions it stands on; a loop's ``for`` brings the rungs of its body."""
+
+    node: _Node
+    action: Action
+    body: tuple[Rung, ...] | None = None
+
+
+_Part = list[_Step]
+"""Steps that share one CLICK rung."""
+
+
+def lower(program: Program, scratch: Scratch) -> tuple[ClickRoutine, ...]:
+    """Every routine in CLICK rungs, with placeholders for scratch cells. The program must be free of problems."""
+    delays = OffDelays(scratch.take)
+    for routine in program.routines:
+        for rung in rungs_in(routine.rungs):
+            for action in actions_in(rung.items):
+                if action.spec is RTOF:
+                    delays.add(action)
+    if delays:
+        program = delays.program(program)
+    effects = Effects(program.routines)
+    return tuple(_RoutineLowering(routine, effects, scratch, delays).run() for routine in program.routines)
+
+
+@dataclass
+class _RoutineLowering:
+    """The CLICK rungs of one routine, in the order in which they are made."""
+
+    routine: Routine
+    effects: Effects
+    scratch: Scratch
+    delays: OffDelays
+    rungs: list[ClickRung] = field(default_factory=list)
+
+    def run(self) -> ClickRoutine:
+        self.lower(self.routine.rungs)
+        return ClickRoutine(self.routine.name, self.routine.is_main, tuple(self.rungs), self.routine.span)
+
+    def lower(self, rungs: Sequence[Rung]) -> None:
+        for rung in rungs:
+            _RungSplit(self, rung).run()
+
+
+class _RungSplit:
+    """Lowers one source rung."""
+
+    def __init__(self, home: _RoutineLowering, rung: Rung) -> None:
+        self._home = home
+        self._rung = rung
+        self._comment = rung.comment
+        self._where = f"{home.routine.name} rung {len(home.rungs) + 1}"
+
+    def run(self) -> None:
+        root = _Node(self._rung.condition)
+        parts = _apart(list(self._steps(self._rung.items, root)))
+        if len(parts) > 1 or not self._fits(parts[0]):
+            if any(not _fits_alone(node.condition) for node in _nodes(parts)):
+                self._hoist([node for node in _nodes(parts) if not _fits_alone(node.condition)])
+            parts = [piece for part in parts for piece in self._fitting(part)]
+            self._hoist(self._unsafe(parts))
+        self._hoist_pins(parts)
+        for part in parts:
+            self._emit_part(part)
+
+    # -- taking the rung apart ----------------------------------------------------------------------------------------
+
+    def _steps(self, items: tuple[Item, ...], node: _Node) -> Iterator[_Step]:
+        """Every action in source order with the conditions it stands on, in instructions that CLICK has."""
+        for item in items:
+            if isinstance(item, Branch):
+                yield from self._steps(item.items, _Node(item.condition, node))
+            elif isinstance(item, Loop):
+                yield _Step(node, item.action, item.body)
+            else:
+                for action in expand_oneshot_range(item):
+                    for plain in expand_formula(action, self._take):
+                        for expanded in self._home.delays.expand(plain):
+                            if isinstance(expanded, Own):
+                                yield _Step(_Node(expanded.condition, is_own=True), expanded.action)
+                            else:
+                                yield _Step(node, expanded)
+
+    def _fits(self, part: _Part) -> bool:
+        try:
+            return self._rung_of(part).grid is not None
+        except DoesNotFit:
+            return False
+
+    def _fitting(self, part: _Part) -> Iterator[_Part]:
+        """A part in as few pieces as fit CLICK's rows, each as long as can be."""
+        while len(part) > 1 and not self._fits(part):
+            # Fitting is monotone: find the longest beginning that fits; one step alone is reduced later.
+            count = bisect_left(range(2, len(part)), True, key=lambda n: not self._fits(part[:n])) + 1
+            yield part[:count]
+            part = part[count:]
+        yield part
+
+    def _rung_of(self, part: _Part) -> ClickRung:
+        condition, items = _tree(part, 0)
+        return ClickRung(condition, items, "", self._rung.span)
+
+    # -- keeping the meaning ------------------------------------------------------------------------------------------
+
+    def _unsafe(self, parts: list[_Part]) -> list[_Node]:
+        """The conditions that a later part would see changed, or that must not be looked at twice."""
+        unsafe: list[_Node] = []
+        first_seen: dict[_Node, int] = {}
+        written = Cells()
+        may_leave = False
+        for index, part in enumerate(parts):
+            for node in _nodes([part]):
+                seen_before = first_seen.setdefault(node, index) < index
+                if index == 0 or node.is_own or node in unsafe:
+                    continue
+                if (
+                    reads(node.condition).meets(written)
+                    or (may_leave and has_edge(node.condition))
+                    or (seen_before and is_volatile(node.condition))
+                ):
+                    unsafe.append(node)
+            for step in part:
+                written.update(self._writes(step))
+                may_leave = may_leave or step.action.spec in (RETURN, END)
+        return unsafe
+
+    def _writes(self, step: _Step) -> Cells:
+        cells = self._home.effects.writes(step.action)
+        for rung in rungs_in(step.body or ()):
+            for action in actions_in(rung.items):
+                cells.update(self._home.effects.writes(action))
+        return cells
+
+    def _hoist(self, nodes: list[_Node]) -> None:
+        """Put each condition on a scratch bit, in a rung before."""
+        for node in nodes:
+            node.condition = self._on_scratch(self._reduced(node.condition), "condition")
+
+    def _hoist_pins(self, parts: list[_Part]) -> None:
+        """Pins whose condition an earlier part changes, or with parallel legs where the grid has no room for them."""
+        written = Cells()
+        for part in parts:
+            for step in part:
+                pins = step.action.spec.pins
+                for param in pins:
+                    condition = step.action.pin(param.name)
+                    if condition is None:
+                        continue
+                    net = pin_network(step.action, param)
+                    too_tall = net.height > 1 and param is not pins[-1]
+                    if too_tall or net.width > _FREE_COLUMNS or reads(condition).meets(written):
+                        bit = self._on_scratch(self._reduced(condition), f"{param.name} input")
+                        step.action = Action(step.action.spec, {**step.action.args, param.name: bit}, step.action.span)
+                if len(parts) > 1:
+                    written.update(self._writes(step))
+
+    def _on_scratch(self, condition: Condition, purpose: str) -> Contact:
+        cell = self._take("C", purpose, condition.span, condition_words(condition))
+        self._emit(condition, (Action(OUT, {"address": cell}, condition.span),))
+        return Contact(cell, condition.span)
+
+    def _take(self, bank: str, purpose: str, span: Span, content: str = "") -> Cell:
+        reason = f"{purpose} of {self._where}" + (f": {content}" if content else "")
+        return self._home.scratch.take(bank, reason, span)
+
+    # -- conditions too large for the grid ----------------------------------------------------------------------------
+
+    def _reduced(self, condition: Condition) -> Condition:
+        """A condition that fits the grid: parts of a larger one go to scratch bits."""
+        if _fits_alone(condition):
+            return condition
+        terms = [self._reduced(term) for term in _terms(condition)]
+        is_series = not isinstance(condition, Any)
+        limit = _FREE_COLUMNS if is_series else MAX_ROWS
+        join = All if is_series else Any
+
+        def size(some: list[Condition]) -> int:
+            net = network(join(tuple(some), condition.span))
+            return 0 if net is None else net.width if is_series else net.height
+
+        while size(terms) > limit:
+            count = max(n for n in range(1, len(terms)) if n == 1 or size(terms[:n]) <= limit)
+            # A single contact gains nothing on a scratch bit: then it is the term behind it that is too large.
+            start = 1 if count == 1 and size(terms[:1]) == 1 else 0
+            stop = max(count, start + 1)
+            chunk = join(tuple(terms[start:stop]), condition.span)
+            terms[start:stop] = [self._on_scratch(chunk, "part of the condition")]
+        return join(tuple(terms), condition.span)
+
+    # -- putting CLICK rungs down -------------------------------------------------------------------------------------
+
+    def _emit_part(self, part: _Part) -> None:
+        rung = self._rung_of(part)
+        if not self._fits(part):
+            rung = self._squeezed(part[0])
+        self._emit(rung.condition, rung.items)
+        body = part[-1].body
+        if body is not None:
+            self._home.lower(body)
+            self._emit(Always(part[-1].action.span), (Action(NEXT, {}, part[-1].action.span),))
+
+    def _squeezed(self, step: _Step) -> ClickRung:
+        """One action whose conditions do not fit beside it: they go to a scratch bit."""
+        condition = All(tuple(node.condition for node in step.node.path), self._rung.condition.span)
+        bit = self._on_scratch(self._reduced(condition), "condition")
+        args = dict(step.action.args)
+        rung = ClickRung(bit, (step.action,), "", self._rung.span)
+        if len(rung_pins := step.action.spec.pins) and not _draws(rung):
+            for param in rung_pins:
+                pin = step.action.pin(param.name)
+                if pin is not None:
+                    args[param.name] = self._on_scratch(self._reduced(pin), f"{param.name} input")
+            rung = ClickRung(bit, (Action(step.action.spec, args, step.action.span),), "", self._rung.span)
+        return rung
+
+    def _emit(self, condition: Condition, items: tuple[Item, ...]) -> None:
+        self._home.rungs.append(ClickRung(condition, items, self._comment, self._rung.span))
+        self._comment = ""
+
+
+def _apart(steps: list[_Step]) -> list[_Part]:
+    """Instructions with pins, and those that stand alone, get a part of their own (click-facts, trap 3)."""
+    parts: list[_Part] = []
+    joins = False
+    for step in steps:
+        single = bool(step.action.spec.pins) or step.action.spec.alone or step.node.is_own
+        if joins and not single:
+            parts[-1].append(step)
+        else:
+            parts.append([step])
+        joins = not single
+    return parts
+
+
+def _nodes(parts: Sequence[_Part]) -> list[_Node]:
+    """Every condition of these parts once, in source order."""
+    return list(dict.fromkeys(node for part in parts for step in part for node in step.node.path))
+
+
+def _tree(part: _Part, depth: int) -> tuple[Condition, tuple[Item, ...]]:
+    """The condition at this depth of the part's first step, and what hangs on it; lone branches join their parent."""
+    condition = part[0].node.path[depth].condition
+    items: list[Item] = []
+    index = 0
+    while index < len(part):
+        path = part[index].node.path
+        if len(path) == depth + 1:
+            items.append(part[index].action)
+            index += 1
+            continue
+        stop = index
+        while stop < len(part) and part[stop].node.path[depth + 1 : depth + 2] == path[depth + 1 : depth + 2]:
+            stop += 1
+        inner, inner_items = _tree(part[index:stop], depth + 1)
+        items.append(Branch(inner, inner_items, inner.span))
+        index = stop
+    if len(items) == 1 and isinstance(items[0], Branch):
+        branch = items[0]
+        return All((condition, branch.condition), condition.span), branch.items
+    return condition, tuple(items)
+
+
+def _fits_alone(condition: Condition) -> bool:
+    net = network(condition)
+    return net is None or (net.width <= _FREE_COLUMNS and net.height <= MAX_ROWS)
+
+
+def _draws(rung: ClickRung) -> bool:
+    try:
+        return rung.grid is not None
+    except DoesNotFit:
+        return False
+
+
+def _terms(condition: Condition) -> Sequence[Condition]:
+    """What a series or a parallel is made of; a contact on a range is a series of its bits."""
+    if isinstance(condition, All | Any):
+        return condition.terms
+    assert isinstance(condition, Contact)
+    return bits(condition)

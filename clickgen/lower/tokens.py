@@ -1,0 +1,151 @@
+"""Operands, contacts and instructions as CLICK's ladder tokens (click-facts, section 3)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from decimal import Decimal
+
+from clickgen.device.banks import VALUE_BANK, Address
+from clickgen.formula import print_formula
+from clickgen.instructions.spec import Param, ParamKind, Spec, Variant
+from clickgen.ir.conditions import Compare, Contact
+from clickgen.ir.operands import Cell, CharCode, Hex, Immediate, Integer, Named, Operand, Pointer, Range, Real, Text
+from clickgen.ir.program import Action, FormulaText, Options, Word
+
+Namer = Callable[[Operand], str]
+"""How an operand is shown: as its token, or with its nickname beside it."""
+
+ALWAYS_CONTACT = "SC1"
+NEVER_CONTACT = "~SC1"
+
+
+def operand_token(operand: Operand) -> str:
+    """An operand as CLICK writes it: ``DS5``, ``C1..C8``, ``DS[DS1]``, ``00FFh``, ``"ABC"``, ``$0D``."""
+    if isinstance(operand, Cell):
+        return str(operand.address)
+    if isinstance(operand, Integer):
+        return str(operand.value)
+    if isinstance(operand, Range):
+        return f"{Address(operand.bank, operand.first)}..{Address(operand.bank, operand.last)}"
+    if isinstance(operand, Hex):
+        return f"{operand.value:04X}h"
+    if isinstance(operand, Real):
+        return real_token(operand)
+    if isinstance(operand, Text):
+        return '"' + operand.value.replace('"', '""') + '"'
+    if isinstance(operand, Pointer):
+        return f"{operand.bank}[{operand_token(operand.register)}]"
+    if isinstance(operand, Immediate):
+        return f"immediate({operand_token(operand.target)})"
+    if isinstance(operand, CharCode):
+        return f"${operand.value:02X}"
+    raise TypeError(f"{type(operand).__name__} has no token")
+
+
+def real_token(real: Real) -> str:
+    """A floating-point constant in plain decimal, as the person wrote it where that is plain already."""
+    text = real.text.replace("_", "")
+    if "e" not in text.lower():
+        whole, _, fraction = text.partition(".")
+        return f"{whole if whole not in ('', '-') else whole + '0'}.{fraction or '0'}"
+    plain = format(Decimal(text), "f")
+    return plain if "." in plain else plain + ".0"
+
+
+def contact_token(contact: Contact) -> str:
+    """One contact: ``X001``, ``~X001``, ``immediate(X001)``, ``rise(C1)``."""
+    token = operand_token(contact.operand)
+    if contact.edge:
+        return f"{contact.edge}({token})"
+    return f"~{token}" if contact.negated else token
+
+
+def compare_token(compare: Compare) -> str:
+    """A comparison, without spaces: ``DS1==5``."""
+    return f"{operand_token(compare.left)}{compare.op}{operand_token(compare.right)}"
+
+
+def formula_text(formula: FormulaText, name: Namer = operand_token) -> str:
+    """A formula in CLICK's form: single spaces between all tokens."""
+
+    def shown(operand: Named | Cell | Pointer | Range) -> str:
+        if isinstance(operand, Range):
+            return f"{operand.bank}{operand.first} : {operand.bank}{operand.last}"
+        return name(operand)
+
+    return print_formula(formula.formula, shown)
+
+
+def action_token(action: Action, name: Namer = operand_token) -> str:
+    """The token of an instruction, its pins aside."""
+    texts = {param.name: _argument(action, param, name) for param in action.spec.params}
+    for owner_name in ("timer", "counter"):
+        owner = action.args.get(owner_name)
+        if isinstance(owner, Cell):
+            texts[f"{owner_name}_value"] = name(Cell(current_value(owner.address), owner.span))
+    return variant_of(action).token.format_map(texts)
+
+
+def _argument(action: Action, param: Param, name: Namer) -> str:
+    value = action.args.get(param.name)
+    if param.kind is ParamKind.FLAG:
+        return f",{param.name}=1" if action.flag(param.name) else ""
+    if param.kind is ParamKind.OPTIONS:
+        return _options(value) if isinstance(value, Options) else ""
+    if param.extends_over:
+        value = extended(action, param)
+    if isinstance(value, Word):
+        return str(value.value)
+    if isinstance(value, FormulaText):
+        return formula_text(value, name)
+    if param.kind is ParamKind.UNIT:
+        return str(param.default)
+    return name(value) if isinstance(value, Operand) else ""
+
+
+def extended(action: Action, param: Param) -> Operand:
+    """The destination of a block copy: the range from its first address that is as long as the source."""
+    value, source = action.args[param.name], action.args[param.extends_over]
+    if isinstance(value, Cell) and isinstance(source, Range):
+        first = value.address.number
+        return Range(value.bank, first, first + len(source) - 1, value.span)
+    assert isinstance(value, Operand)
+    return value
+
+
+def _options(options: Options) -> str:
+    """All three settings of to_text are always written (click-facts, section 3)."""
+    if options.name != "to_text":
+        return f",convert={options.name}"
+    code = "none" if options.termination_code is None else f"${options.termination_code:02X}"
+    suppress, exponential = int(options.suppress_zero), int(options.exponential)
+    return f",convert=to_text(suppress_zero={suppress},exponential={exponential},termination_code={code})"
+
+
+def current_value(bit: Address) -> Address:
+    """The current value of a timer or counter: the same number in TD or CTD (click-facts, section 3)."""
+    return Address(VALUE_BANK[bit.bank], bit.number)
+
+
+def variant_of(action: Action) -> Variant:
+    """The token form that the operands' banks choose: pack_bits, pack_words or pack_text."""
+    spec = action.spec
+    if len(spec.variants) == 1:
+        return spec.variants[0]
+    source, target = (form_of(action.args[name]) for name in spec.matrix)
+    for variant in spec.variants:
+        if any(source in pair.sources and target in pair.targets for pair in variant.pairs):
+            return variant
+    raise ValueError(f"no form of {spec.name} takes {source} to {target}")
+
+
+def form_of(value: object) -> str:
+    """The bank of an address, or the form of a constant, as the Specs name them."""
+    if isinstance(value, Cell | Range | Pointer | Immediate | Named):
+        return value.bank
+    return {Integer: "integer", Hex: "hex", Real: "real", Text: "text", CharCode: "code"}.get(type(value), "")
+
+
+def pin_row(spec: Spec, param: Param) -> int:
+    """The row of a pin below its instruction's: pins fill the box from its last row upward."""
+    return spec.height - len(spec.pins) + spec.pins.index(param)

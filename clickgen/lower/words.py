@@ -1,0 +1,31 @@
+"""A condition in words: ``C1 and not C2 and (rise C3 or DS1 == 5)``."""
+
+from __future__ import annotations
+
+from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
+from clickgen.lower.tokens import Namer, operand_token
+
+
+def condition_words(condition: Condition, name: Namer = operand_token) -> str:
+    """The condition as a person says it; ``name`` gives each operand its text."""
+    if isinstance(condition, Contact):
+        operand = name(condition.operand)
+        if condition.edge:
+            return f"{condition.edge} {operand}"
+        return f"not {operand}" if condition.negated else operand
+    if isinstance(condition, Compare):
+        return f"{name(condition.left)} {condition.op} {name(condition.right)}"
+    if isinstance(condition, Always):
+        return "always"
+    kept = [term for term in condition.terms if not isinstance(term, Always)]
+    if not kept:
+        return "always"
+    word = " and " if isinstance(condition, All) else " or "
+    return word.join(_bracketed(term, isinstance(condition, All), name) for term in kept)
+
+
+def _bracketed(term: Condition, in_series: bool, name: Namer) -> str:
+    text = condition_words(term, name)
+    if isinstance(term, Any if in_series else All) and len(term.terms) > 1:
+        return f"({text})"
+    return text

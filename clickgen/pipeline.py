@@ -1,0 +1,284 @@
+"""The one road from a source file to everything that a build leaves behind. Only this file knows every stage."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from clickgen.check.facts import Facts
+from clickgen.check.rules import RULES
+from clickgen.device.banks import Address
+from clickgen.device.limits import ROWS_AND_RUNGS_MAX, RUNGS_MAX
+from clickgen.diagnostics import Diagnostic, Diagnostics
+from clickgen.emit.folder import ForeignFiles, stale_files
+from clickgen.emit.ladder_csv import ladder_csv
+from clickgen.emit.listing import listing
+from clickgen.emit.nickname_csv import nickname_csv
+from clickgen.emit.sourcemap import source_map
+from clickgen.emit.write import put_in_place
+from clickgen.ir.program import Program
+from clickgen.lower.grid import DoesNotFit
+from clickgen.lower.place import PlaceScratch
+from clickgen.lower.scratch import Scratch
+from clickgen.lower.split import ClickRoutine, ClickRung, lower
+from clickgen.resolve.resolve import Resolved, resolve
+from clickgen.resolve.table import AddressTable, Row, TableUnreadable, read_table
+from clickgen.syntax.parse import decode
+from clickgen.syntax.read import read_program
+
+TABLE_NAME = "nicknames.csv"
+"""The address table beside a program, when none is named."""
+
+
+class CouldNotRun(Exception):
+    """There is nothing to judge: a file is missing or unreadable, an output folder unusable. The message says which."""
+
+
+@dataclass(frozen=True)
+class BuildResult:
+    """What a build made, in memory.
+
+    ``files`` maps each output's path inside the output folder (``main.csv``, ``subroutines/auto.csv``) to its text;
+    it is empty when there are errors. ``table`` is the address table as it should be after the build.
+    """
+
+    program: Path
+    diagnostics: tuple[Diagnostic, ...]
+    files: Mapping[str, str]
+    routines: tuple[ClickRoutine, ...]
+    new_rows: tuple[Row, ...]
+    """The addresses that clickgen chose in this build, scratch included."""
+    table_path: Path
+    table: bytes
+    _table_before: bytes | None
+
+    @property
+    def ok(self) -> bool:
+        """True when nothing is an error."""
+        return not any(problem.is_error for problem in self.diagnostics)
+
+    @property
+    def main(self) -> ClickRoutine:
+        """The main program in CLICK rungs; only when ``ok``."""
+        return next(routine for routine in self.routines if routine.is_main)
+
+    @property
+    def subroutines(self) -> tuple[ClickRoutine, ...]:
+        return tuple(routine for routine in self.routines if not routine.is_main)
+
+    def write(self, folder: Path) -> list[Path]:
+        """Put the outputs into ``folder`` and the extended address table in its place: all of it or none.
+
+        Files that an earlier build left there and this one does not make are removed. Returns what really changed.
+        Raises CouldNotRun when the folder holds files that are not clickgen's and in the way; OSError when something
+        cannot be written; ChangedMeanwhile when the table changed since it was read.
+        """
+        if not self.ok:
+            raise CouldNotRun("a program with errors is not written")
+        outputs = {name: text.encode() for name, text in self.files.items()}
+        writes = {folder / name: data for name, data in outputs.items()}
+        if any(_same_file(path, self.table_path) for path in writes):
+            raise CouldNotRun(f"{folder} holds the address table {self.table_path.name}; choose another folder with -o")
+        try:
+            removals = stale_files(folder, outputs)
+        except ForeignFiles as error:
+            raise CouldNotRun(str(error)) from None
+        if self.table != self._table_before:
+            writes[self.table_path] = self.table
+        return put_in_place(writes, removals, {self.table_path: self._table_before})
+
+
+def _same_file(one: Path, other: Path) -> bool:
+    return os.path.realpath(one) == os.path.realpath(other)
+
+
+@dataclass
+class _Build:
+    """A build under way; each stage fills in what the next one needs."""
+
+    path: Path
+    shown: str
+    table_path: Path
+    table_must_exist: bool
+    frozen: bool
+    problems: Diagnostics = field(default_factory=Diagnostics)
+    program: Program | None = None
+    table: AddressTable = field(default_factory=lambda: AddressTable.empty(""))
+    table_before: bytes | None = None
+    resolved: Resolved | None = None
+    scratch: Scratch = field(default_factory=Scratch)
+    scratch_rows: tuple[Row, ...] = ()
+    routines: tuple[ClickRoutine, ...] = ()
+    parts: dict[str, tuple[ClickRung, ...]] = field(default_factory=dict)
+    files: dict[str, str] = field(default_factory=dict)
+    new_rows: tuple[Row, ...] = ()
+
+
+def build(
+    path: str | os.PathLike[str], *, nicknames: str | os.PathLike[str] | None = None, frozen: bool = False
+) -> BuildResult:
+    """Build the program at ``path``: everything in memory, nothing written (see ``BuildResult.write``).
+
+    ``nicknames`` names the address table; without it, it is ``nicknames.csv`` beside the program, which need not
+    exist. ``frozen`` forbids choosing addresses. Problems of the program are in the result's ``diagnostics``. Raises
+    CouldNotRun when the program or the table cannot be read.
+    """
+    program = Path(path)
+    table = Path(nicknames) if nicknames is not None else program.parent / TABLE_NAME
+    state = _Build(program, str(path), table, nicknames is not None, frozen)
+    for stage, needs_no_errors in STAGES:
+        if needs_no_errors and state.problems.has_errors:
+            break
+        stage(state)
+    ok = not state.problems.has_errors
+    return BuildResult(
+        program,
+        state.problems.in_order(),
+        state.files if ok else {},
+        state.routines if ok else (),
+        state.new_rows if ok else (),
+        table,
+        state.table.to_bytes(),
+        state.table_before,
+    )
+
+
+# -- the stages -------------------------------------------------------------------------------------------------------
+
+
+def _read_table(state: _Build) -> None:
+    path, shown = state.table_path, str(state.table_path)
+    if not path.exists() and not path.is_symlink() and not state.table_must_exist:
+        state.table = AddressTable.empty(shown)
+        return
+    try:
+        state.table = read_table(path, shown, state.problems)
+    except TableUnreadable as error:
+        raise CouldNotRun(str(error)) from None
+    state.table_before = state.table.to_bytes()
+
+
+def _read_source(state: _Build) -> None:
+    try:
+        data = state.path.read_bytes()
+    except FileNotFoundError:
+        raise CouldNotRun(f"there is no file {state.shown}") from None
+    except OSError as error:
+        reason = "it is a folder" if state.path.is_dir() else error.strerror or str(error)
+        raise CouldNotRun(f"{state.shown} cannot be read: {reason}") from None
+    source = decode(state.shown, data, state.problems)
+    state.program = read_program(source, state.problems) if source else None
+
+
+def _resolve(state: _Build) -> None:
+    if state.program is not None:
+        state.resolved = resolve(state.program, state.table, state.frozen, state.problems)
+
+
+def _check(state: _Build) -> None:
+    if state.resolved is not None:
+        facts = Facts(state.resolved.program)
+        for rule in RULES:
+            rule(facts, state.problems)
+
+
+def _lower(state: _Build) -> None:
+    assert state.resolved is not None
+    state.routines = lower(state.resolved.program, state.scratch)
+
+
+def _place_scratch(state: _Build) -> None:
+    """Every address is known now: the scratch cells get theirs, and the table its new rows."""
+    assert state.resolved is not None
+    resolved = state.resolved
+    placed = state.scratch.assign(state.table, resolved.allocator, state.frozen, state.problems)
+    if len(placed) < len(state.scratch.uses):
+        return
+    if placed:
+        rewriter = PlaceScratch({placeholder: row.address for placeholder, row in placed.items()})
+        state.routines = tuple(rewriter.routine(routine) for routine in state.routines)
+    state.scratch_rows = tuple(placed.values())
+    state.new_rows = (
+        *resolved.allocated,
+        *(row for row in state.scratch_rows if row.address not in state.table.by_address),
+    )
+    if not state.frozen:
+        state.table = state.table.extended((*resolved.rows, *state.scratch_rows))
+
+
+def _fit(state: _Build) -> None:
+    """Draw every rung, and divide the routines into files within CLICK's limits."""
+    for routine in state.routines:
+        for rung in routine.rungs:
+            try:
+                rung.grid  # noqa: B018  drawn here, kept for the emitters
+            except DoesNotFit:
+                state.problems.add(
+                    "CG414", rung.span, "this rung does not fit 31 columns and 32 rows", "split it into several rungs"
+                )
+    if state.problems.has_errors:
+        return
+    for routine in state.routines:
+        parts = list(_within_limits(routine.rungs))
+        if len(parts) > 1 and not routine.is_main:
+            state.problems.add(
+                "CG415",
+                routine.span,
+                f"{routine.name} has {len(routine.rungs)} CLICK rungs; one file holds {RUNGS_MAX} rungs and "
+                f"{ROWS_AND_RUNGS_MAX} rows with rungs counted in",
+                "divide it into two subroutines and call both",
+            )
+        elif len(parts) > 1:
+            state.problems.add(
+                "CG424",
+                routine.span,
+                f"main has {len(routine.rungs)} CLICK rungs and goes into {len(parts)} ladder files",
+                "paste main.csv, main_2.csv, ... one behind the other, in this order",
+            )
+        for number, part in enumerate(parts, 1):
+            name = (
+                f"main{'' if number == 1 else f'_{number}'}.csv"
+                if routine.is_main
+                else f"subroutines/{routine.name}.csv"
+            )
+            state.parts[name] = part
+
+
+def _within_limits(rungs: tuple[ClickRung, ...]) -> Iterator[tuple[ClickRung, ...]]:
+    """Stretches of rungs that one clipboard buffer takes (click-facts, trap 1)."""
+    start = size = 0
+    for index, rung in enumerate(rungs):
+        cost = len(rung.grid) + 1
+        if index - start == RUNGS_MAX or size + cost > ROWS_AND_RUNGS_MAX:
+            yield rungs[start:index]
+            start, size = index, 0
+        size += cost
+    yield rungs[start:]
+
+
+def _emit(state: _Build) -> None:
+    assert state.resolved is not None
+    rows = {row.address: row for row in state.table.rows}
+    rows.update((row.address, row) for row in (*state.resolved.rows, *state.scratch_rows))
+    nicknames: dict[Address, str] = {row.address: row.nickname for row in rows.values() if row.nickname}
+    state.files = {name: ladder_csv(part) for name, part in state.parts.items()}
+    state.files[TABLE_NAME] = nickname_csv(rows.values())
+    state.files["listing.txt"] = listing(state.path.stem, state.routines, nicknames)
+    base = os.path.dirname(state.shown)
+    names = [*state.files, "sources.json"]
+    state.files["sources.json"] = source_map(state.routines, state.scratch_rows, names, base)
+
+
+STAGES: tuple[tuple[Callable[[_Build], None], bool], ...] = (
+    (_read_source, False),
+    (_read_table, False),
+    (_resolve, False),
+    (_check, False),
+    (_lower, True),
+    (_place_scratch, True),
+    (_fit, True),
+    (_emit, True),
+)
+"""The stages in their order, each with whether it needs a program without errors."""

@@ -1,0 +1,28 @@
+"""The type of a constant: what stands beside it decides whether ``5`` is an integer or ``0005h``."""
+
+from __future__ import annotations
+
+import re
+
+from clickgen.device.banks import BANKS, Kind
+from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Single, Text
+
+_HEX_TEXT = re.compile(r"([0-9A-Fa-f]{1,8})[hH]")
+
+
+def kind_of(operand: object) -> Kind | None:
+    """What an address holds; None for a constant."""
+    if isinstance(operand, Named | Cell | Range | Pointer | Immediate):
+        return BANKS[operand.bank].kind
+    return None
+
+
+def typed(constant: Single, kind: Kind | None) -> Single:
+    """A constant in the form that a value of this kind takes (click-facts, section 3); others stay as they are."""
+    if isinstance(constant, Text) and kind is not Kind.TEXT:
+        match = _HEX_TEXT.fullmatch(constant.value)
+        if match:
+            return Hex(int(match[1], 16), constant.span)
+    if isinstance(constant, Integer) and kind is Kind.HEX and constant.value >= 0:
+        return Hex(constant.value, constant.span)
+    return constant

@@ -1,0 +1,164 @@
+"""Conditions out of expressions: contacts, comparisons, all, any."""
+
+from __future__ import annotations
+
+import ast
+
+from clickgen.device.banks import BANKS, Kind
+from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
+from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real
+from clickgen.syntax.context import Context, did_you_mean
+from clickgen.syntax.operands import looks_like_address, read_address, read_operand
+
+_COMPARISONS: dict[type[ast.cmpop], str] = {
+    ast.Eq: "==",
+    ast.NotEq: "!=",
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+}
+_FUNCTIONS = ("all", "any", "nc", "re", "fe")
+_EDGES = {"re": "rise", "fe": "fall"}
+_WAY_OUT = "a condition is a bit, a comparison, all(...), any(...), nc(...), re(...) or fe(...)"
+
+
+def read_condition(context: Context, node: ast.expr) -> Condition | None:
+    """The condition that an expression writes; None with a problem."""
+    if isinstance(node, ast.Constant) and node.value is True:
+        return Always(context.span(node))
+    return _read_term(context, node)
+
+
+def _read_term(context: Context, node: ast.expr) -> Condition | None:
+    if isinstance(node, ast.Attribute | ast.Subscript):
+        return _read_contact(context, node)
+    if isinstance(node, ast.Compare):
+        return _read_comparison(context, node)
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS:
+        return _read_function(context, node, node.func.id)
+    operator = _python_logic(node)
+    if operator:
+        word, instead = operator
+        context.problem("CG105", node, f"{word} is not part of the language", f"write {instead}")
+    elif isinstance(node, ast.Call):
+        name = node.func.id if isinstance(node.func, ast.Name) else ""
+        context.problem("CG107", node, "this call is not a condition", did_you_mean(name, _FUNCTIONS) or _WAY_OUT)
+    elif isinstance(node, ast.Constant) and node.value is True:
+        context.problem(
+            "CG107",
+            node,
+            "True stands alone as a rung's or a branch's condition, not inside another",
+            "leave it out; where a contact is needed, sc[1] is always on",
+        )
+    else:
+        context.problem("CG107", node, "this is not a condition", _WAY_OUT)
+    return None
+
+
+def _python_logic(node: ast.expr) -> tuple[str, str] | None:
+    if isinstance(node, ast.BoolOp):
+        return ("and", "all(a, b)") if isinstance(node.op, ast.And) else ("or", "any(a, b)")
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not | ast.Invert):
+        return ("not", "nc(a)") if isinstance(node.op, ast.Not) else ("~", "nc(a)")
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitAnd | ast.BitOr):
+        return ("&", "all(a, b)") if isinstance(node.op, ast.BitAnd) else ("|", "any(a, b)")
+    return None
+
+
+def _read_contact(context: Context, node: ast.Attribute | ast.Subscript) -> Condition | None:
+    """A bit as a contact; a bare numeric register means that it is not zero."""
+    operand = read_address(context, node)
+    if operand is None:
+        return None
+    bank = BANKS[operand.bank] if isinstance(operand, Named | Cell | Range | Immediate | Pointer) else None
+    if bank is None or isinstance(operand, Pointer):
+        context.problem(
+            "CG307",
+            node,
+            "a pointer cannot stand in a condition: CLICK reads it too late",
+            "copy the register pointed to into another one in a rung before, and test that",
+        )
+        return None
+    if bank.is_bit:
+        assert isinstance(operand, Named | Cell | Range | Immediate)
+        return Contact(operand, operand.span)
+    if not isinstance(operand, Named | Cell) or bank.kind is Kind.TEXT:
+        context.problem("CG107", node, f"{bank.name} holds no bits", f"compare it: {bank.dsl}[{bank.first}] == ...")
+        return None
+    zero = Hex(0, operand.span) if bank.kind is Kind.HEX else Integer(0, operand.span)
+    right = Real(0.0, "0.0", operand.span) if bank.kind is Kind.FLOAT else zero
+    return Compare("!=", operand, right, operand.span)
+
+
+def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
+    if len(node.ops) > 1:
+        context.problem("CG106", node, "comparisons do not chain", "write all(1 < ds.A, ds.A < 5)")
+        return None
+    operator = _COMPARISONS.get(type(node.ops[0]))
+    if operator is None:
+        context.problem("CG107", node, "CLICK has no such comparison", "the comparisons: == != < <= > >=")
+        return None
+    left = read_operand(context, node.left)
+    right = read_operand(context, node.comparators[0])
+    if left is None or right is None:
+        return None
+    for side in (left, right):
+        if isinstance(side, Pointer):
+            context.problems.add(
+                "CG307",
+                side.span,
+                "a pointer cannot stand in a comparison: CLICK reads it too late",
+                "copy the register pointed to into another one in a rung before, and compare that",
+            )
+            return None
+        if isinstance(side, Range | Immediate):
+            context.problems.add("CG107", side.span, "only single registers and constants compare", _WAY_OUT)
+            return None
+    assert not isinstance(left, Range | Immediate)
+    assert not isinstance(right, Range | Immediate)
+    return Compare(operator, left, right, context.span(node))
+
+
+def _read_function(context: Context, node: ast.Call, name: str) -> Condition | None:
+    for keyword in node.keywords:
+        context.problem("CG109", keyword, f"{name}() takes no keyword arguments", f"{name}(c.A, c.B)")
+    if any(isinstance(argument, ast.Starred) for argument in node.args):
+        context.problem("CG107", node, f"{name}(...) takes its conditions one by one", f"{name}(c.A, c.B)")
+        return None
+    if name in ("all", "any"):
+        if not node.args:
+            context.problem("CG110", node, f"{name}() needs at least one condition", f"{name}(c.A, c.B)")
+            return None
+        terms = [_read_term(context, argument) for argument in node.args]
+        kept = tuple(term for term in terms if term is not None)
+        if len(kept) < len(terms):
+            return None
+        return All(kept, context.span(node)) if name == "all" else Any(kept, context.span(node))
+    if len(node.args) != 1:
+        context.problem("CG110", node, f"{name}() takes one bit", f"{name}(c.A)")
+        return None
+    return _read_bit_function(context, node, name)
+
+
+def _read_bit_function(context: Context, node: ast.Call, name: str) -> Condition | None:
+    argument = node.args[0]
+    if not looks_like_address(argument):
+        context.problem("CG107", argument, f"{name}() takes one bit, not a condition", f"{name}(c.A)")
+        return None
+    operand = read_operand(context, argument)
+    if operand is None:
+        return None
+    if not isinstance(operand, Named | Cell | Range | Immediate) or not BANKS[operand.bank].is_bit:
+        way = "compare a register: ds.A == 0" if name == "nc" else "edges belong to bits"
+        context.problem("CG107", argument, f"{name}() takes a bit", way)
+        return None
+    if name == "nc":
+        return Contact(operand, context.span(node), negated=True)
+    if isinstance(operand, Range):
+        context.problem("CG107", argument, f"{name}() takes one bit, not a range", f"any({name}(c[1]), {name}(c[2]))")
+        return None
+    if isinstance(operand, Immediate):
+        context.problem("CG308", argument, "an edge contact is never immediate", f"{name}(x[1])")
+        return None
+    return Contact(operand, context.span(node), edge=_EDGES[name])

@@ -1,0 +1,204 @@
+"""Addresses, ranges, pointers and constants out of expressions."""
+
+from __future__ import annotations
+
+import ast
+import re
+
+from clickgen.device.banks import BANKS, POINTED, UPPER_BYTE_BANKS, Address, Bank
+from clickgen.ir.operands import (
+    Cell,
+    CharCode,
+    Constant,
+    Hex,
+    Immediate,
+    Integer,
+    Named,
+    Operand,
+    Pointer,
+    Range,
+    Real,
+    Text,
+)
+from clickgen.source import Span
+from clickgen.syntax.context import Context, did_you_mean
+
+BANK_NAMES = {bank.dsl: bank for bank in BANKS.values()}
+_CHAR_CODE = re.compile(r"\$[0-9A-Fa-f]{2}")
+_ADDRESS_FORMS = "an address is written ds[5] or ds.Name"
+
+
+def looks_like_address(node: ast.expr) -> bool:
+    """True for ``bank.name``, ``bank[...]`` and the same with ``.immediate``."""
+    return isinstance(node, ast.Attribute | ast.Subscript)
+
+
+def read_operand(context: Context, node: ast.expr) -> Operand | None:
+    """An address in any form or a constant; None with a problem."""
+    if isinstance(node, ast.Attribute | ast.Subscript):
+        return read_address(context, node)
+    return read_constant(context, node)
+
+
+def read_constant(context: Context, node: ast.expr) -> Constant | None:
+    """A number or a string; a leading minus belongs to the number."""
+    if isinstance(node, ast.Constant):
+        value, span = node.value, context.span(node)
+        if isinstance(value, int) and not isinstance(value, bool):
+            is_hex = context.text(node)[:2].lower() == "0x"
+            return Hex(value, span) if is_hex else Integer(value, span)
+        if isinstance(value, float):
+            return Real(value, context.text(node), span)
+        if isinstance(value, str):
+            if _CHAR_CODE.fullmatch(value):
+                return CharCode(int(value[1:], 16), span)
+            return Text(value, span, context.embedded(node))
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub | ast.UAdd):
+        inner = read_constant(context, node.operand) if isinstance(node.operand, ast.Constant) else None
+        sign = -1 if isinstance(node.op, ast.USub) else 1
+        if isinstance(inner, Integer):
+            return Integer(sign * inner.value, context.span(node))
+        if isinstance(inner, Real):
+            return Real(sign * inner.value, ("-" if sign < 0 else "") + inner.text, context.span(node))
+    name = node.id if isinstance(node, ast.Name) else ""
+    hint = _ADDRESS_FORMS
+    match = re.fullmatch(r"([A-Za-z]+)(\d+)", name)
+    if match and match[1].lower() in BANK_NAMES:
+        hint = f"write {match[1].lower()}[{int(match[2])}]"
+    elif name.lower() in BANK_NAMES:
+        hint = f"{name} is a whole bank: {_ADDRESS_FORMS}"
+    context.problem("CG113", node, f"{_shorten(context.text(node))} is not an address or a constant", hint)
+    return None
+
+
+def read_address(context: Context, node: ast.Attribute | ast.Subscript) -> Operand | None:
+    """``bank.name``, ``bank[number]``, ``bank["name"]``, ``bank[a:b]``, ``bank[ds.Pointer]``, with ``.immediate``."""
+    holder = node.value
+    if isinstance(node, ast.Attribute) and not isinstance(holder, ast.Name):
+        return _read_modifier(context, node)
+    if not isinstance(holder, ast.Name):
+        context.problem("CG113", node, f"{_shorten(context.text(node))} is not an address", _ADDRESS_FORMS)
+        return None
+    bank = BANK_NAMES.get(holder.id)
+    if bank is None:
+        known = did_you_mean(holder.id, BANK_NAMES)
+        context.problem(
+            "CG113", holder, f"there is no bank {holder.id!r}", known or f"the banks: {', '.join(BANK_NAMES)}"
+        )
+        return None
+    if isinstance(node, ast.Attribute):
+        return Named(bank.name, node.attr, context.span(node))
+    return _read_index(context, bank, node)
+
+
+def _read_modifier(context: Context, node: ast.Attribute) -> Operand | None:
+    if node.attr != "immediate":
+        context.problem(
+            "CG113", node, f"an address has no .{node.attr}", did_you_mean(node.attr, ["immediate"]) or _ADDRESS_FORMS
+        )
+        return None
+    if not isinstance(node.value, ast.Attribute | ast.Subscript):
+        context.problem("CG113", node, ".immediate belongs behind an address", "x[1].immediate")
+        return None
+    target = read_address(context, node.value)
+    if target is None:
+        return None
+    if not isinstance(target, Named | Cell | Range):
+        context.problem("CG308", node, ".immediate belongs behind an X or Y address", "x[1].immediate")
+        return None
+    return Immediate(target, context.span(node))
+
+
+def _read_index(context: Context, bank: Bank, node: ast.Subscript) -> Operand | None:
+    index, span = node.slice, context.span(node)
+    if isinstance(index, ast.Slice):
+        return _read_range(context, bank, index, node)
+    if isinstance(index, ast.Constant) and isinstance(index.value, str):
+        if index.value == "0u" and bank.name in UPPER_BYTE_BANKS:
+            return Cell(Address(bank.name, 0, True), span)
+        return Named(bank.name, index.value, span)
+    number = _whole_number(index)
+    if number is not None:
+        return _cell(context, bank, number, span)
+    if isinstance(index, ast.Attribute | ast.Subscript):
+        return _read_pointer(context, bank, index, span)
+    context.problem(
+        "CG113",
+        index,
+        f"{bank.dsl}[...] takes a number, a name in quotes, a range or a DS register",
+        "arithmetic belongs into a calc before" if isinstance(index, ast.BinOp) else f"{bank.dsl}[{bank.first}]",
+    )
+    return None
+
+
+def _cell(context: Context, bank: Bank, number: int, span: Span) -> Cell | None:
+    if bank.has(number):
+        return Cell(Address(bank.name, number), span)
+    context.problems.add("CG201", span, f"there is no {bank.dsl}[{number}]", f"{bank.name} has {bank.describe_range()}")
+    return None
+
+
+def _read_pointer(context: Context, bank: Bank, index: ast.Attribute | ast.Subscript, span: Span) -> Operand | None:
+    register = read_address(context, index)
+    if register is None:
+        return None
+    if not isinstance(register, Named | Cell) or register.bank != "DS":
+        context.problem(
+            "CG212", index, "a pointer goes through a single DS register", "copy the index to a DS register first"
+        )
+        return None
+    if bank.name not in POINTED:
+        context.problems.add(
+            "CG213", span, f"{bank.name} cannot be pointed into", f"pointers reach {', '.join(POINTED)}"
+        )
+        return None
+    return Pointer(bank.name, register, span)
+
+
+def _read_range(context: Context, bank: Bank, index: ast.Slice, node: ast.Subscript) -> Range | None:
+    """A half-open slice to a range with both ends included; step -1 is the reversed direction."""
+    bounds = [_whole_number(bound) for bound in (index.lower, index.upper)]
+    step = 1 if index.step is None else _whole_number(index.step)
+    start, stop = bounds
+    if start is None or stop is None or step not in (1, -1):
+        context.problem(
+            "CG202",
+            node,
+            "a range is written with two numbers: the first address and the one behind the last",
+            f"{bank.dsl}[1:17] is {bank.name}1 to {bank.name}16; {bank.dsl}[16:0:-1] is the same backwards",
+        )
+        return None
+    last = stop - step
+    if (last - start) * step < 0:
+        way = f"the end is not included: {bank.dsl}[{start}:{start + step}{'' if step > 0 else ':-1'}] is one address"
+        context.problem("CG202", node, f"{bank.dsl}[{_slice_text(start, stop, step)}] is empty", way)
+        return None
+    low, high = min(start, last), max(start, last)
+    if any(first <= low and high <= last_ for first, last_ in bank.ranges):
+        return Range(bank.name, start, last, context.span(node))
+    if bank.has(low) and bank.has(high):
+        message = f"the range {Address(bank.name, low)} to {Address(bank.name, high)} crosses a gap"
+    else:
+        message = f"the range {bank.name}{low} to {bank.name}{high} leaves the bank"
+    context.problem(
+        "CG202", node, message, f"{bank.name} has {bank.describe_range()}; the end of a slice is not included"
+    )
+    return None
+
+
+def _slice_text(start: int, stop: int, step: int) -> str:
+    return f"{start}:{stop}" + ("" if step == 1 else f":{step}")
+
+
+def _whole_number(node: ast.expr | None) -> int | None:
+    if isinstance(node, ast.Constant) and type(node.value) is int:
+        return node.value
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        inner = _whole_number(node.operand)
+        return None if inner is None else -inner
+    return None
+
+
+def _shorten(text: str, limit: int = 40) -> str:
+    line = " ".join(text.split())
+    return line if len(line) <= limit else line[: limit - 3] + "..."

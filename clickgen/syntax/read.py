@@ -1,0 +1,273 @@
+"""A source file to a Program: routines, rungs, branches, loops, declarations."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from clickgen.diagnostics import Diagnostics
+from clickgen.instructions import INSTRUCTIONS
+from clickgen.instructions.control import FOR, NOP, RETURN
+from clickgen.ir.conditions import Always
+from clickgen.ir.operands import Cell, Named
+from clickgen.ir.program import Action, Branch, Declaration, Item, Loop, Program, Routine, Rung, Value, Word
+from clickgen.source import SourceFile, Span
+from clickgen.syntax.calls import read_call
+from clickgen.syntax.comments import rung_comment
+from clickgen.syntax.conditions import read_condition
+from clickgen.syntax.context import Context, did_you_mean
+from clickgen.syntax.operands import read_constant, read_operand
+from clickgen.syntax.parse import parse_trees
+
+if TYPE_CHECKING:
+    import libcst
+
+_DSL_MODULE = "clickgen.dsl"
+
+
+def read_program(source: SourceFile, problems: Diagnostics) -> Program | None:
+    """Read one program file; None when it is not Python. Everything else that is wrong is in ``problems``."""
+    trees = parse_trees(source, problems)
+    if trees is None:
+        return None
+    module, tree = trees
+    context = Context(source, problems)
+    routines: list[Routine] = []
+    declarations: list[Declaration] = []
+    for cst_node, node in _in_step(module.body, tree.body):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            routines.append(_read_routine(context, cst_node, node))
+        elif isinstance(node, ast.Expr) and _is_call_of(node.value, "nickname"):
+            assert isinstance(node.value, ast.Call)
+            declaration = _read_declaration(context, node.value)
+            if declaration is not None:
+                declarations.append(declaration)
+        elif isinstance(node, ast.Import | ast.ImportFrom):
+            _read_import(context, node)
+        elif not _is_docstring(node):
+            context.problem(
+                "CG102",
+                node,
+                "only nickname(...), def main(): and @sub routines stand at the top level",
+                "move logic into a rung of main or of a subroutine",
+            )
+    return Program(source, tuple(routines), tuple(declarations))
+
+
+def _in_step(body: Sequence[libcst.CSTNode], nodes: Sequence[ast.stmt]) -> Iterator[tuple[libcst.CSTNode, ast.stmt]]:
+    """Pair libcst's statements with ast's, which has one for each small statement of a line."""
+    remaining = iter(nodes)
+    for cst_node in body:
+        small = getattr(cst_node, "body", None)
+        count = len(small) if isinstance(small, Sequence) else 1
+        for _ in range(count):
+            yield cst_node, next(remaining)
+
+
+def _is_call_of(node: ast.expr, name: str) -> bool:
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == name
+
+
+def _is_docstring(node: ast.stmt) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+
+
+def _read_import(context: Context, node: ast.Import | ast.ImportFrom) -> None:
+    if isinstance(node, ast.ImportFrom) and node.module == _DSL_MODULE and node.level == 0:
+        return
+    context.problem(
+        "CG120",
+        node,
+        "a program is one file: only the editor's import is read past",
+        f"from {_DSL_MODULE} import ...",
+    )
+
+
+# -- routines ---------------------------------------------------------------------------------------------------------
+
+
+def _read_routine(context: Context, cst_node: libcst.CSTNode, node: ast.FunctionDef | ast.AsyncFunctionDef) -> Routine:
+    source = context.source
+    # From def to the end of the name, for which ast has no place.
+    start = source.column(node.lineno, node.col_offset)
+    end = max(source.line(node.lineno).find(node.name, start) + len(node.name), start) + 1
+    span = Span(source.path, node.lineno, start, node.lineno, end)
+    is_sub = [decorator.id for decorator in node.decorator_list if isinstance(decorator, ast.Name)] == ["sub"]
+    is_main = node.name == "main" and not node.decorator_list
+    problems = context.problems
+    if isinstance(node, ast.AsyncFunctionDef) or ast.unparse(node.args) or node.returns is not None:
+        problems.add("CG114", span, "a routine takes no parameters and returns nothing", f"def {node.name}():")
+    if not is_main and (not is_sub or len(node.decorator_list) != 1):
+        if node.name == "main":
+            problems.add("CG114", span, "main has no decorators", "def main():")
+        else:
+            problems.add(
+                "CG114",
+                span,
+                "a subroutine stands under @sub alone",
+                f"write @sub on the line above def {node.name}():",
+            )
+    before = len(problems.found)
+    rungs = _read_rungs(context, _block(cst_node), node.body)
+    return Routine(node.name, rungs, span, node.name == "main", len(problems.found) == before)
+
+
+def _block(cst_node: libcst.CSTNode) -> Sequence[libcst.CSTNode]:
+    """The statements of a compound statement's body; of ``if a: out(b)`` on one line, its one simple line."""
+    import libcst
+
+    body = getattr(cst_node, "body", None)
+    if isinstance(body, libcst.IndentedBlock):
+        return body.body
+    return (body,) if isinstance(body, libcst.SimpleStatementSuite) else ()
+
+
+def _read_rungs(context: Context, cst_body: Sequence[libcst.CSTNode], nodes: Sequence[ast.stmt]) -> tuple[Rung, ...]:
+    rungs: list[Rung] = []
+    for index, (cst_node, node) in enumerate(_in_step(cst_body, nodes)):
+        if isinstance(node, ast.If):
+            rungs.append(_read_rung(context, cst_node, node))
+        elif not (isinstance(node, ast.Pass) or (index == 0 and _is_docstring(node))):
+            help = "put it under a condition; if True: is the unconditional rung"
+            context.problem("CG103", node, "a routine holds only rungs: if ...:", help)
+    return tuple(rungs)
+
+
+def _read_rung(context: Context, cst_node: libcst.CSTNode, node: ast.If) -> Rung:
+    condition = read_condition(context, node.test)
+    _refuse_else(context, node)
+    items = _read_items(context, cst_node, node.body)
+    span = context.span(node)
+    if condition is None:
+        condition = Always(context.span(node.test))
+    head = Span(span.path, span.line, span.col, condition.span.end_line, condition.span.end_col)
+    return Rung(condition, items, rung_comment(getattr(cst_node, "leading_lines", ())), head, span)
+
+
+def _refuse_else(context: Context, node: ast.If) -> None:
+    """A rung has no else; the problem stands at the ``else`` or ``elif`` itself."""
+    if not node.orelse:
+        return
+    source, first = context.source, node.orelse[0]
+    last_line = node.body[-1].end_lineno or node.body[-1].lineno
+    for line in range(last_line + 1, first.lineno + 1):
+        text = source.line(line)
+        word = text.strip()[:4]
+        if word in ("else", "elif"):
+            col = len(text) - len(text.lstrip()) + 1
+            span = Span(source.path, line, col, line, col + 4)
+            help = "write a rung of its own with the opposite condition: nc(...) or the opposite comparison"
+            context.problems.add("CG104", span, f"a rung has no {word}", help)
+            return
+
+
+# -- rung bodies ------------------------------------------------------------------------------------------------------
+
+
+def _read_items(context: Context, cst_node: libcst.CSTNode | None, nodes: Sequence[ast.stmt]) -> tuple[Item, ...]:
+    # Only loop bodies hold rungs with comments of their own, so only there libcst's side is walked.
+    has_loop = cst_node is not None and any(isinstance(node, ast.For | ast.If) for node in nodes)
+    pairs: Iterator[tuple[libcst.CSTNode | None, ast.stmt]]
+    pairs = _in_step(_block(cst_node), nodes) if has_loop and cst_node else iter([(None, node) for node in nodes])
+    items: list[Item] = []
+    for cst_child, node in pairs:
+        item = _read_item(context, cst_child, node)
+        if item is not None:
+            items.append(item)
+    if not items and all(isinstance(node, ast.Pass) for node in nodes):
+        items.append(Action(NOP, {}, context.span(nodes[0])))
+    return tuple(items)
+
+
+def _read_item(context: Context, cst_node: libcst.CSTNode | None, node: ast.stmt) -> Item | None:
+    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+        return read_call(context, node.value)
+    if isinstance(node, ast.If):
+        condition = read_condition(context, node.test)
+        _refuse_else(context, node)
+        items = _read_items(context, cst_node, node.body)
+        return Branch(condition or Always(context.span(node.test)), items, context.span(node))
+    if isinstance(node, ast.For | ast.AsyncFor):
+        return _read_loop(context, cst_node, node)
+    if isinstance(node, ast.Return):
+        if node.value is not None:
+            context.problem("CG112", node.value, "return gives nothing back", "write return alone")
+        return Action(RETURN, {}, context.span(node))
+    if isinstance(node, ast.Pass):
+        return None
+    help = "the actions of a rung are instruction calls, nested ifs, for, return and pass"
+    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Name) and node.value.id in INSTRUCTIONS:
+        help = f"write {INSTRUCTIONS[node.value.id].signature}"
+    elif isinstance(node, ast.Assign | ast.AugAssign | ast.AnnAssign):
+        help = "to set a value write copy(value, address) or calc(formula, address)"
+    context.problem("CG112", node, "this statement has no place in a rung", help)
+    return None
+
+
+def _read_loop(context: Context, cst_node: libcst.CSTNode | None, node: ast.For | ast.AsyncFor) -> Loop | None:
+    if (
+        isinstance(node, ast.AsyncFor)
+        or not (isinstance(node.target, ast.Name) and node.target.id == "_")
+        or node.orelse
+        or not _is_call_of(node.iter, "range")
+    ):
+        context.problem("CG119", node, "a loop is written for _ in range(n):", "the count is a DS register or a number")
+        return None
+    call = node.iter
+    assert isinstance(call, ast.Call)
+    args: dict[str, Value] = {}
+    if len(call.args) != 1 or isinstance(call.args[0], ast.Starred):
+        context.problem("CG119", call, "range takes one count: a DS register or a number", "for _ in range(ds.Count):")
+        return None
+    count = read_operand(context, call.args[0])
+    for keyword in call.keywords:
+        if keyword.arg in ("oneshot", "one_shot") and isinstance(keyword.value, ast.Constant):
+            args["oneshot"] = Word(keyword.value.value is True, context.span(keyword.value))
+        else:
+            context.problem("CG109", keyword, "a loop has no such argument", "for _ in range(n, oneshot=True):")
+    body: tuple[Rung, ...] | None = None
+    if not all(isinstance(child, ast.Pass) for child in node.body):
+        body = _read_rungs(context, _block(cst_node) if cst_node else (), node.body)
+    if count is None:
+        return None
+    args["count"] = count
+    head = Span(context.source.path, *context.span(node)[1:3], *context.span(call)[3:5])
+    return Loop(Action(FOR, args, head), body)
+
+
+# -- declarations -----------------------------------------------------------------------------------------------------
+
+_DECLARED = ("initial", "retentive", "comment")
+
+
+def _read_declaration(context: Context, node: ast.Call) -> Declaration | None:
+    example = 'nickname(ds.MaxAlarms, ds[5], initial=10, retentive=True, comment="...")'
+    if len(node.args) != 2:
+        context.problem("CG110", node, "nickname takes a name and its address", example)
+        return None
+    named, cell = (read_operand(context, argument) for argument in node.args)
+    initial = retentive = comment = None
+    for keyword in node.keywords:
+        value = keyword.value.value if isinstance(keyword.value, ast.Constant) else ...
+        if keyword.arg == "initial":
+            initial = read_constant(context, keyword.value)
+        elif keyword.arg == "retentive" and isinstance(value, bool):
+            retentive = value
+        elif keyword.arg == "comment" and isinstance(value, str):
+            comment = value
+        elif keyword.arg in _DECLARED:
+            kind = "True or False" if keyword.arg == "retentive" else "a text in quotes"
+            context.problem("CG115", keyword.value, f"{keyword.arg} must be {kind}", example)
+        else:
+            help = did_you_mean(keyword.arg or "", _DECLARED) or example
+            context.problem("CG109", keyword, f"nickname has no argument {keyword.arg!r}", help)
+    if named is None or cell is None:
+        return None
+    if not isinstance(named, Named):
+        context.problem("CG115", node.args[0], "the first argument is a name in its bank: ds.MaxAlarms", example)
+        return None
+    if not isinstance(cell, Cell):
+        context.problem("CG115", node.args[1], "the second argument is one address: ds[5]", example)
+        return None
+    return Declaration(named, cell, context.span(node), initial, retentive, comment)
