@@ -8,7 +8,7 @@ Where parallel legs merge and outputs split at the same boundary they share one 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from clickgen.instructions.spec import Param
@@ -57,11 +57,10 @@ def draw(condition: Condition, items: tuple[Item, ...]) -> Grid:
 
 class _Canvas:
     def __init__(self) -> None:
-        self.cells: dict[tuple[int, int], str] = {}
+        self.rows: list[list[str]] = []
         self.downs: set[tuple[int, int]] = set()
         self.outputs: dict[int, str] = {}
         self.boxed: set[int] = set()
-        self.height = 0
 
     # -- contacts -----------------------------------------------------------------------------------------------------
 
@@ -146,16 +145,21 @@ class _Canvas:
 
     # -- strokes ------------------------------------------------------------------------------------------------------
 
+    def row(self, row: int) -> list[str]:
+        while len(self.rows) <= row:
+            self.rows.append([""] * COLUMNS)
+        return self.rows[row]
+
     def put(self, row: int, col: int, text: str) -> None:
         if col >= COLUMNS:
             raise DoesNotFit
-        self.cells[row, col] = text
-        self.height = max(self.height, row + 1)
+        self.row(row)[col] = text
 
     def wire(self, row: int, start: int, stop: int) -> None:
         """A horizontal wire from boundary ``start`` to boundary ``stop``."""
-        for col in range(start, stop):
-            self.put(row, col, "-")
+        if stop > COLUMNS:
+            raise DoesNotFit
+        self.row(row)[start:stop] = ["-"] * (stop - start)
 
     def tie(self, boundary: int, rows: Iterable[int]) -> None:
         """A vertical wire at a boundary over all these rows. The power rail ties every row by itself."""
@@ -167,29 +171,23 @@ class _Canvas:
         self.downs.update((row, boundary) for row in range(min(touched), max(touched)))
 
     def box(self, row: int, action: Action) -> None:
+        height = action.spec.height
         self.outputs[row] = action_token(action)
-        self.boxed.update(range(row + 1, row + action.spec.height))
-        self.height = max(self.height, row + action.spec.height)
+        self.boxed.update(range(row + 1, row + height))
+        self.row(row + height - 1)
 
     def finish(self) -> Grid:
-        if self.height > MAX_ROWS:
+        if len(self.rows) > MAX_ROWS:
             raise DoesNotFit
-        rows = range(self.height)
+        for row, col in self.downs:
+            text = self.rows[row][col]
+            self.rows[row][col] = "|" if text == "" else "T" if text == "-" else f"T:{text}"
+        rows = range(len(self.rows))
         return Grid(
-            tuple(tuple(self._row(row)) for row in rows),
+            tuple(map(tuple, self.rows)),
             tuple(self.outputs.get(row, "") for row in rows),
             tuple(row in self.boxed for row in rows),
         )
-
-    def _row(self, row: int) -> Iterator[str]:
-        for col in range(COLUMNS):
-            text = self.cells.get((row, col), "")
-            if (row, col) not in self.downs:
-                yield text
-            elif text in ("", "-"):
-                yield "T" if text else "|"
-            else:
-                yield f"T:{text}"
 
 
 def pin_network(action: Action, param: Param) -> Net:

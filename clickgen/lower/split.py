@@ -16,7 +16,7 @@ from clickgen.instructions.control import END, NEXT, RETURN
 from clickgen.instructions.timers import RTOF
 from clickgen.ir.conditions import All, Always, Any, Condition, Contact
 from clickgen.ir.operands import Cell
-from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Rung, actions_in, rungs_in
+from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Rung, Value, actions_in, rungs_in
 from clickgen.lower.effects import Cells, Effects, has_edge, is_volatile, reads
 from clickgen.lower.expand import OffDelays, Own, expand_formula, expand_oneshot_range
 from clickgen.lower.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw, pin_network
@@ -125,13 +125,17 @@ class _RungSplit:
         self._where = f"{home.routine.name} rung {len(home.rungs) + 1}"
 
     def run(self) -> None:
-        root = _Node(self._rung.condition)
-        parts = _apart(list(self._steps(self._rung.items, root)))
-        if len(parts) > 1 or not self._fits(parts[0]):
-            if any(not _fits_alone(node.condition) for node in _nodes(parts)):
-                self._hoist([node for node in _nodes(parts) if not _fits_alone(node.condition)])
-            parts = [piece for part in parts for piece in self._fitting(part)]
-            self._hoist(self._unsafe(parts))
+        parts = _apart(list(self._steps(self._rung.items, _Node(self._rung.condition))))
+        if len(parts) == 1:
+            rung = self._rung_of(parts[0])
+            if _draws(rung) and not _is_special(parts[0][0]):
+                self._put(rung)
+                return
+        for node in _nodes(parts):
+            node.condition = self._reduced(node.condition)
+        parts = [piece for part in parts for piece in self._fitting(part)]
+        for node in self._unsafe(parts):
+            node.condition = self._on_scratch(node.condition, "condition")
         self._hoist_pins(parts)
         for part in parts:
             self._emit_part(part)
@@ -154,24 +158,18 @@ class _RungSplit:
                             else:
                                 yield _Step(node, expanded)
 
-    def _fits(self, part: _Part) -> bool:
-        try:
-            return self._rung_of(part).grid is not None
-        except DoesNotFit:
-            return False
-
     def _fitting(self, part: _Part) -> Iterator[_Part]:
         """A part in as few pieces as fit CLICK's rows, each as long as can be."""
-        while len(part) > 1 and not self._fits(part):
+        while len(part) > 1 and not _draws(self._rung_of(part)):
             # Fitting is monotone: find the longest beginning that fits; one step alone is reduced later.
-            count = bisect_left(range(2, len(part)), True, key=lambda n: not self._fits(part[:n])) + 1
+            count = bisect_left(range(2, len(part)), True, key=lambda n: not _draws(self._rung_of(part[:n]))) + 1
             yield part[:count]
             part = part[count:]
         yield part
 
     def _rung_of(self, part: _Part) -> ClickRung:
         condition, items = _tree(part, 0)
-        return ClickRung(condition, items, "", self._rung.span)
+        return ClickRung(condition, items, self._comment, self._rung.span)
 
     # -- keeping the meaning ------------------------------------------------------------------------------------------
 
@@ -204,11 +202,6 @@ class _RungSplit:
                 cells.update(self._home.effects.writes(action))
         return cells
 
-    def _hoist(self, nodes: list[_Node]) -> None:
-        """Put each condition on a scratch bit, in a rung before."""
-        for node in nodes:
-            node.condition = self._on_scratch(self._reduced(node.condition), "condition")
-
     def _hoist_pins(self, parts: list[_Part]) -> None:
         """Pins whose condition an earlier part changes, or with parallel legs where the grid has no room for them."""
         written = Cells()
@@ -221,13 +214,14 @@ class _RungSplit:
                         continue
                     net = pin_network(step.action, param)
                     too_tall = net.height > 1 and param is not pins[-1]
-                    if too_tall or net.width > _FREE_COLUMNS or reads(condition).meets(written):
+                    if too_tall or not _fits_alone(condition) or reads(condition).meets(written):
                         bit = self._on_scratch(self._reduced(condition), f"{param.name} input")
                         step.action = Action(step.action.spec, {**step.action.args, param.name: bit}, step.action.span)
                 if len(parts) > 1:
                     written.update(self._writes(step))
 
     def _on_scratch(self, condition: Condition, purpose: str) -> Contact:
+        """A condition on a scratch bit, in a rung before those to come; the contact that reads it."""
         cell = self._take("C", purpose, condition.span, condition_words(condition))
         self._emit(condition, (Action(OUT, {"address": cell}, condition.span),))
         return Contact(cell, condition.span)
@@ -264,31 +258,38 @@ class _RungSplit:
 
     def _emit_part(self, part: _Part) -> None:
         rung = self._rung_of(part)
-        if not self._fits(part):
-            rung = self._squeezed(part[0])
-        self._emit(rung.condition, rung.items)
+        self._put(rung if _draws(rung) else self._squeezed(part[0]))
         body = part[-1].body
         if body is not None:
             self._home.lower(body)
             self._emit(Always(part[-1].action.span), (Action(NEXT, {}, part[-1].action.span),))
 
     def _squeezed(self, step: _Step) -> ClickRung:
-        """One action whose conditions do not fit beside it: they go to a scratch bit."""
+        """One action whose conditions, small enough one by one, do not fit together: they go to scratch bits."""
+        action = step.action
         condition = All(tuple(node.condition for node in step.node.path), self._rung.condition.span)
-        bit = self._on_scratch(self._reduced(condition), "condition")
-        args = dict(step.action.args)
-        rung = ClickRung(bit, (step.action,), "", self._rung.span)
-        if len(rung_pins := step.action.spec.pins) and not _draws(rung):
-            for param in rung_pins:
-                pin = step.action.pin(param.name)
+        enable = self._on_scratch(self._reduced(condition), "condition")
+        pins: dict[str, Value] = {}
+        if not _draws(ClickRung(enable, (action,), "", self._rung.span)):
+            for param in action.spec.pins:
+                pin = action.pin(param.name)
                 if pin is not None:
-                    args[param.name] = self._on_scratch(self._reduced(pin), f"{param.name} input")
-            rung = ClickRung(bit, (Action(step.action.spec, args, step.action.span),), "", self._rung.span)
-        return rung
+                    pins[param.name] = self._on_scratch(pin, f"{param.name} input")
+        action = Action(action.spec, {**action.args, **pins}, action.span)
+        return ClickRung(enable, (action,), self._comment, self._rung.span)
 
     def _emit(self, condition: Condition, items: tuple[Item, ...]) -> None:
-        self._home.rungs.append(ClickRung(condition, items, self._comment, self._rung.span))
+        self._put(ClickRung(condition, items, self._comment, self._rung.span))
+
+    def _put(self, rung: ClickRung) -> None:
+        """The next CLICK rung; the first one has the source rung's comment."""
+        self._home.rungs.append(rung)
         self._comment = ""
+
+
+def _is_special(step: _Step) -> bool:
+    """True for a box with pins, which may need scratch bits, and for a loop, which brings its body."""
+    return bool(step.action.spec.pins) or step.body is not None
 
 
 def _apart(steps: list[_Step]) -> list[_Part]:

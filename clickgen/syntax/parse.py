@@ -94,21 +94,24 @@ def _syntax_problem(source: SourceFile, error: SyntaxError, problems: Diagnostic
 
 
 def _too_deep(tree: ast.Module) -> ast.AST | None:
-    """The first node below the depth limit, found without recursion."""
-    level: list[ast.AST] = [tree]
-    for _ in range(MAX_DEPTH):
-        level = [child for node in level for child in _children(node)]
-        if not level:
-            return None
-    return level[0]
+    """The first node below the depth limit, found without recursion.
+
+    Each level of an expression takes at least one character, so short ones need no walk.
+    """
+    waiting: list[tuple[ast.AST, int]] = [(tree, 0)]
+    while waiting:
+        node, depth = waiting.pop()
+        if depth > MAX_DEPTH:
+            return node
+        if isinstance(node, ast.expr) and _is_short(node, MAX_DEPTH - depth):
+            continue
+        for value in node.__dict__.values():
+            if value.__class__ is list:
+                waiting += [(item, depth + 1) for item in value if isinstance(item, ast.AST)]
+            elif isinstance(value, ast.expr | ast.arguments):
+                waiting.append((value, depth + 1))
+    return None
 
 
-def _children(node: ast.AST) -> list[ast.AST]:
-    found: list[ast.AST] = []
-    for name in node._fields:
-        value = getattr(node, name, None)
-        if isinstance(value, ast.AST):
-            found.append(value)
-        elif isinstance(value, list):
-            found += [item for item in value if isinstance(item, ast.AST)]
-    return found
+def _is_short(node: ast.expr, characters: int) -> bool:
+    return node.lineno == node.end_lineno and (node.end_col_offset or 0) - node.col_offset < characters

@@ -1,0 +1,107 @@
+"""Ratios measured in one run, for this machine: never quote a single time of it.
+
+    cold build of 2,000 rungs against a bare libcst.parse_module of the same file, whole processes;
+    growth of the build from 500 to 4,000 rungs;
+    clickgen --version against a bare python -c pass.
+"""
+
+from __future__ import annotations
+
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+RUNS = 7
+PER_ROUTINE = 200
+
+
+def rung(number: int) -> str:
+    """One rung of a believable mixture: contacts, timers, counters, copies, mathematics, branches."""
+    n = number
+    kinds: tuple[Callable[[], str], ...] = (
+        lambda: f"    # Start {n}\n    if all(c.Start{n % 50}, nc(x[1])):\n        out(c.Motor{n})\n",
+        lambda: f"    if any(c.Start{n % 50}, all(c.Auto{n % 90}, nc(c.Stop{n % 30}))):\n        set(c.Run{n})\n"
+        f"        copy(ds.Recipe{n % 40}, ds.Target{n % 300})\n",
+        lambda: f"    if c.Run{n - 1}:\n        ton(t.Delay{n}, setpoint=5, unit=Ts)\n",
+        lambda: f"    if ds.Recipe{n % 40} == {n % 100}:\n"
+        f'        calc("ds.Recipe{n % 40} * 10 + ds.Target{n % 300}", ds.Result{n % 100})\n',
+        lambda: f"    if re(c.Start{n % 50}):\n        ctu(ct.Parts{n % 2000 // 8}, setpoint=5, reset=lambda: c.Stop{n % 30})\n"
+        if n < 2000
+        else f"    if re(c.Start{n % 50}):\n        copy(ds.Recipe{n % 40}, dd.Total{n % 90}, oneshot=True)\n",
+        lambda: "    if True:\n        copy_block(ds[4001:4005], ds[4100])\n        copy_fill(0, ds[4200:4210])\n",
+        lambda: f"    if c.Stop{n % 30}:\n        out(y[{n % 16 + 1}])\n        if c.Auto{n % 90}:\n"
+        f"            reset(c.Run{n - 5})\n",
+        lambda: f"    if all(c.A1, c.A2, any(c.A3, c.A4), nc(c.A5), ds.Recipe{n % 40} > {n % 7}):\n"
+        f"        out(c.Lamp{n % 99})\n",
+    )
+    return kinds[n % len(kinds)]()
+
+
+def program(rungs: int) -> str:
+    """A program of so many rungs in routines of 200."""
+    routines = []
+    names = []
+    for start in range(0, rungs, PER_ROUTINE):
+        name = f"part_{start // PER_ROUTINE}"
+        names.append(name)
+        body = "\n".join(rung(number) for number in range(start, min(start + PER_ROUTINE, rungs)))
+        routines.append(f"@sub\ndef {name}():\n{body}\n    if True:\n        return\n")
+    calls = "\n".join(f"        call({name})" for name in names)
+    main = f"def main():\n    if True:\n{calls}\n\n    if True:\n        end()\n"
+    return "\n\n".join((main, *routines))
+
+
+def seconds(command: Sequence[str], before: Callable[[], None]) -> float:
+    before()
+    start = time.perf_counter()
+    subprocess.run(command, check=True, capture_output=True)
+    return time.perf_counter() - start
+
+
+def compare(command: Sequence[str], other: Sequence[str], before: Callable[[], None]) -> tuple[float, float]:
+    """The medians of both commands, run in turn."""
+    pairs = [(seconds(command, before), seconds(other, before)) for _ in range(RUNS + 1)][1:]
+    return statistics.median(one for one, _ in pairs), statistics.median(two for _, two in pairs)
+
+
+def main() -> None:
+    folder = Path(tempfile.mkdtemp(prefix="clickgen-bench-"))
+    python = sys.executable
+    try:
+        clickgen = [python, "-m", "clickgen"]
+
+        def cold() -> None:
+            shutil.rmtree(folder / "out", ignore_errors=True)
+            (folder / "nicknames.csv").unlink(missing_ok=True)
+
+        def build(rungs: int) -> list[str]:
+            path = folder / f"p{rungs}.py"
+            path.write_text(program(rungs))
+            return [*clickgen, "build", str(path), "-o", str(folder / "out")]
+
+        build_2000 = build(2000)
+        parse = [python, "-c", f"import libcst; libcst.parse_module(open({str(folder / 'p2000.py')!r}).read())"]
+        ours, bare = compare(build_2000, parse, cold)
+        print(f"cold build of 2,000 rungs / bare libcst parse: {ours / bare:.2f} (at most 1.5; aim 1.25)")
+
+        times = {}
+        for rungs in (500, 1000, 2000, 4000):
+            command = build(rungs)
+            times[rungs] = statistics.median(seconds(command, cold) for _ in range(3))
+        per_rung = {rungs: 1000 * spent / rungs for rungs, spent in times.items()}
+        shown = ", ".join(f"{rungs}: {spent:.2f} ms" for rungs, spent in per_rung.items())
+        print(f"time per rung as programs grow: {shown} (linear: it does not rise)")
+
+        version, nothing = compare([*clickgen, "--version"], [python, "-c", "pass"], lambda: None)
+        print(f"clickgen --version / python -c pass: {version / nothing:.1f} (at most 6)")
+    finally:
+        shutil.rmtree(folder)
+
+
+if __name__ == "__main__":
+    main()
