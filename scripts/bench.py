@@ -1,8 +1,8 @@
 """Ratios measured in one run, for this machine: never quote a single time of it.
 
-    cold build of 2,000 rungs against a bare libcst.parse_module of the same file, whole processes;
-    growth of the build from 500 to 4,000 rungs;
-    clickgen --version against a bare python -c pass.
+cold build of 2,000 rungs against a bare libcst.parse_module of the same file, whole processes;
+growth of the build from 500 to 4,000 rungs;
+clickgen --version against a bare python -c pass.
 """
 
 from __future__ import annotations
@@ -25,19 +25,32 @@ def rung(number: int) -> str:
     n = number
     kinds: tuple[Callable[[], str], ...] = (
         lambda: f"    # Start {n}\n    if all(c.Start{n % 50}, nc(x[1])):\n        out(c.Motor{n})\n",
-        lambda: f"    if any(c.Start{n % 50}, all(c.Auto{n % 90}, nc(c.Stop{n % 30}))):\n        set(c.Run{n})\n"
-        f"        copy(ds.Recipe{n % 40}, ds.Target{n % 300})\n",
+        lambda: (
+            f"    if any(c.Start{n % 50}, all(c.Auto{n % 90}, nc(c.Stop{n % 30}))):\n        set(c.Run{n})\n"
+            f"        copy(ds.Recipe{n % 40}, ds.Target{n % 300})\n"
+        ),
         lambda: f"    if c.Run{n - 1}:\n        ton(t.Delay{n}, setpoint=5, unit=Ts)\n",
-        lambda: f"    if ds.Recipe{n % 40} == {n % 100}:\n"
-        f'        calc("ds.Recipe{n % 40} * 10 + ds.Target{n % 300}", ds.Result{n % 100})\n',
-        lambda: f"    if re(c.Start{n % 50}):\n        ctu(ct.Parts{n % 2000 // 8}, setpoint=5, reset=lambda: c.Stop{n % 30})\n"
-        if n < 2000
-        else f"    if re(c.Start{n % 50}):\n        copy(ds.Recipe{n % 40}, dd.Total{n % 90}, oneshot=True)\n",
+        lambda: (
+            f"    if ds.Recipe{n % 40} == {n % 100}:\n"
+            f'        calc("ds.Recipe{n % 40} * 10 + ds.Target{n % 300}", ds.Result{n % 100})\n'
+        ),
+        lambda: (
+            f"    if re(c.Start{n % 50}):\n"
+            + (
+                f"        ctu(ct.Parts{n // 8}, setpoint=5, reset=lambda: c.Stop{n % 30})\n"
+                if n < 2000
+                else f"        copy(ds.Recipe{n % 40}, dd.Total{n % 90}, oneshot=True)\n"
+            )
+        ),
         lambda: "    if True:\n        copy_block(ds[4001:4005], ds[4100])\n        copy_fill(0, ds[4200:4210])\n",
-        lambda: f"    if c.Stop{n % 30}:\n        out(y[{n % 16 + 1}])\n        if c.Auto{n % 90}:\n"
-        f"            reset(c.Run{n - 5})\n",
-        lambda: f"    if all(c.A1, c.A2, any(c.A3, c.A4), nc(c.A5), ds.Recipe{n % 40} > {n % 7}):\n"
-        f"        out(c.Lamp{n % 99})\n",
+        lambda: (
+            f"    if c.Stop{n % 30}:\n        out(y[{n % 16 + 1}])\n        if c.Auto{n % 90}:\n"
+            f"            reset(c.Run{n - 5})\n"
+        ),
+        lambda: (
+            f"    if all(c.A1, c.A2, any(c.A3, c.A4), nc(c.A5), ds.Recipe{n % 40} > {n % 7}):\n"
+            f"        out(c.Lamp{n % 99})\n"
+        ),
     )
     return kinds[n % len(kinds)]()
 

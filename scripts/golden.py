@@ -1,7 +1,7 @@
 """Write what every case of ``fixtures/cases`` builds into its ``expected`` folder. Read the diff before you commit it.
 
-    scripts/golden.py           every case
-    scripts/golden.py copy out  these cases
+scripts/golden.py           every case
+scripts/golden.py copy out  these cases
 """
 
 from __future__ import annotations

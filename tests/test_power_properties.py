@@ -98,7 +98,6 @@ def check_rung(source: Rung, rung: LadderRung) -> None:
 
 def check_power(program: Program, codec: bool = False) -> None:
     """Every source rung is one CLICK rung, and that one is right."""
-    note(program.text)
     text = ladder_files(program.text)["main.csv"]
     rungs = read_ladder(text)
     check_limits(rungs)
@@ -113,12 +112,14 @@ def check_power(program: Program, codec: bool = False) -> None:
 @given(power_programs())
 @settings(max_examples=150, deadline=None, print_blob=True)
 def test_power_reaches_each_output_as_the_source_says(program: Program) -> None:
+    note(program.text)
     check_power(program)
 
 
 @given(power_programs())
 @settings(max_examples=25, deadline=None, print_blob=True)
 def test_the_codec_reads_what_was_drawn(program: Program) -> None:
+    note(program.text)
     check_power(program, codec=True)
 
 
@@ -130,3 +131,7 @@ def test_the_reference_can_fail() -> None:
     check_rung(one.main[0], rung)
     with pytest.raises(AssertionError, match="does not get the power"):
         check_rung(other, rung)
+
+
+POWER = {"power": (power_programs(), check_power), "codec": (power_programs(), lambda one: check_power(one, True))}
+"""Each property with its examples, for ``fuzz.py``."""

@@ -11,8 +11,6 @@ from clickgen.cli.render import printable, summary, write_problems
 from clickgen.emit.write import ChangedMeanwhile
 from clickgen.pipeline import BuildResult, CouldNotRun, build
 
-WALK_THROUGH = "docs/from-text-to-click.md"
-
 
 def run(program: str, output: str | None, nicknames: str | None, frozen: bool) -> int:
     """Build and write; returns the exit code."""
@@ -21,7 +19,7 @@ def run(program: str, output: str | None, nicknames: str | None, frozen: bool) -
     folder = Path(output) if output else Path("build") / Path(program).stem
     try:
         result = build(program, nicknames=nicknames, frozen=frozen)
-        write_problems(result.diagnostics)
+        write_problems(result.diagnostics, sys.stderr)
         if not result.ok:
             print(f"clickgen: {summary(result.diagnostics)}; nothing was written", file=sys.stderr)
             return PROBLEMS

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-import sys
 import unicodedata
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from typing import TextIO
 
 from clickgen.codes import Severity
@@ -17,9 +16,9 @@ _FRAME_WIDTH = 110
 """How much of a long source line is shown, in characters."""
 
 
-def use_color(stream: TextIO, environ: Mapping[str, str] = os.environ) -> bool:
+def use_color(stream: TextIO) -> bool:
     """Colour only on a terminal, and never with NO_COLOR set (https://no-color.org)."""
-    return stream.isatty() and not environ.get("NO_COLOR") and environ.get("TERM") != "dumb"
+    return stream.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
 
 
 class Renderer:
@@ -111,8 +110,8 @@ def source_lines() -> Callable[[str, int], str]:
     return line_of
 
 
-def write_problems(problems: Iterable[Diagnostic], stream: TextIO = sys.stderr) -> None:
-    """All problems with a blank line between, errors last of all read first: in the order of the file."""
+def write_problems(problems: Iterable[Diagnostic], stream: TextIO) -> None:
+    """All problems, a blank line behind each."""
     renderer = Renderer(use_color(stream), source_lines())
     for problem in problems:
         stream.write(renderer.render(problem) + "\n\n")

@@ -43,7 +43,7 @@ SEARCH = Spec(
             aliases=("search_value",),
             typed_by="start",
         ),
-        Param("start", slot=Slot(cells=_SEARCHED), aliases=("start_address",)),
+        Param("start", slot=Slot(cells=_SEARCHED), aliases=("start_address",), extends_to="end"),
         Param("end", slot=Slot(cells=_SEARCHED), aliases=("end_address",)),
         Param("result", slot=Slot(cells=("DS", "DD"), access=Access.WRITE), aliases=("result_address",)),
         Param("flag", slot=Slot(cells=("C",), access=Access.WRITE), aliases=("result_flag",)),

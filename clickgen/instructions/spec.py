@@ -105,6 +105,8 @@ class Param:
     """The problem code when this pin is left out and gets the never-contact."""
     extends_over: str = ""
     """The range parameter whose length this first address is extended to (block copy)."""
+    extends_to: str = ""
+    """The parameter that names the last address of what begins here (search)."""
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,9 @@ from clickgen.instructions.spec import Access
 from clickgen.ir.conditions import Condition
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
 from clickgen.ir.program import Action, Routine, actions_in, rungs_in
+from clickgen.ir.reach import reached
 from clickgen.ir.walk import condition_operands, leaves, value_operands
-from clickgen.lower.tokens import current_value, extended
+from clickgen.lower.tokens import current_value
 
 _TWIN_BANKS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
 """Bits and the words that hold the same points: changing either changes the other."""
@@ -70,21 +71,21 @@ def is_volatile(condition: Condition) -> bool:
 
 
 def touches(action: Action) -> Iterator[tuple[Operand, bool]]:
-    """Every operand of an instruction, and whether it is written; what is owned is written, its current value too."""
+    """Every operand of an instruction with all the addresses it stands for, and whether it is written.
+
+    What is owned is written, its current value too.
+    """
     for param in action.spec.params:
-        value = action.args.get(param.name)
-        if value is None:
-            continue
-        if param.slot.access is Access.READ:
-            yield from ((operand, False) for operand in value_operands(value))
-            continue
-        value = extended(action, param) if param.extends_over else value
-        assert isinstance(value, Operand)
-        yield value, True
-        if isinstance(value, Pointer):
-            yield value.register, False
-        if param.slot.access is Access.OWN and isinstance(value, Cell):
-            yield Cell(current_value(value.address), value.span), True
+        operand = reached(action, param)
+        is_written = param.slot.access is not Access.READ
+        if operand is not None:
+            yield operand, is_written
+            if isinstance(operand, Pointer):
+                yield operand.register, False
+            if param.slot.access is Access.OWN and isinstance(operand, Cell):
+                yield Cell(current_value(operand.address), operand.span), True
+        elif param.name in action.args:
+            yield from ((read, False) for read in value_operands(action.args[param.name]))
 
 
 class Effects:

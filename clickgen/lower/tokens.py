@@ -11,6 +11,7 @@ from clickgen.instructions.spec import Param, ParamKind, Spec, Variant
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, CharCode, Hex, Immediate, Integer, Named, Operand, Pointer, Range, Real, Text
 from clickgen.ir.program import Action, FormulaText, Options, Word
+from clickgen.ir.reach import reached
 
 Namer = Callable[[Operand], str]
 """How an operand is shown: as its token, or with its nickname beside it."""
@@ -87,13 +88,11 @@ def action_token(action: Action, name: Namer = operand_token) -> str:
 
 
 def _argument(action: Action, param: Param, name: Namer) -> str:
-    value = action.args.get(param.name)
+    value = reached(action, param) if param.extends_over else action.args.get(param.name)
     if param.kind is ParamKind.FLAG:
         return f",{param.name}=1" if action.flag(param.name) else ""
     if param.kind is ParamKind.OPTIONS:
         return _options(value) if isinstance(value, Options) else ""
-    if param.extends_over:
-        value = extended(action, param)
     if isinstance(value, Word):
         return str(value.value)
     if isinstance(value, FormulaText):
@@ -101,16 +100,6 @@ def _argument(action: Action, param: Param, name: Namer) -> str:
     if param.kind is ParamKind.UNIT:
         return str(param.default)
     return name(value) if isinstance(value, Operand) else ""
-
-
-def extended(action: Action, param: Param) -> Operand:
-    """The destination of a block copy: the range from its first address that is as long as the source."""
-    value, source = action.args[param.name], action.args[param.extends_over]
-    if isinstance(value, Cell) and isinstance(source, Range):
-        first = value.address.number
-        return Range(value.bank, first, first + len(source) - 1, value.span)
-    assert isinstance(value, Operand)
-    return value
 
 
 def _options(options: Options) -> str:

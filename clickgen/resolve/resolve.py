@@ -6,17 +6,17 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
+from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, UPPER_BYTE_BANKS, Address
 from clickgen.device.nicknames import comment_fault, nickname_fault
 from clickgen.device.system import system_name_of, system_nicknames
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, CharCode, Constant, Immediate, Named, Operand, Range
 from clickgen.ir.program import Action, Declaration, Program
+from clickgen.ir.reach import reaching
 from clickgen.ir.walk import Rewriter, program_operands
 from clickgen.resolve.allocate import Allocator
 from clickgen.resolve.constants import kind_of, typed
-from clickgen.resolve.extents import extents
 from clickgen.resolve.table import AddressTable, Row, default_row, format_initial
 from clickgen.source import Span
 from clickgen.syntax.context import did_you_mean
@@ -49,10 +49,11 @@ def resolve(program: Program, table: AddressTable, frozen: bool, problems: Diagn
     Names with a problem stay in the tree, so that the rules after this judge all the rest.
     """
     resolver = _Resolver(table, frozen, problems)
+    resolver.warn_of_words()
     resolver.declare(program.declarations)
     operands = list(program_operands(program))
     resolver.allocator.take(_addresses(operands))
-    resolver.name(list(_named(operands)), list(extents(program)))
+    resolver.name(list(_named(operands)), list(reaching(program)))
     resolved = _Names(resolver.addresses).program(program)
     rows = (*resolver.declared, *resolver.allocated)
     return Resolved(resolved, rows, tuple(resolver.allocated), resolver.allocator, table)
@@ -104,10 +105,26 @@ class _Resolver:
                 continue
             if self._declaration_is_sound(declaration):
                 self.meanings[lower] = _Meaning(address, "nickname(...)", declaration.span)
+                self._warn_of_word(address, named.name, declaration.span)
                 row = self._declared_row(declaration)
                 stands = self.table.by_address.get(address)
                 if stands is None or stands.content != row.content:
                     self.declared.append(row)
+
+    def warn_of_words(self) -> None:
+        """Nicknames in the table that ClickNick's importer loses (click-facts, section 1)."""
+        for row in self.table.rows:
+            if row.nickname:
+                self._warn_of_word(row.address, row.nickname, self.table.span(row))
+
+    def _warn_of_word(self, address: Address, name: str, span: Span | None) -> None:
+        if address.bank in UPPER_BYTE_BANKS:
+            self.problems.add(
+                "CG211",
+                span,
+                f"{name} is the nickname of {address}: ClickNick drops XD0u and misreads other XD and YD rows",
+                f"write {address.bank.lower()}[...] and give it no nickname, or check it in CLICK after the import",
+            )
 
     def _conflict(self, declaration: Declaration, message: str, earlier: Declaration) -> None:
         self.problems.add(

@@ -7,9 +7,10 @@ from clickgen.device.banks import BANKS, Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.copies import CONVERSIONS, COPY
 from clickgen.instructions.spec import Pair
-from clickgen.ir.operands import Cell, Operand, Range, Text
+from clickgen.ir.operands import Cell, Range
 from clickgen.ir.program import Action, Options
-from clickgen.lower.tokens import extended, form_of
+from clickgen.ir.reach import reached
+from clickgen.lower.tokens import form_of
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
@@ -87,11 +88,14 @@ def _refuse(action: Action, source: str, target: str, pairs: list[Pair], problem
 
 
 def _check_lengths(action: Action, problems: Diagnostics) -> None:
-    spec = action.spec
-    for param in spec.params:
+    for param in action.spec.params:
+        whole, target = reached(action, param), action.args.get(param.name)
+        # How many characters a number becomes is known only when it is copied, so only its most is reserved.
+        if isinstance(target, Cell) and isinstance(whole, Range) and "options" not in action.args:
+            _check_room(whole, target, problems)
         if not param.extends_over:
             continue
-        source, target = action.args[param.extends_over], action.args[param.name]
+        source = action.args[param.extends_over]
         if isinstance(target, Range) and isinstance(source, Range) and len(target) != len(source):
             problems.add(
                 "CG306",
@@ -99,20 +103,9 @@ def _check_lengths(action: Action, problems: Diagnostics) -> None:
                 f"the source has {len(source)} addresses and the destination {len(target)}",
                 "write the destination's first address alone; its end follows from the source",
             )
-        elif isinstance(target, Cell) and isinstance(source, Range):
-            _check_room(extended(action, param), target, problems)
-    source, target = (action.args[name] for name in spec.matrix)
-    if isinstance(source, Text) and isinstance(target, Cell) and target.bank == "TXT":
-        first = target.address.number
-        last = first + len(source.value) - 1
-        if not BANKS["TXT"].has(last):
-            problems.add(
-                "CG306", source.span, f"the text would reach TXT{last}, behind the last TXT address", "begin it earlier"
-            )
 
 
-def _check_room(whole: Operand, first: Cell, problems: Diagnostics) -> None:
-    assert isinstance(whole, Range)
+def _check_room(whole: Range, first: Cell, problems: Diagnostics) -> None:
     bank = BANKS[whole.bank]
     if not all(bank.has(address.number) for address in whole.addresses()):
         problems.add(

@@ -1,0 +1,248 @@
+"""The command line as a user meets it: exit codes, messages, nothing lost."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import clickgen
+from clickgen.cli import main
+
+GOOD = """\
+def main():
+    # Start the pump
+    if c.Start:
+        out(c.Pump)
+
+    if c.Pump:
+        call(wash)
+
+    if True:
+        end()
+
+
+@sub
+def wash():
+    if True:
+        return
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "prog.py").write_text(GOOD)
+    return tmp_path
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+def test_a_build_writes_exactly_these_files(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["build", "prog.py"]) == 0
+    assert set(files(folder)) == {
+        "prog.py",
+        "nicknames.csv",
+        "build/prog/main.csv",
+        "build/prog/subroutines/wash.csv",
+        "build/prog/nicknames.csv",
+        "build/prog/listing.txt",
+        "build/prog/sources.json",
+    }
+    said = capsys.readouterr()
+    assert said.err == ""
+    assert "3 rungs in main, 1 rung in 1 subroutine" in said.out
+    assert "2 new addresses" in said.out
+    assert "named wash" in said.out
+
+
+def test_a_second_build_changes_nothing(folder: Path) -> None:
+    main(["build", "prog.py"])
+    before = files(folder)
+    times = {path: path.stat().st_mtime_ns for path in folder.rglob("*")}
+    assert main(["build", "prog.py", "--frozen"]) == 0
+    assert files(folder) == before
+    assert {path: path.stat().st_mtime_ns for path in folder.rglob("*")} == times
+
+
+def test_how_the_program_is_named_changes_no_output(folder: Path) -> None:
+    main(["build", "prog.py", "-o", "one"])
+    main(["build", str(folder / "prog.py"), "-o", "two"])
+    main(["build", "./prog.py", "-o", "three"])
+    for name in ("main.csv", "listing.txt", "sources.json", "nicknames.csv"):
+        assert len({(folder / out / name).read_bytes() for out in ("one", "two", "three")}) == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["build", "nothing.py"], "no file nothing.py"),
+        (["build", "."], "folder"),
+        (["build", "prog.py", "--frozn"], "--frozen"),
+        (["buidl", "prog.py"], "did you mean build"),
+        (["build"], "PROG.py"),
+        (["build", "prog.py", "--nicknames", "none.csv"], "none.csv"),
+        (["build", "prog.py", "-o", "prog.py/x"], "prog.py"),
+        (["build", "prog.py", "-o", "."], "choose another folder"),
+    ],
+)
+def test_what_cannot_run_is_exit_2(
+    folder: Path, arguments: list[str], words: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = files(folder)
+    try:
+        code = main(arguments)
+    except SystemExit as stop:
+        code = int(str(stop.code))
+    assert code == 2
+    said = capsys.readouterr()
+    assert words in said.err
+    assert "Traceback" not in said.err
+    assert said.out == ""
+    assert files(folder) == before
+
+
+def test_problems_are_exit_1_and_nothing_is_written(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "prog.py").write_text("def main():\n    if c.A:\n        out(x[1])\n        tonn(t.A, 5)\n")
+    before = files(folder)
+    assert main(["build", "prog.py"]) == 1
+    assert files(folder) == before
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert "prog.py:3:13: error[CG304]" in said.err
+    assert "  3 |         out(x[1])\n    |             ^^^^" in said.err
+    assert "did you mean ton?" in said.err
+    assert "2 errors; nothing was written" in said.err
+
+
+def test_an_unparsable_file_is_exit_1(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "prog.py").write_text("def main(:\n")
+    assert main(["build", "prog.py"]) == 1
+    assert "prog.py:1:10: error[CG101]" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("table", [b"\xff\xfe", b"Name;Address\n", b"", b"\x00" * 9])
+def test_an_unreadable_table_is_exit_2_and_stays(
+    folder: Path, table: bytes, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "nicknames.csv").write_bytes(table)
+    before = files(folder)
+    assert main(["build", "prog.py"]) == 2
+    assert "nicknames.csv" in capsys.readouterr().err
+    assert files(folder) == before
+
+
+def test_frozen_names_what_is_missing(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = files(folder)
+    assert main(["build", "prog.py", "--frozen"]) == 1
+    said = capsys.readouterr().err
+    assert "c.Start has no address" in said
+    assert "c.Pump has no address" in said
+    assert files(folder) == before
+
+
+def test_a_subroutine_that_is_gone_leaves_no_file(folder: Path) -> None:
+    main(["build", "prog.py"])
+    (folder / "prog.py").write_text("def main():\n    if True:\n        end()\n")
+    assert main(["build", "prog.py"]) == 0
+    assert not (folder / "build/prog/subroutines/wash.csv").exists()
+
+
+@pytest.mark.parametrize("name", ["main.csv", "other.csv", "subroutines/mine.csv", "listing.txt", "nicknames.csv"])
+def test_a_user_s_files_in_the_output_folder_are_not_touched(
+    folder: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = folder / "out" / name
+    path.parent.mkdir(parents=True)
+    path.write_text("mine")
+    before = files(folder)
+    assert main(["build", "prog.py", "-o", "out"]) == 2
+    assert name in capsys.readouterr().err
+    assert files(folder) == before
+
+
+def test_other_files_in_the_output_folder_stay(folder: Path) -> None:
+    (folder / "out").mkdir()
+    (folder / "out" / "notes.md").write_text("mine")
+    assert main(["build", "prog.py", "-o", "out"]) == 0
+    assert (folder / "out" / "notes.md").read_text() == "mine"
+
+
+def test_an_interrupted_write_leaves_everything_as_it_was(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    main(["build", "prog.py"])
+    (folder / "prog.py").write_text(GOOD.replace("c.Start", "c.Begin"))
+    before = files(folder)
+    real, calls = os.replace, []
+
+    def interrupted(*arguments: str) -> None:
+        calls.append(arguments)
+        if len(calls) == 3:
+            raise KeyboardInterrupt
+        real(*arguments)
+
+    monkeypatch.setattr(os, "replace", interrupted)
+    assert main(["build", "prog.py"]) == 130
+    monkeypatch.undo()
+    assert files(folder) == before
+
+
+def test_a_table_that_changed_meanwhile_is_not_overwritten(folder: Path) -> None:
+    result = clickgen.build("prog.py")
+    (folder / "nicknames.csv").write_text("someone was here")
+    from clickgen.emit.write import ChangedMeanwhile
+
+    with pytest.raises(ChangedMeanwhile):
+        result.write(folder / "out")
+    assert (folder / "nicknames.csv").read_text() == "someone was here"
+    assert not (folder / "out").exists()
+
+
+def test_the_api_gives_outputs_in_memory(folder: Path) -> None:
+    result = clickgen.build(folder / "prog.py")
+    assert result.ok
+    assert result.diagnostics == ()
+    assert set(result.files) == {"main.csv", "subroutines/wash.csv", "nicknames.csv", "listing.txt", "sources.json"}
+    assert set(files(folder)) == {"prog.py"}
+    scratch = json.loads(result.files["sources.json"])["scratch"]
+    assert scratch == []
+    with pytest.raises(clickgen.CouldNotRun):
+        clickgen.build(folder / "none.py")
+
+
+def test_colour_is_for_terminals_only(folder: Path) -> None:
+    (folder / "prog.py").write_text("def main():\n    if c.A and c.B:\n        out(c.C)\n")
+    done = subprocess.run([sys.executable, "-m", "clickgen", "build", "prog.py"], capture_output=True, text=True)
+    assert done.returncode == 1
+    assert "\x1b" not in done.stderr
+
+
+def test_control_characters_of_a_program_do_not_reach_the_terminal(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "prog.py").write_text('def main():\n    if c["\x1b[31mA"]:\n        out(c.C)\n')
+    assert main(["build", "prog.py"]) == 1
+    assert "\x1b" not in capsys.readouterr().err
+
+
+def test_version_and_help(capsys: pytest.CaptureFixture[str]) -> None:
+    for arguments, words in (["--version"], clickgen.__version__), (["build", "--help"], "examples:"):
+        with pytest.raises(SystemExit) as stop:
+            main(arguments)
+        assert stop.value.code == 0
+        assert words in capsys.readouterr().out
+
+
+def test_version_loads_nothing_heavy() -> None:
+    code = (
+        "import sys\nfrom clickgen.cli import main\n"
+        "try:\n    main(['--version'])\nexcept SystemExit:\n    pass\n"
+        "print(sorted(set(sys.modules) & {'libcst', 'lark', 'openpyxl', 'laddercodec', 'clickgen.pipeline'}))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.endswith("[]\n")

@@ -1,0 +1,2 @@
+"""stub"""
+ROBUSTNESS: dict = {}
