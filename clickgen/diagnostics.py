@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import difflib
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from clickgen.codes import CODES, Severity
@@ -63,3 +65,9 @@ class Diagnostics:
     def in_order(self) -> tuple[Diagnostic, ...]:
         """Every problem once, by file and position."""
         return tuple(sorted(dict.fromkeys(self.found), key=lambda problem: problem.sort_key))
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """``did you mean 'x'?`` for a near miss, else an empty string."""
+    close = difflib.get_close_matches(word.lower(), list(known), n=1, cutoff=0.6)
+    return f"did you mean {close[0]}?" if close else ""

@@ -487,22 +487,19 @@ def power_programs(draw: st.DrawFn) -> Program:
 
 @dataclass(frozen=True)
 class World:
-    """What a program for the scan tests may touch: few cells, so that actions write what conditions read."""
+    """What a program for the scan tests may look at."""
 
-    bits: tuple[str, ...] = ("X001", "X002", "C1", "C2", "C3", "C4", "Y001", "Y002")
     flags: bool = False
     """Conditions may read the status bits that copies and formulas set; then formulas read no pointers."""
-    edges: bool = True
     immediates: str = "anywhere"
     """Where immediate contacts may stand: "anywhere", "rungs" (a rung's first condition only) or "nowhere"."""
 
 
 def world_leaves(world: World, timers: Sequence[int], immediate: bool = False) -> st.SearchStrategy[Condition]:
-    bits = [*world.bits, *(f"T{n}" for n in timers[:2]), *(f"CT{n}" for n in timers[2:])]
+    bits = ["X001", "X002", "C1", "C2", "C3", "C4", "Y001", "Y002", *(f"T{n}" for n in timers[:2]), *(f"CT{n}" for n in timers[2:])]
     if world.flags:
         bits += ["SC43", "SC40", "SC44"]
-    forms = FORMS if world.edges else ("", "", "nc")
-    found: list[st.SearchStrategy[Condition]] = [contacts(bits, forms)] * 4
+    found: list[st.SearchStrategy[Condition]] = [contacts(bits)] * 4
     registers = ("DS1", "DS2", "DS3", "DD1", "TD11", "CTD13")
     numbers = [*(_register(name) for name in registers), *((str(n), str(n)) for n in range(4))]
     found.append(
@@ -550,16 +547,16 @@ POINTER_FORMULAS = (
     Act('calc("ds[ds[1]] + 1", ds[2])', "math(DS[DS1] + 1,DS2,mode=decimal)"),
     Act('calc("ds[ds[1]] + ds[ds[2]]", ds[1], oneshot=True)', "math(DS[DS1] + DS[DS2],DS1,mode=decimal,oneshot=1)"),
 )
-WORLD_BOXES: tuple[tuple[str, Act, tuple[str, ...]], ...] = (
-    ("T", Act("ton(t[{}], 2)", "on_delay(T{0},TD{0},preset=2,unit=Tms)", 2), ()),
-    ("T", Act("tof(t[{}], ds[1])", "off_delay(T{0},TD{0},preset=DS1,unit=Tms)", 2), ()),
-    ("T", Act("rton(t[{}], 2, Ts)", "on_delay(T{0},TD{0},preset=2,unit=Ts)", 2), ("reset",)),
-    ("T", Act("rtof(t[{}], 2, Ts)", "off_delay(T{0},TD{0},preset=2,unit=Ts)", 2), ("reset",)),
-    ("CT", Act("ctu(ct[{}], 2)", "count_up(CT{0},CTD{0},preset=2)", 3), ("reset",)),
-    ("CT", Act("ctd(ct[{}], ds[2])", "count_down(CT{0},CTD{0},preset=DS2)", 3), ("reset",)),
-    ("CT", Act("ctud(ct[{}], 2)", "count_up(CT{0},CTD{0},preset=2)", 3), ("count_down", "reset")),
-    ("", Act("shift(c[1:4])", "shift(C1..C3)", 3), ("clock", "reset")),
-    ("", Act("shift(c[3:0:-1])", "shift(C3..C1)", 3), ("clock", "reset")),
+WORLD_BOXES: tuple[tuple[Act, tuple[str, ...]], ...] = (
+    (Act("ton(t[{}], 2)", "on_delay(T{0},TD{0},preset=2,unit=Tms)", 2), ()),
+    (Act("tof(t[{}], ds[1])", "off_delay(T{0},TD{0},preset=DS1,unit=Tms)", 2), ()),
+    (Act("rton(t[{}], 2, Ts)", "on_delay(T{0},TD{0},preset=2,unit=Ts)", 2), ("reset",)),
+    (Act("rtof(t[{}], 2, Ts)", "off_delay(T{0},TD{0},preset=2,unit=Ts)", 2), ("reset",)),
+    (Act("ctu(ct[{}], 2)", "count_up(CT{0},CTD{0},preset=2)", 3), ("reset",)),
+    (Act("ctd(ct[{}], ds[2])", "count_down(CT{0},CTD{0},preset=DS2)", 3), ("reset",)),
+    (Act("ctud(ct[{}], 2)", "count_up(CT{0},CTD{0},preset=2)", 3), ("count_down", "reset")),
+    (Act("shift(c[1:4])", "shift(C1..C3)", 3), ("clock", "reset")),
+    (Act("shift(c[3:0:-1])", "shift(C3..C1)", 3), ("clock", "reset")),
 )
 BOX_NUMBERS = {"T": (11, 12), "CT": (13, 14)}
 
@@ -586,65 +583,70 @@ def large_conditions(draw: st.DrawFn, leaf: st.SearchStrategy[Condition]) -> Con
     return Group(word, tuple(terms))
 
 
-@st.composite
-def meaning_programs(draw: st.DrawFn, immediate_places: str = "anywhere", large: bool = True) -> Program:
-    """Programs whose rungs write what they read: boxes with inputs, calls, loops, returns, conditions too large."""
-    world = World(flags=draw(st.integers(0, 3)) == 0, immediates=immediate_places)
+def _world_items(world: World, place: str, large: bool) -> st.SearchStrategy[Rung]:
+    """Rungs of main or of a subroutine; their boxes have no numbers yet."""
+    numbers = tuple(number for some in BOX_NUMBERS.values() for number in some)
+    conditions_of = {}
+    for where, immediate in (("rung", world.immediates != "nowhere"), ("branch", world.immediates == "anywhere")):
+        leaf = world_leaves(world, numbers, immediate)
+        tree = conditions(leaf, 2, 3, always=True)
+        conditions_of[where] = st.one_of(*[tree] * 24, large_conditions(leaf)) if large else tree
+    branch, pin = conditions_of["branch"], conditions_of["branch"]
+    plain: st.SearchStrategy[Item] = st.sampled_from(WORLD_ACTS if world.flags else (*WORLD_ACTS, *POINTER_FORMULAS))
+    boxes: list[st.SearchStrategy[Item]] = []
+    for act, names in WORLD_BOXES:
+        required = REQUIRED_PIN.get(act.call.partition("(")[0], ())
+        inputs = [st.tuples(st.just(name), pin if name in required else st.one_of(pin, st.none())) for name in names]
+        boxes.append(st.builds(Act, st.just(act.call), st.just(act.token), st.just(act.height), st.tuples(*inputs)))
+    leave: Item = Act("end()", "end()") if place == "main" else Act("return", "return()")
+    calls: Item = Act("call(other)", 'call("other")') if place == "main" else Act("pass", "")
+    item = st.one_of(plain, plain, plain, plain, *boxes, st.sampled_from((leave, calls)).filter(lambda one: one.token))
+
+    def rungs(inner: st.SearchStrategy[Item]) -> st.SearchStrategy[Rung]:
+        for _ in range(2):
+            some = st.lists(inner, min_size=1, max_size=3).map(tuple)
+            inner = st.one_of(item, item, st.builds(Branch, branch, some))
+        return st.builds(Rung, conditions_of["rung"], st.lists(inner, min_size=1, max_size=4).map(tuple))
+
+    body = st.lists(rungs(item), min_size=1, max_size=2).map(tuple)
+    return rungs(st.one_of(item, item, item, item, st.builds(Loop, st.integers(1, 3), body)))
+
+
+def _numbered(program: Program) -> Program:
+    """The same program with a number for each timer and counter; those beyond what there is become coils."""
     free = {bank: list(numbers) for bank, numbers in BOX_NUMBERS.items()}
-    leaf = world_leaves(world, (11, 12, 13, 14), immediate_places == "anywhere")
-    root_leaf = world_leaves(world, (11, 12, 13, 14), immediate_places != "nowhere")
-    tree, root_tree = conditions(leaf, 2, 3, always=True), conditions(root_leaf, 2, 3, always=True)
     off_delays: list[int] = []
-    plain = WORLD_ACTS if world.flags else (*WORLD_ACTS, *POINTER_FORMULAS)
 
-    def condition(root: bool = False) -> Condition:
-        if large and draw(st.integers(0, 24)) == 24:
-            return draw(large_conditions(root_leaf if root else leaf))
-        return draw(root_tree if root else tree)
+    def item(one: Item) -> Item:
+        if isinstance(one, Branch):
+            return Branch(one.condition, tuple(map(item, one.items)))
+        if isinstance(one, Loop):
+            return Loop(one.count, tuple(map(rung, one.body)))
+        if "{}" not in one.call:
+            return one
+        numbers = free["CT" if "ct[" in one.call else "T"]
+        if not numbers:
+            return WORLD_ACTS[0]
+        number = numbers.pop(0)
+        if one.call.startswith("rtof"):
+            off_delays.append(number)
+        return Act(one.call.format(number), one.token.format(number), one.height, one.pins)
 
-    def box() -> Act | None:
-        bank, act, names = draw(st.sampled_from(WORLD_BOXES))
-        number = 0
-        if bank:
-            if not free[bank]:
-                return None
-            number = free[bank].pop(0)
-        pins: list[tuple[str, Condition | None]] = []
-        for name in names:
-            optional = name not in REQUIRED_PIN.get(act.call.partition("(")[0], ())
-            pins.append((name, None if optional and draw(st.integers(0, 5)) == 0 else condition()))
-        if act.call.startswith("rtof"):
-            if world.flags:
-                off_delays.append(number)
-            else:
-                off_delays.append(number)
-        return Act(act.call.format(number), act.token.format(number), act.height, tuple(pins))
+    def rung(one: Rung) -> Rung:
+        return Rung(one.condition, tuple(map(item, one.items)))
 
-    def items(place: str, depth: int, in_loop: bool) -> tuple[Item, ...]:
-        found: list[Item] = []
-        for _ in range(draw(st.integers(1, 4 if depth else 6))):
-            kind = draw(st.integers(0, 19))
-            one: Item | None = None
-            if kind <= 3 and depth < 3:
-                one = Branch(condition(), items(place, depth + 1, in_loop))
-            elif kind <= 7:
-                one = box()
-            elif kind == 8 and place == "main":
-                one = Act("call(other)", 'call("other")')
-            elif kind == 9:
-                one = Act("end()", "end()") if place == "main" else Act("return", "return()")
-                if draw(st.integers(0, 1)):
-                    one = Branch(condition(), (one,))
-            elif kind == 10 and not in_loop:
-                body = tuple(rung(place, True) for _ in range(draw(st.integers(1, 2))))
-                one = Loop(draw(st.integers(1, 3)), body)
-            found.append(one or draw(st.sampled_from(plain)))
-        return tuple(found)
+    main = tuple(map(rung, program.main))
+    subroutines = tuple((name, tuple(map(rung, rungs))) for name, rungs in program.subroutines)
+    shown = tuple(Rung(Contact(f"T{n}"), (Act(f"out(c[{20 + n}])", f"out(C{20 + n})"),)) for n in off_delays)
+    return Program((*main, *shown), subroutines)
 
-    def rung(place: str, in_loop: bool = False) -> Rung:
-        return Rung(condition(root=True), items(place, 1 if in_loop else 0, in_loop))
 
-    main = [rung("main") for _ in range(draw(st.integers(1, 3)))]
-    other = tuple(rung("other") for _ in range(draw(st.integers(0, 2))))
-    main += [Rung(Contact(f"T{n}"), (Act(f"out(c[{20 + n}])", f"out(C{20 + n})"),)) for n in off_delays]
-    return Program(tuple(main), (("other", other),))
+def meaning_programs(immediate_places: str = "anywhere", large: bool = True) -> st.SearchStrategy[Program]:
+    """Programs whose rungs write what they read: boxes with inputs, calls, loops, returns, conditions too large."""
+    kinds: list[st.SearchStrategy[Program]] = []
+    for flags in (False, False, True):
+        world = World(flags, immediates=immediate_places)
+        main = st.lists(_world_items(world, "main", large), min_size=1, max_size=2).map(tuple)
+        other = st.lists(_world_items(world, "other", large), max_size=2).map(tuple)
+        kinds.append(st.builds(Program, main, other.map(lambda rungs: (("other", rungs),))))
+    return st.one_of(kinds).map(_numbered)

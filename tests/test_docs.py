@@ -33,6 +33,7 @@ from types import ModuleType
 import pytest
 
 import clickgen
+from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
 from clickgen.codes import CODES, Severity
 from clickgen.device.banks import BANKS
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
@@ -42,7 +43,7 @@ from clickgen.instructions.spec import REQUIRED, Param, ParamKind, Spec
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]
 LANGUAGE = ROOT / "docs" / "language.md"
-PROBLEMS = ROOT / "docs" / "problems.md"
+PROBLEMS_PAGE = ROOT / "docs" / "problems.md"
 
 # -- reading a page ---------------------------------------------------------------------------------------------------
 
@@ -149,6 +150,11 @@ def test_every_python_block_is_tested() -> None:
     assert [str(block) for block in BLOCKS if block.language == "python" and block.kind not in known] == []
 
 
+def test_every_shown_output_is_compared() -> None:
+    assert [str(b) for b in BLOCKS if b.language in ("text", "csv") and not b.note("output") and not b.kind] == []
+    assert [str(b) for b in BLOCKS if b.language not in ("python", "console", "text", "csv")] == []
+
+
 # -- files, commands and outputs of a page ----------------------------------------------------------------------------
 
 
@@ -199,6 +205,23 @@ def test_commands_stand_in_console_blocks() -> None:
     assert loose == []
 
 
+def test_the_readme_has_the_flags_and_exit_codes_of_build(tmp_path: Path) -> None:
+    help = subprocess.run(
+        [sys.executable, "-m", "clickgen", "build", "--help"], capture_output=True, encoding="utf-8", check=True
+    ).stdout
+    readme = (ROOT / "README.md").read_text("utf-8")
+    flags = set(re.findall(r"(?<![\w-])--?[a-z]+", help)) - {"-h", "--help"}
+    rows = "\n".join(line for line in readme.split("\n") if line.startswith("| `-"))
+    assert set(re.findall(r"(?<![\w-])--?[a-z]+", rows)) == flags
+    shown = re.findall(r"^\| (\d) \| ", readme, re.MULTILINE)
+    assert [int(code) for code in shown] == [OK, PROBLEMS, COULD_NOT_RUN]
+    for words in (["build", "missing.py"], ["build", "--wrong"], []):
+        done = subprocess.run(
+            [sys.executable, "-m", "clickgen", *words], cwd=tmp_path, capture_output=True, check=False
+        )
+        assert done.returncode == COULD_NOT_RUN
+
+
 # -- links ------------------------------------------------------------------------------------------------------------
 
 _LINK = re.compile(r"\]\(([^)\s]+)\)")
@@ -237,13 +260,13 @@ _CODE_HEADING = re.compile(r"^### (CG\d{3}): (.+)\n\n\*\*(\w+)\.\*\* ", re.MULTI
 
 def test_the_problems_page_has_every_code() -> None:
     words = {Severity.ERROR: "Error", Severity.WARNING: "Warning", Severity.INFO: "Note"}
-    shown = [match.groups() for match in _CODE_HEADING.finditer(PROBLEMS.read_text("utf-8"))]
+    shown = [match.groups() for match in _CODE_HEADING.finditer(PROBLEMS_PAGE.read_text("utf-8"))]
     assert shown == [(name, code.title, words[code.severity]) for name, code in CODES.items()]
 
 
 def test_an_example_in_the_problems_page_gives_the_problem_of_its_heading() -> None:
-    text = PROBLEMS.read_text("utf-8").split("\n")
-    for block in blocks_of(PROBLEMS):
+    text = PROBLEMS_PAGE.read_text("utf-8").split("\n")
+    for block in blocks_of(PROBLEMS_PAGE):
         heading = next(line for line in reversed(text[: block.line]) if line.startswith("### "))
         assert not block.codes or heading[4:9] in block.codes, str(block)
 

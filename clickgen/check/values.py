@@ -29,7 +29,14 @@ def value_class(operand: Operand) -> str:
 
 
 def constant_fault(constant: Operand, kind: Kind | None) -> str:
-    """What is wrong with a constant where a value of this kind is meant; "" when nothing is, or it is no constant."""
+    """What is wrong with a constant that a value of this kind is to take; "" when nothing is, or it is no constant."""
+    if isinstance(constant, Real) and kind in (Kind.INT16, Kind.INT32, Kind.HEX) and not constant.value.is_integer():
+        return f"{constant.text} loses its fraction in a whole number"
+    return range_fault(constant, kind)
+
+
+def range_fault(constant: Operand, kind: Kind | None) -> str:
+    """The same for a constant that is only compared with a value of this kind."""
     if isinstance(constant, Integer):
         if kind in _RANGES:
             low, high = _RANGES[kind]
@@ -41,11 +48,8 @@ def constant_fault(constant: Operand, kind: Kind | None) -> str:
             return f"{constant.value} is outside -2147483648..2147483647"
     if isinstance(constant, Hex) and constant.value > 0xFFFF:
         return f"{constant.value:X}h is outside 0000h..FFFFh"
-    if isinstance(constant, Real):
-        if not -_FLOAT_MAX <= constant.value <= _FLOAT_MAX:
-            return f"{constant.text} is outside -3.4028235E+38..3.4028235E+38"
-        if kind is not None and kind is not Kind.FLOAT and kind is not Kind.TEXT and not constant.value.is_integer():
-            return f"{constant.text} loses its fraction in a whole number"
+    if isinstance(constant, Real) and not -_FLOAT_MAX <= constant.value <= _FLOAT_MAX:
+        return f"{constant.text} is outside -3.4028235E+38..3.4028235E+38"
     if isinstance(constant, Text):
         if not constant.value:
             return "the text is empty"

@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from clickgen.device.banks import Address
+from clickgen.instructions.spec import CODE, HEX, INTEGER, REAL, TEXT
 from clickgen.source import EmbeddedText, Span
 
 
@@ -118,3 +119,12 @@ Constant = Integer | Hex | Real | Text | CharCode
 Single = Named | Cell | Pointer | Constant
 """What holds or is one value."""
 Operand = Single | Range | Immediate
+
+_FORMS: dict[type, str] = {Integer: INTEGER, Hex: HEX, Real: REAL, Text: TEXT, CharCode: CODE}
+
+
+def form_of(operand: object) -> str:
+    """The bank of an address, or the form of a constant, as the instruction Specs name them; "" for anything else."""
+    if isinstance(operand, Named | Cell | Range | Pointer | Immediate):
+        return operand.bank
+    return _FORMS.get(type(operand), "")

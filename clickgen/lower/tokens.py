@@ -9,7 +9,20 @@ from clickgen.device.banks import VALUE_BANK, Address
 from clickgen.formula import print_formula
 from clickgen.instructions.spec import Param, ParamKind, Spec, Variant
 from clickgen.ir.conditions import Compare, Contact
-from clickgen.ir.operands import Cell, CharCode, Hex, Immediate, Integer, Named, Operand, Pointer, Range, Real, Text
+from clickgen.ir.operands import (
+    Cell,
+    CharCode,
+    Hex,
+    Immediate,
+    Integer,
+    Named,
+    Operand,
+    Pointer,
+    Range,
+    Real,
+    Text,
+    form_of,
+)
 from clickgen.ir.program import Action, FormulaText, Options, Word
 from clickgen.ir.reach import reached
 
@@ -126,13 +139,6 @@ def variant_of(action: Action) -> Variant:
         if any(source in pair.sources and target in pair.targets for pair in variant.pairs):
             return variant
     raise ValueError(f"no form of {spec.name} takes {source} to {target}")
-
-
-def form_of(value: object) -> str:
-    """The bank of an address, or the form of a constant, as the Specs name them."""
-    if isinstance(value, Cell | Range | Pointer | Immediate | Named):
-        return value.bank
-    return {Integer: "integer", Hex: "hex", Real: "real", Text: "text", CharCode: "code"}.get(type(value), "")
 
 
 def pin_row(spec: Spec, param: Param) -> int:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, UPPER_BYTE_BANKS, Address
 from clickgen.device.nicknames import comment_fault, nickname_fault
 from clickgen.device.system import system_name_of, system_nicknames
-from clickgen.diagnostics import Diagnostics, Label
+from clickgen.diagnostics import Diagnostics, Label, did_you_mean
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, CharCode, Constant, Immediate, Named, Operand, Range
 from clickgen.ir.program import Action, Declaration, Program
@@ -19,7 +19,6 @@ from clickgen.resolve.allocate import Allocator
 from clickgen.resolve.constants import kind_of, typed
 from clickgen.resolve.table import AddressTable, Row, default_row, format_initial
 from clickgen.source import Span
-from clickgen.syntax.context import did_you_mean
 
 
 @dataclass(frozen=True)
@@ -266,12 +265,13 @@ class _Resolver:
             return address
         if CURRENT_VALUE_OF.get(use.bank) == address.bank:
             return Address(use.bank, address.number)
-        labels = (Label(meaning.span, f"{use.name} is {address} here"),) if meaning.span else ()
+        dotted = f"{address.bank.lower()}.{use.name}"
+        labels = (Label(meaning.span, f"{dotted} is here"),) if meaning.span else ()
         self.problems.add(
             "CG204",
             use.span,
-            f"{use.name} is {address} ({meaning.said_by}), not {use.bank.lower()}.{use.name}",
-            f"write {address.bank.lower()}.{use.name}, or choose another name here",
+            f"{use.name} is {dotted} ({meaning.said_by}), so it cannot be {use.bank.lower()}.{use.name}",
+            f"write {dotted}, or choose another name here",
             labels,
         )
         return None
@@ -296,7 +296,7 @@ class _Resolver:
                 f"{use.name} was given {address}: is it wired there?",
                 f"pin it: nickname({use.bank.lower()}.{use.name}, {use.bank.lower()}[{address.number}])",
             )
-        self.meanings[use.name.lower()] = _Meaning(address, "first used", use.span)
+        self.meanings[use.name.lower()] = _Meaning(address, f"line {use.span.line}", use.span)
         self.addresses[use.bank, use.name.lower()] = address
         self.allocated.append(self.table.named(address, use.name))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 
+from clickgen.diagnostics import did_you_mean
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.copies import CONVERSIONS
 from clickgen.instructions.maths import MATH_HEX
@@ -11,7 +12,7 @@ from clickgen.instructions.spec import REQUIRED, Param, ParamKind, Spec
 from clickgen.instructions.timers import UNITS
 from clickgen.ir.program import Action, FormulaText, Options, Value, Word
 from clickgen.syntax.conditions import read_condition
-from clickgen.syntax.context import Context, did_you_mean
+from clickgen.syntax.context import Context
 from clickgen.syntax.operands import read_operand
 
 _COMPARISONS = {

@@ -5,9 +5,10 @@ from __future__ import annotations
 import ast
 
 from clickgen.device.banks import BANKS, Kind
+from clickgen.diagnostics import did_you_mean
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real
-from clickgen.syntax.context import Context, did_you_mean
+from clickgen.syntax.context import Context
 from clickgen.syntax.operands import looks_like_address, read_address, read_operand
 
 _COMPARISONS: dict[type[ast.cmpop], str] = {

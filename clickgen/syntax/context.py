@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import ast
-import difflib
 import io
 import tokenize
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 from clickgen.diagnostics import Diagnostics
@@ -59,9 +57,3 @@ class Context:
 
     def problem(self, code: str, node: Located, message: str, help: str = "") -> None:
         self.problems.add(code, self.span(node), message, help)
-
-
-def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """``did you mean 'x'?`` for a near miss, else an empty string."""
-    close = difflib.get_close_matches(word.lower(), list(known), n=1, cutoff=0.6)
-    return f"did you mean {close[0]}?" if close else ""

@@ -6,6 +6,7 @@ import ast
 import re
 
 from clickgen.device.banks import BANKS, POINTED, UPPER_BYTE_BANKS, Address, Bank
+from clickgen.diagnostics import did_you_mean
 from clickgen.ir.operands import (
     Cell,
     CharCode,
@@ -21,7 +22,7 @@ from clickgen.ir.operands import (
     Text,
 )
 from clickgen.source import Span
-from clickgen.syntax.context import Context, did_you_mean
+from clickgen.syntax.context import Context
 
 BANK_NAMES = {bank.dsl: bank for bank in BANKS.values()}
 _CHAR_CODE = re.compile(r"\$[0-9A-Fa-f]{2}")

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from clickgen.diagnostics import Diagnostics
+from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.ir.conditions import Always
@@ -16,7 +16,7 @@ from clickgen.source import SourceFile, Span
 from clickgen.syntax.calls import read_call
 from clickgen.syntax.comments import rung_comment
 from clickgen.syntax.conditions import read_condition
-from clickgen.syntax.context import Context, did_you_mean
+from clickgen.syntax.context import Context
 from clickgen.syntax.operands import read_constant, read_operand
 from clickgen.syntax.parse import parse_trees
 

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
-from clickgen.diagnostics import Diagnostics
+from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.instructions.control import CALL
 from clickgen.ir.program import Word
-from clickgen.syntax.context import did_you_mean
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
-from clickgen.check.values import constant_fault, value_class
+from clickgen.check.values import range_fault, value_class
 from clickgen.device.banks import BANKS
 from clickgen.diagnostics import Diagnostics
 from clickgen.ir.conditions import Compare
@@ -41,7 +41,7 @@ def _check(compare: Compare, problems: Diagnostics) -> None:
         )
         return
     for constant, other in ((left, right), (right, left)):
-        fault = constant_fault(constant, kind_of(other))
+        fault = range_fault(constant, kind_of(other))
         if fault:
             problems.add("CG302", constant.span, fault, "the comparison could never change")
         if isinstance(constant, Text) and len(constant.value) != 1:

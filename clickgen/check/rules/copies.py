@@ -7,10 +7,9 @@ from clickgen.device.banks import BANKS, Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.copies import CONVERSIONS, COPY
 from clickgen.instructions.spec import Pair
-from clickgen.ir.operands import Cell, Range
+from clickgen.ir.operands import Cell, Range, form_of
 from clickgen.ir.program import Action, Options
 from clickgen.ir.reach import reached
-from clickgen.lower.tokens import form_of
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:

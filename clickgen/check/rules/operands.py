@@ -8,9 +8,8 @@ from clickgen.device.banks import BANKS
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.spec import Access, Param, ParamKind, Slot
-from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Operand, Pointer, Range
+from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action
-from clickgen.lower.tokens import form_of
 from clickgen.resolve.constants import kind_of
 
 _READ_ONLY = {"X": "an input", "T": "a timer's bit", "CT": "a counter's bit", "XD": "an input word"}

@@ -1,0 +1,182 @@
+"""Every problem code has a program that calls it forth: that code at that place, with a way out, nothing written."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+import clickgen
+from clickgen.cli import main
+from clickgen.codes import CODES, Severity
+from clickgen.diagnostics import Diagnostic
+
+REJECT = Path(__file__).parents[1] / "fixtures" / "reject"
+PROGRAM, TABLE = "prog.py", "nicknames.csv"
+
+_EXPECT = re.compile(r"# expect: ((?:CG\d{3} \d+:\d+(?:, )?)+)\n")
+_FLAGS = re.compile(r"^# flags: (\w+)$", re.MULTILINE)
+
+NOT_REACHED = {
+    "CG211": "not reported yet",
+    "CG414": "lowering divides every rung until it fits",
+}
+"""Codes without a fixture, and why."""
+
+
+class Place(NamedTuple):
+    code: str
+    line: int
+    col: int
+
+
+# -- programs too long for a file ------------------------------------------------------------------------------------
+
+END = "    if True:\n        end()\n"
+RETURN = "    if True:\n        return\n"
+
+
+def _deep() -> str:
+    return f"# expect: CG118 3:5\ndef main():\n    if {'any(x[1], ' * 120}x[2]{')' * 120}:\n        out(y[1])\n\n{END}"
+
+
+def _rungs(count: int) -> str:
+    return "".join(f"    if c[{number}]:\n        out(y[1])\n\n" for number in range(1, count + 1))
+
+
+def _long_subroutine() -> str:
+    return f"# expect: CG415 7:1\ndef main():\n{END}\n\n@sub\ndef station():\n{_rungs(256)}{RETURN}"
+
+
+def _long_main() -> str:
+    return f"# expect: CG424 2:1\ndef main():\n{_rungs(256)}{END}"
+
+
+def _tall_main() -> str:
+    wide = "any(" + ", ".join(f"c[{number}]" for number in range(1, 33)) + ")"
+    rungs = f"    if {wide}:\n        out(y[1])\n\n" * 62
+    return f"# expect: CG424 2:1\ndef main():\n{rungs}{END}"
+
+
+def _many_subroutines() -> str:
+    subroutines = "".join(f"\n\n@sub\ndef station_{number}():\n{RETURN}" for number in range(987))
+    line = 2 + 2 + 986 * 6 + 4
+    return f"# expect: CG416 {line}:1\ndef main():\n{END}{subroutines}"
+
+
+GENERATED: dict[str, Callable[[], str]] = {
+    "CG118": _deep,
+    "CG415": _long_subroutine,
+    "CG416": _many_subroutines,
+    "CG424": _long_main,
+    "CG424_rows": _tall_main,
+}
+
+
+# -- the fixtures -----------------------------------------------------------------------------------------------------
+
+
+def _names() -> list[str]:
+    return sorted([*(path.stem for path in REJECT.iterdir()), *GENERATED])
+
+
+def _code(name: str) -> str:
+    """``CG209_scratch`` is a second fixture of CG209."""
+    return name.partition("_")[0]
+
+
+def _lay_out(name: str, folder: Path) -> Path:
+    """The fixture in a folder of its own; returns its program."""
+    program = folder / PROGRAM
+    if name in GENERATED:
+        program.write_text(GENERATED[name](), "utf-8")
+    elif (REJECT / name).is_dir():
+        for path in (REJECT / name).iterdir():
+            shutil.copyfile(path, folder / path.name)
+    else:
+        shutil.copyfile(REJECT / f"{name}.py", program)
+    return program
+
+
+def _expected(text: str) -> list[Place]:
+    match = _EXPECT.match(text)
+    assert match, "the first line reads # expect: CG101 3:12, CG102 5:1"
+    places = (entry.split() for entry in match[1].split(", "))
+    return sorted(Place(code, *map(int, at.split(":"))) for code, at in places)
+
+
+def _is_frozen(text: str) -> bool:
+    flags = _FLAGS.findall(text)
+    assert flags in ([], ["frozen"])
+    return bool(flags)
+
+
+each_fixture = pytest.mark.parametrize("name", _names())
+
+
+def test_every_code_has_a_fixture_and_every_fixture_a_code() -> None:
+    assert {_code(name) for name in _names()} == CODES.keys() - NOT_REACHED.keys()
+
+
+@each_fixture
+def test_exactly_the_expected_problems_come_out(name: str, tmp_path: Path) -> None:
+    program = _lay_out(name, tmp_path)
+    text = program.read_text("utf-8")
+    expected = _expected(text)
+    result = clickgen.build(program, frozen=_is_frozen(text))
+    found = [Place(problem.code, *_start(problem)) for problem in result.diagnostics]
+    assert sorted(found) == expected
+    assert _code(name) in {place.code for place in expected}
+    for problem in result.diagnostics:
+        _check(problem, program)
+    has_errors = any(CODES[place.code].severity is Severity.ERROR for place in expected)
+    assert result.ok is not has_errors
+    assert bool(result.files) is not has_errors
+
+
+def _start(problem: Diagnostic) -> tuple[int, int]:
+    assert problem.span is not None
+    return problem.span.line, problem.span.col
+
+
+def _check(problem: Diagnostic, program: Path) -> None:
+    """It offers a way out, and points at something that is there, in the file where a person would look."""
+    assert problem.message
+    assert problem.help, f"{problem.code} has no way out: {problem.message}"
+    spans = [problem.span, *(label.span for label in problem.labels)]
+    for span in spans:
+        assert span is not None
+        lines = Path(span.path).read_text("utf-8").split("\n")
+        assert 1 <= span.line <= span.end_line <= len(lines)
+        assert 1 <= span.col <= len(lines[span.line - 1]) + 1
+        assert 1 <= span.end_col <= len(lines[span.end_line - 1]) + 2
+        assert (span.line, span.col) < (span.end_line, span.end_col)
+    in_table = problem.code.startswith("CG6")
+    assert problem.span is not None
+    assert Path(problem.span.path) == (program.parent / TABLE if in_table else program)
+
+
+@each_fixture
+def test_the_command_writes_nothing_where_there_are_errors(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program = _lay_out(name, tmp_path)
+    text = program.read_text("utf-8")
+    before = {path: path.read_bytes() for path in tmp_path.iterdir()}
+    out = tmp_path / "out"
+    flags = ["--frozen"] if _is_frozen(text) else []
+    code = main(["build", str(program), "-o", str(out), *flags])
+    said = capsys.readouterr().err
+    expected = _expected(text)
+    for place in expected:
+        assert f":{place.line}:{place.col}: {CODES[place.code].severity.value}[{place.code}]" in said
+    if any(CODES[place.code].severity is Severity.ERROR for place in expected):
+        assert code == 1
+        assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
+    else:
+        assert code == 0
+        assert (out / "main.csv").is_file()
