@@ -25,6 +25,7 @@ from clickgen.lower.scratch import Scratch
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.resolve.table import AddressTable, Row, TableUnreadable, read_table
+from clickgen.source import SourceFile
 from clickgen.syntax.parse import decode
 from clickgen.syntax.read import read_program
 
@@ -45,6 +46,8 @@ class BuildResult:
     """
 
     program: Path
+    sources: tuple[SourceFile, ...]
+    """The program files as they were read."""
     diagnostics: tuple[Diagnostic, ...]
     files: Mapping[str, str]
     routines: tuple[ClickRoutine, ...]
@@ -104,6 +107,7 @@ class _Build:
     table_must_exist: bool
     frozen: bool
     problems: Diagnostics = field(default_factory=Diagnostics)
+    source: SourceFile | None = None
     program: Program | None = None
     table: AddressTable = field(default_factory=lambda: AddressTable.empty(""))
     table_before: bytes | None = None
@@ -135,6 +139,7 @@ def build(
     ok = not state.problems.has_errors
     return BuildResult(
         program,
+        (state.source,) if state.source else (),
         state.problems.in_order(),
         state.files if ok else {},
         state.routines if ok else (),
@@ -168,8 +173,8 @@ def _read_source(state: _Build) -> None:
     except OSError as error:
         reason = "it is a folder" if state.path.is_dir() else error.strerror or str(error)
         raise CouldNotRun(f"{state.shown} cannot be read: {reason}") from None
-    source = decode(state.shown, data, state.problems)
-    state.program = read_program(source, state.problems) if source else None
+    state.source = decode(state.shown, data, state.problems)
+    state.program = read_program(state.source, state.problems) if state.source else None
 
 
 def _resolve(state: _Build) -> None:
@@ -235,15 +240,13 @@ def _fit(state: _Build) -> None:
                 "CG424",
                 routine.span,
                 f"main has {len(routine.rungs)} CLICK rungs and goes into {len(parts)} ladder files",
-                "paste main.csv, main_2.csv, ... one behind the other, in this order",
+                "paste main.csv and main_2.csv, ... one behind the other, in the order of their names",
             )
+        # ClickNick pastes main's parts sorted by name (click-facts, section 7): all numbers have as many digits.
+        digits = len(str(len(parts)))
         for number, part in enumerate(parts, 1):
-            name = (
-                f"main{'' if number == 1 else f'_{number}'}.csv"
-                if routine.is_main
-                else f"subroutines/{routine.name}.csv"
-            )
-            state.parts[name] = part
+            stem = "main" if routine.is_main else f"subroutines/{routine.name}"
+            state.parts[f"{stem}_{number:0{digits}}.csv" if number > 1 else f"{stem}.csv"] = part
 
 
 def _within_limits(rungs: tuple[ClickRung, ...]) -> Iterator[tuple[ClickRung, ...]]:

@@ -17,6 +17,7 @@ from clickgen.device.system import (
     FIRST_SCAN,
     WRITABLE_SC,
     WRITABLE_SD,
+    find_system_name,
     system_name_of,
     system_nicknames,
 )
@@ -55,8 +56,15 @@ def test_every_name_is_found_by_name_and_by_address() -> None:
         address = Address(bank, number)
         assert system_name_of(address) == guidance.nickname
         assert system_nicknames()[guidance.nickname.lower()] == (guidance.nickname, address)
-    # No two points share a name today; the count would say so. Names are found without their spaces too.
-    assert len({address for _, address in system_nicknames().values()}) == 344
+    # No two points share a name today; the count would say so.
+    assert len(system_nicknames()) == 344
+
+
+def test_spaces_and_case_of_a_system_name_do_not_matter() -> None:
+    point = ("_RTC_Year (4 digits)", Address("SD", 19))
+    for spelling in ("_RTC_Year (4 digits)", "_RTC_Year(4 digits)", "_rtc_year(4digits)"):
+        assert find_system_name(spelling) == point
+    assert find_system_name("_RTC_Jahr") is None
 
 
 def test_names_stand_in_click_s_row_order() -> None:

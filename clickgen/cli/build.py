@@ -19,7 +19,7 @@ def run(program: str, output: str | None, nicknames: str | None, frozen: bool) -
     folder = Path(output) if output else Path("build") / Path(program).stem
     try:
         result = build(program, nicknames=nicknames, frozen=frozen)
-        write_problems(result.diagnostics, sys.stderr)
+        write_problems(result.diagnostics, result.sources, sys.stderr)
         if not result.ok:
             print(f"clickgen: {summary(result.diagnostics)}; nothing was written", file=sys.stderr)
             return PROBLEMS
@@ -49,11 +49,11 @@ def _report(result: BuildResult, folder: Path) -> str:
     if noted:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
     lines += [f"Files: {folder}", "Next:"]
-    steps = [f"in CLICK: File > Import > Nickname, {folder / 'nicknames.csv'}"]
+    steps = [f"in CLICK: File > Import > Nicknames, {folder / 'nicknames.csv'}"]
     if subroutines:
         names = ", ".join(routine.name for routine in subroutines)
         steps.append(f"in CLICK: create {_count(len(subroutines), 'subroutine')} by hand, named {names}")
-    steps.append(f"in ClickNick: Ladder > Guided Paste, {folder}")
+    steps.append(f"in ClickNick: Ladder > Open in Guided Paste, {folder}")
     lines += [f"  {number}. {step}" for number, step in enumerate(steps, 1)]
     return "\n".join(lines)
 

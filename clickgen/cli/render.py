@@ -9,7 +9,7 @@ from typing import TextIO
 
 from clickgen.codes import Severity
 from clickgen.diagnostics import Diagnostic
-from clickgen.source import Span
+from clickgen.source import SourceFile, Span
 
 _COLORS = {Severity.ERROR: "31", Severity.WARNING: "33", Severity.INFO: "36"}
 _FRAME_WIDTH = 110
@@ -93,9 +93,9 @@ def summary(problems: Iterable[Diagnostic]) -> str:
     )
 
 
-def source_lines() -> Callable[[str, int], str]:
-    """A reader of lines of files for frames; what cannot be read has no lines."""
-    cache: dict[str, list[str]] = {}
+def source_lines(sources: Iterable[SourceFile]) -> Callable[[str, int], str]:
+    """A reader of lines for frames, from what was read and else from files; what cannot be read has no lines."""
+    cache: dict[str, list[str]] = {source.path: source.lines for source in sources}
 
     def line_of(path: str, number: int) -> str:
         if path not in cache:
@@ -110,8 +110,8 @@ def source_lines() -> Callable[[str, int], str]:
     return line_of
 
 
-def write_problems(problems: Iterable[Diagnostic], stream: TextIO) -> None:
+def write_problems(problems: Iterable[Diagnostic], sources: Iterable[SourceFile], stream: TextIO) -> None:
     """All problems, a blank line behind each."""
-    renderer = Renderer(use_color(stream), source_lines())
+    renderer = Renderer(use_color(stream), source_lines(sources))
     for problem in problems:
         stream.write(renderer.render(problem) + "\n\n")

@@ -25,14 +25,25 @@ _DATA = Path(__file__).with_name("system_nicknames.csv")
 def system_nicknames() -> dict[str, tuple[str, Address]]:
     """CLICK's own nicknames: lowercase name to the name as CLICK writes it and its address.
 
-    Where two addresses share a name, the first of them has it here; ``system_name_of`` knows both. CLICK sets a space
-    before some brackets and not before others (``_RTC_Year (4 digits)``), so a name is found without its spaces too.
+    Where two addresses share a name, the first of them has it here; ``system_name_of`` knows both.
     """
     names: dict[str, tuple[str, Address]] = {}
     for address, name in _names_by_address().items():
         names.setdefault(name.lower(), (name, address))
-        names.setdefault(name.lower().replace(" ", ""), (name, address))
     return names
+
+
+def find_system_name(name: str) -> tuple[str, Address] | None:
+    """The system point of this name, whatever its case and spaces.
+
+    CLICK sets a space before some brackets and not before others (``_RTC_Year (4 digits)``); nobody remembers which.
+    """
+    return system_nicknames().get(name.lower()) or _names_without_spaces().get(name.lower().replace(" ", ""))
+
+
+@cache
+def _names_without_spaces() -> dict[str, tuple[str, Address]]:
+    return {lower.replace(" ", ""): point for lower, point in reversed(system_nicknames().items())}
 
 
 def system_name_of(address: Address) -> str | None:

@@ -346,6 +346,8 @@ def _decoded(path: Path, shown: str) -> tuple[str, bool]:
         if path.is_dir():  # Windows answers a folder with PermissionError.
             raise TableUnreadable(f"{shown} is a folder; name the nickname CSV in it") from None
         raise TableUnreadable(f"{shown} cannot be read: {error.strerror or error}") from error
+    if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
+        raise TableUnreadable(f"{shown} is an Excel workbook; save its table as CSV UTF-8 and name that")
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         raise TableUnreadable(f"{shown} is UTF-16 (Excel's Unicode text); save it as CSV UTF-8")
     bom = data.startswith(_BOM)

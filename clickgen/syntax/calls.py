@@ -130,7 +130,7 @@ def _wrong_kind(context: Context, spec: Spec, param: Param, node: ast.expr) -> N
     help = spec.signature
     if param.kind is ParamKind.UNIT:
         word = str(node.value) if isinstance(node, ast.Constant) else context.text(node)
-        help = did_you_mean(word, {unit.lower(): unit for unit in UNITS}) or help
+        help = did_you_mean(word, UNITS) or help
         exact = next((unit for unit in UNITS if word.lower() in (unit.lower(), unit[1:].lower())), None)
         help = f"write unit={exact}" if exact else help
     context.problem("CG115", node, f"{param.name!r} of {spec.name} must be {param.kind.value}", help)

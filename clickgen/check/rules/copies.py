@@ -45,6 +45,14 @@ def _check_options(action: Action, problems: Diagnostics) -> None:
         problems.add(
             "CG314", options.span, "exponential text is for floating-point numbers (DF)", "leave out exponential=True"
         )
+    elif options.exponential and not options.suppress_zero:
+        # laddercodec gives this pair the code of to_value: CLICK would run another instruction.
+        problems.add(
+            "CG314",
+            options.span,
+            "exponential text with leading zeros cannot be put into CLICK",
+            "leave out suppress_zero=False",
+        )
 
 
 def _check_pair(action: Action, problems: Diagnostics) -> None:

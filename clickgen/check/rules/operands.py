@@ -120,7 +120,7 @@ def _check_constant(placed: Placed, param: Param, constant: Operand, problems: D
                 constant.span,
                 f"{param.name!r} of {placed.spec.name} is {constant.value}, outside {low}..{high}",
                 "choose a larger unit"
-                if param.name == "setpoint" and constant.value > high and "unit" in action.args
+                if constant.value > high and any(other.kind is ParamKind.UNIT for other in action.spec.params)
                 else "",
             )
             return
@@ -133,6 +133,4 @@ def _check_oneshot(action: Action, problems: Diagnostics) -> None:
     target = action.args.get("address")
     if isinstance(target, Immediate) and action.flag("oneshot"):
         span = action.args["oneshot"].span
-        problems.add(
-            "CG313", span, "an immediate coil has no one-shot (click-facts, section 3)", "leave out one of the two"
-        )
+        problems.add("CG313", span, "an immediate coil has no one-shot", "leave out one of the two")

@@ -12,9 +12,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         missing = [param for param in action.spec.pins if param.missing_pin and param.name not in action.args]
         if missing:
             names = " and no ".join(param.name for param in missing)
+            gets = "that input gets" if len(missing) == 1 else "those inputs get"
             problems.add(
                 missing[0].missing_pin,
                 action.span,
-                f"this {action.spec.name} has no {names}: that input gets ~SC1, which is never on",
+                f"this {action.spec.name} has no {names}: {gets} ~SC1, which is never on",
                 ", ".join(f"{param.name}=lambda: c.Name" for param in missing),
             )

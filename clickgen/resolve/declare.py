@@ -1,0 +1,203 @@
+"""nickname(...) in the source: it comes before every other source of an address, and must agree with the table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+from clickgen.device.banks import BANKS, UPPER_BYTE_BANKS, Address
+from clickgen.device.nicknames import comment_fault, nickname_fault
+from clickgen.device.system import find_system_name, system_name_of
+from clickgen.diagnostics import Diagnostics, Label
+from clickgen.ir.operands import CharCode, Operand
+from clickgen.ir.program import Declaration
+from clickgen.resolve.constants import typed
+from clickgen.resolve.table import AddressTable, Row, default_row, format_initial
+from clickgen.source import Span
+
+
+class Meaning(NamedTuple):
+    """What a nickname stands for and who says so."""
+
+    address: Address
+    said_by: str
+    span: Span | None
+
+
+@dataclass
+class Declared:
+    """What the declarations of a program say."""
+
+    meanings: dict[str, Meaning] = field(default_factory=dict)
+    """By the lowercase name."""
+    rows: list[Row] = field(default_factory=list)
+    """What the table lacks, or says otherwise than the source."""
+    misdeclared: set[str] = field(default_factory=set)
+    """The lowercase names of wrong declarations: they get no other address either."""
+    addresses: list[Address] = field(default_factory=list)
+    """Every declared address, that of a wrong declaration included: nothing is allocated there."""
+
+
+def declare(declarations: tuple[Declaration, ...], table: AddressTable, problems: Diagnostics) -> Declared:
+    """Judge the declarations against each other, the table and CLICK's rules."""
+    reader = _Declarations(table, problems)
+    reader.warn_of_words()
+    reader.read(declarations)
+    return reader.declared
+
+
+class _Declarations:
+    def __init__(self, table: AddressTable, problems: Diagnostics) -> None:
+        self.table = table
+        self.problems = problems
+        self.declared = Declared()
+
+    def read(self, declarations: tuple[Declaration, ...]) -> None:
+        by_name: dict[str, Declaration] = {}
+        by_address: dict[Address, Declaration] = {}
+        for declaration in declarations:
+            named, address = declaration.named, declaration.cell.address
+            lower = named.name.lower()
+            self.declared.addresses.append(address)
+            earlier = by_name.setdefault(lower, declaration)
+            if earlier is not declaration:
+                self._conflict(declaration, f"{named.name} is declared twice", earlier)
+                continue
+            earlier = by_address.setdefault(address, declaration)
+            if earlier is not declaration:
+                self._conflict(declaration, f"{address} is declared as {earlier.named.name} already", earlier)
+                continue
+            if self._declaration_is_sound(declaration):
+                self.declared.meanings[lower] = Meaning(address, "nickname(...)", declaration.span)
+                self._warn_of_word(address, named.name, declaration.span)
+                row = self._declared_row(declaration)
+                stands = self.table.by_address.get(address)
+                if stands is None or stands.content != row.content:
+                    self.declared.rows.append(row)
+            else:
+                self.declared.misdeclared.add(lower)
+
+    def warn_of_words(self) -> None:
+        """Nicknames in the table that ClickNick's importer loses (click-facts, section 1)."""
+        for row in self.table.rows:
+            if row.nickname:
+                self._warn_of_word(row.address, row.nickname, self.table.span(row))
+
+    def _warn_of_word(self, address: Address, name: str, span: Span | None) -> None:
+        if address.bank in UPPER_BYTE_BANKS:
+            self.problems.add(
+                "CG211",
+                span,
+                f"{name} is the nickname of {address}: ClickNick drops XD0u and misreads other XD and YD rows",
+                f"write {address.bank.lower()}[...] and give it no nickname, or check it in CLICK after the import",
+            )
+
+    def _conflict(self, declaration: Declaration, message: str, earlier: Declaration) -> None:
+        self.problems.add(
+            "CG205",
+            declaration.span,
+            message,
+            f"the earlier one: {earlier.span}",
+            (Label(earlier.span, "declared here first"),),
+        )
+
+    def _declaration_is_sound(self, declaration: Declaration) -> bool:
+        named, address = declaration.named, declaration.cell.address
+        bank = BANKS[address.bank]
+        add = self.problems.add
+        if named.bank != address.bank:
+            add(
+                "CG205",
+                declaration.span,
+                f"{named.bank.lower()}.{named.name} cannot be {address}",
+                f"write {bank.dsl}.{named.name}, or an address in {named.bank}",
+            )
+            return False
+        fault = nickname_fault(named.name, system=system_name_of(address) == named.name)
+        if fault:
+            add("CG203", named.span, f"CLICK does not take the nickname {named.name!r}: {fault}", "choose another name")
+            return False
+        fault = comment_fault(declaration.comment or "")
+        if fault:
+            add("CG203", declaration.span, f"CLICK does not take the comment of {named.name}: {fault}", "shorten it")
+            return False
+        system = find_system_name(named.name)
+        if system and system[1] != address:
+            add("CG205", declaration.span, f"{named.name} is CLICK's own name of {system[1]}", "choose another name")
+            return False
+        if bank.settings_fixed and (declaration.initial is not None or declaration.retentive is not None):
+            add(
+                "CG302",
+                declaration.span,
+                f"{address} has no initial value or retention that can be set",
+                "leave out initial= and retentive=",
+            )
+            return False
+        return self._agrees_with_table(declaration)
+
+    def _agrees_with_table(self, declaration: Declaration) -> bool:
+        named, address = declaration.named, declaration.cell.address
+        row = self.table.by_nickname.get(named.name.lower())
+        if row is not None and row.address != address:
+            self.problems.add(
+                "CG205",
+                declaration.span,
+                f"{named.name} is {address} here and {row.address} in line {row.line} of {self.table.path}",
+                "change one of them; a PLC keeps its data by address",
+                self._table_label(row),
+            )
+            return False
+        row = self.table.by_address.get(address)
+        if row is not None and row.nickname and row.nickname.lower() != named.name.lower():
+            self.problems.add(
+                "CG205",
+                declaration.span,
+                f"{address} is {named.name} here and {row.nickname} in line {row.line} of {self.table.path}",
+                "change one of them",
+                self._table_label(row),
+            )
+            return False
+        return True
+
+    def _table_label(self, row: Row) -> tuple[Label, ...]:
+        span = self.table.span(row)
+        return (Label(span, "the address table says"),) if span else ()
+
+    def _declared_row(self, declaration: Declaration) -> Row:
+        address = declaration.cell.address
+        stands = self.table.by_address.get(address) or default_row(address, "")
+        # A table that spells the name in another case keeps its spelling: for CLICK it is the same name.
+        row = replace(stands, nickname=stands.nickname or declaration.named.name, line=0, raw="")
+        if declaration.comment is not None:
+            row = replace(row, comment=declaration.comment)
+        if declaration.retentive is not None:
+            row = replace(row, retentive=declaration.retentive)
+        if declaration.initial is not None:
+            initial = format_initial(address.kind, _python_value(typed(declaration.initial, address.kind)))
+            if initial is None:
+                self.problems.add(
+                    "CG302",
+                    declaration.initial.span,
+                    f"{address} cannot begin with this value",
+                    f"{BANKS[address.bank].title} hold {_holds(address)}",
+                )
+            else:
+                row = replace(row, initial=initial)
+        return row
+
+
+def _python_value(constant: Operand) -> object:
+    if isinstance(constant, CharCode):
+        return chr(constant.value)
+    return getattr(constant, "value", None)
+
+
+def _holds(address: Address) -> str:
+    return {
+        "BIT": "0 or 1",
+        "INT": "-32768..32767",
+        "INT2": "-2147483648..2147483647",
+        "HEX": "0x0000..0xFFFF",
+        "FLOAT": "numbers up to 3.4028235E+38",
+        "TEXT": "one character",
+    }[address.kind.value]
