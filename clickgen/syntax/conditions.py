@@ -9,7 +9,7 @@ from clickgen.diagnostics import did_you_mean
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real
 from clickgen.syntax.context import Context
-from clickgen.syntax.operands import looks_like_address, read_address, read_operand
+from clickgen.syntax.operands import looks_like_address, read_address, read_operand, shorten
 
 _COMPARISONS: dict[type[ast.cmpop], str] = {
     ast.Eq: "==",
@@ -38,10 +38,9 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
         return _read_comparison(context, node)
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS:
         return _read_function(context, node, node.func.id)
-    operator = _python_logic(node)
-    if operator:
-        word, instead = operator
-        context.problem("CG105", node, f"{word} is not part of the language", f"write {instead}")
+    logic = _python_logic(node)
+    if logic:
+        context.problem("CG105", node, f"{logic[0]} is not part of the language", f"write {_in_dialect(context, node)}")
     elif isinstance(node, ast.Call):
         name = node.func.id if isinstance(node.func, ast.Name) else ""
         context.problem("CG107", node, "this call is not a condition", did_you_mean(name, _FUNCTIONS) or _WAY_OUT)
@@ -57,14 +56,27 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
     return None
 
 
-def _python_logic(node: ast.expr) -> tuple[str, str] | None:
+def _python_logic(node: ast.expr) -> tuple[str, str, list[ast.expr]] | None:
+    """The Python operator of an expression, the function that the language has for it, and its terms."""
     if isinstance(node, ast.BoolOp):
-        return ("and", "all(a, b)") if isinstance(node.op, ast.And) else ("or", "any(a, b)")
+        return ("and", "all", node.values) if isinstance(node.op, ast.And) else ("or", "any", node.values)
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not | ast.Invert):
-        return ("not", "nc(a)") if isinstance(node.op, ast.Not) else ("~", "nc(a)")
+        return "not" if isinstance(node.op, ast.Not) else "~", "nc", [node.operand]
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitAnd | ast.BitOr):
-        return ("&", "all(a, b)") if isinstance(node.op, ast.BitAnd) else ("|", "any(a, b)")
+        terms = [node.left, node.right]
+        return ("&", "all", terms) if isinstance(node.op, ast.BitAnd) else ("|", "any", terms)
     return None
+
+
+def _in_dialect(context: Context, node: ast.expr) -> str:
+    """An expression as the language writes it, for a message."""
+    logic = _python_logic(node)
+    if logic is None:
+        return shorten(context.text(node))
+    _, function, terms = logic
+    if function == "nc" and not isinstance(terms[0], ast.Attribute | ast.Subscript):
+        return f"the opposite of {shorten(context.text(terms[0]))}"
+    return f"{function}({', '.join(_in_dialect(context, term) for term in terms)})"
 
 
 def _read_contact(context: Context, node: ast.Attribute | ast.Subscript) -> Condition | None:

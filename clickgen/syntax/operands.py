@@ -68,7 +68,7 @@ def read_constant(context: Context, node: ast.expr) -> Constant | None:
         hint = f"write {match[1].lower()}[{int(match[2])}]"
     elif name.lower() in BANK_NAMES:
         hint = f"{name} is a whole bank: {_ADDRESS_FORMS}"
-    context.problem("CG113", node, f"{_shorten(context.text(node))} is not an address or a constant", hint)
+    context.problem("CG113", node, f"{shorten(context.text(node))} is not an address or a constant", hint)
     return None
 
 
@@ -78,7 +78,7 @@ def read_address(context: Context, node: ast.Attribute | ast.Subscript) -> Opera
     if isinstance(node, ast.Attribute) and not isinstance(holder, ast.Name):
         return _read_modifier(context, node)
     if not isinstance(holder, ast.Name):
-        context.problem("CG113", node, f"{_shorten(context.text(node))} is not an address", _ADDRESS_FORMS)
+        context.problem("CG113", node, f"{shorten(context.text(node))} is not an address", _ADDRESS_FORMS)
         return None
     bank = BANK_NAMES.get(holder.id)
     if bank is None:
@@ -200,6 +200,7 @@ def _whole_number(node: ast.expr | None) -> int | None:
     return None
 
 
-def _shorten(text: str, limit: int = 40) -> str:
+def shorten(text: str, limit: int = 40) -> str:
+    """Source text on one line, for a message."""
     line = " ".join(text.split())
     return line if len(line) <= limit else line[: limit - 3] + "..."
