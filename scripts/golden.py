@@ -1,7 +1,6 @@
 """Write what every case of ``fixtures/cases`` builds into its ``expected`` folder. Read the diff before you commit it.
 
-scripts/golden.py           every case
-scripts/golden.py copy out  these cases
+Without arguments every case; else the cases whose folders are named.
 """
 
 from __future__ import annotations

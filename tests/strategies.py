@@ -6,12 +6,11 @@ Nothing here uses clickgen: tokens and meanings are written down once more, from
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from hypothesis import strategies as st
-
-Draw = Callable[[st.SearchStrategy[object]], object]
 
 # ---------------------------------------------------------------------------------------------------- conditions
 
@@ -256,7 +255,22 @@ def written(name: str) -> str:
 # ---------------------------------------------------------------------------------------------------- leaves
 
 FORMS = ("", "", "", "nc", "nc", "re", "fe")
-POWER_BITS = ("X001", "X016", "X021", "Y001", "Y116", "C1", "C2", "C2000", "T1", "T500", "CT1", "CT250", "SC2", "SC1000")
+POWER_BITS = (
+    "X001",
+    "X016",
+    "X021",
+    "Y001",
+    "Y116",
+    "C1",
+    "C2",
+    "C2000",
+    "T1",
+    "T500",
+    "CT1",
+    "CT250",
+    "SC2",
+    "SC1000",
+)
 
 
 def _compare(left: tuple[str, str], op: str, right: tuple[str, str]) -> Compare:
@@ -288,6 +302,15 @@ def any_compares(draw: st.DrawFn) -> Compare:
     return _compare(left, draw(st.sampled_from(OPERATORS)), right)
 
 
+T = TypeVar("T")
+
+
+def weighted(*choices: tuple[int, st.SearchStrategy[T]]) -> st.SearchStrategy[T]:
+    """One of some strategies, each as often as its weight says; the first is the simplest."""
+    indices = [index for index, (weight, _) in enumerate(choices) for _ in range(weight)]
+    return st.sampled_from(indices).flatmap(lambda index: choices[index][1])
+
+
 def contacts(bits: Sequence[str], forms: Sequence[str] = FORMS) -> st.SearchStrategy[Contact]:
     return st.builds(Contact, st.sampled_from(bits), st.sampled_from(forms))
 
@@ -310,9 +333,11 @@ def conditions(
     """Trees of ``all`` and ``any``, also of a single term and of their own kind inside."""
     tree = leaf
     for _ in range(depth):
-        groups = st.builds(Group, st.sampled_from(("all", "any")), st.lists(tree, min_size=1, max_size=breadth).map(tuple))
-        tree = st.one_of(leaf, groups)
-    return st.one_of(tree, tree, tree, tree, st.just(ALWAYS)) if always else tree
+        groups = st.builds(
+            Group, st.sampled_from(("all", "any")), st.lists(tree, min_size=1, max_size=breadth).map(tuple)
+        )
+        tree = weighted((1, leaf), (1, groups))
+    return weighted((5, tree), (1, st.just(ALWAYS))) if always else tree
 
 
 any_leaves: st.SearchStrategy[Condition] = st.one_of(
@@ -496,31 +521,40 @@ class World:
 
 
 def world_leaves(world: World, timers: Sequence[int], immediate: bool = False) -> st.SearchStrategy[Condition]:
-    bits = ["X001", "X002", "C1", "C2", "C3", "C4", "Y001", "Y002", *(f"T{n}" for n in timers[:2]), *(f"CT{n}" for n in timers[2:])]
+    bits = [
+        "X001",
+        "X002",
+        "C1",
+        "C2",
+        "C3",
+        "C4",
+        "Y001",
+        "Y002",
+        *(f"T{n}" for n in timers[:2]),
+        *(f"CT{n}" for n in timers[2:]),
+    ]
     if world.flags:
         bits += ["SC43", "SC40", "SC44"]
-    found: list[st.SearchStrategy[Condition]] = [contacts(bits)] * 4
-    registers = ("DS1", "DS2", "DS3", "DD1", "TD11", "CTD13")
-    numbers = [*(_register(name) for name in registers), *((str(n), str(n)) for n in range(4))]
-    found.append(
-        st.builds(
-            _compare,
-            st.sampled_from([_register(name) for name in registers]),
-            st.sampled_from(OPERATORS),
-            st.sampled_from(numbers),
-        )
+    registers = [_register(name) for name in ("DS1", "DS2", "DS3", "DD1", "TD11", "CTD13")]
+    numbers = [*registers, *((str(n), str(n)) for n in range(4))]
+    decimal = st.builds(_compare, st.sampled_from(registers), st.sampled_from(OPERATORS), st.sampled_from(numbers))
+    others = (Compare("DS1!=0", "ds[1]"), Compare("YD0==0001h", "yd[0] == 1"), Compare("DH1>0001h", "dh[1] > 0x0001"))
+    ranges = bit_ranges(("C", "Y", "X"), 3).filter(lambda one: not one.immediate)
+    return weighted(
+        (6, contacts(bits)),
+        (2, decimal),
+        (1, st.sampled_from(others)),
+        (1, ranges),
+        (2, immediates(("X001", "X002")) if immediate else contacts(bits)),
     )
-    found.append(st.sampled_from([Compare("DS1!=0", "ds[1]"), Compare("YD0==0001h", "yd[0] == 1"),
-                                  Compare("DH1>0001h", "dh[1] > 0x0001")]))
-    found.append(bit_ranges(("C", "Y", "X"), 3).filter(lambda one: not one.immediate))
-    if immediate:
-        found.append(immediates(("X001", "X002")))
-    return st.one_of(found)
 
 
 WORLD_ACTS = (
-    *(Act(f"{word}({written(bit)})", f"{token}({bit})") for word, token in (("out", "out"), ("set", "latch"), ("reset", "reset"))
-      for bit in ("C1", "C2", "C3", "C4", "Y001", "Y002")),
+    *(
+        Act(f"{word}({written(bit)})", f"{token}({bit})")
+        for word, token in (("out", "out"), ("set", "latch"), ("reset", "reset"))
+        for bit in ("C1", "C2", "C3", "C4", "Y001", "Y002")
+    ),
     Act("out(c[1:4])", "out(C1..C3)"),
     Act("reset(c[1:4])", "reset(C1..C3)"),
     Act("out(c[2], oneshot=True)", "out(C2,oneshot=1)"),
@@ -590,26 +624,32 @@ def _world_items(world: World, place: str, large: bool) -> st.SearchStrategy[Run
     for where, immediate in (("rung", world.immediates != "nowhere"), ("branch", world.immediates == "anywhere")):
         leaf = world_leaves(world, numbers, immediate)
         tree = conditions(leaf, 2, 3, always=True)
-        conditions_of[where] = st.one_of(*[tree] * 24, large_conditions(leaf)) if large else tree
+        conditions_of[where] = weighted((24, tree), (1, large_conditions(leaf))) if large else tree
     branch, pin = conditions_of["branch"], conditions_of["branch"]
     plain: st.SearchStrategy[Item] = st.sampled_from(WORLD_ACTS if world.flags else (*WORLD_ACTS, *POINTER_FORMULAS))
+    none: st.SearchStrategy[Condition | None] = st.none()
     boxes: list[st.SearchStrategy[Item]] = []
     for act, names in WORLD_BOXES:
         required = REQUIRED_PIN.get(act.call.partition("(")[0], ())
-        inputs = [st.tuples(st.just(name), pin if name in required else st.one_of(pin, st.none())) for name in names]
+        inputs = [
+            st.tuples(st.just(name), pin if name in required else weighted((5, pin), (1, none))) for name in names
+        ]
         boxes.append(st.builds(Act, st.just(act.call), st.just(act.token), st.just(act.height), st.tuples(*inputs)))
-    leave: Item = Act("end()", "end()") if place == "main" else Act("return", "return()")
-    calls: Item = Act("call(other)", 'call("other")') if place == "main" else Act("pass", "")
-    item = st.one_of(plain, plain, plain, plain, *boxes, st.sampled_from((leave, calls)).filter(lambda one: one.token))
+    leave: st.SearchStrategy[Item]
+    if place == "main":
+        leave = st.sampled_from((Act("call(other)", 'call("other")'),) * 2 + (Act("end()", "end()"),))
+    else:
+        leave = st.just(Act("return", "return()"))
+    item = weighted((6, plain), (4, st.one_of(boxes)), (1, leave))
 
     def rungs(inner: st.SearchStrategy[Item]) -> st.SearchStrategy[Rung]:
         for _ in range(2):
             some = st.lists(inner, min_size=1, max_size=3).map(tuple)
-            inner = st.one_of(item, item, st.builds(Branch, branch, some))
+            inner = weighted((3, item), (1, st.builds(Branch, branch, some)))
         return st.builds(Rung, conditions_of["rung"], st.lists(inner, min_size=1, max_size=4).map(tuple))
 
     body = st.lists(rungs(item), min_size=1, max_size=2).map(tuple)
-    return rungs(st.one_of(item, item, item, item, st.builds(Loop, st.integers(1, 3), body)))
+    return rungs(weighted((5, item), (1, st.builds(Loop, st.integers(1, 3), body))))
 
 
 def _numbered(program: Program) -> Program:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import sys
 from pathlib import Path
 
@@ -13,7 +15,7 @@ from pyclickplc import read_csv
 import clickgen
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
-import golden  # noqa: E402  from scripts, where ``make golden`` runs it
+import golden
 
 each_case = pytest.mark.parametrize("name", golden.names())
 
@@ -87,6 +89,6 @@ def test_pyclickplc_reads_the_nicknames(name: str, tmp_path: Path) -> None:
 
 
 def _nicknames(data: bytes) -> dict[str, str]:
-    """Address to nickname, read by commas and quotes alone: both stand before any comma of a comment."""
-    rows = [line.split(",", 3) for line in data.decode("utf-8-sig").splitlines()[1:]]
-    return {address: nickname.strip('"') for address, _, nickname, _ in rows}
+    """Address to nickname."""
+    rows = csv.reader(io.StringIO(data.decode("utf-8-sig"), newline=""))
+    return {address: nickname for address, _, nickname, *_ in list(rows)[1:]}

@@ -7,22 +7,20 @@ ladder does the same for each CLICK rung, with the power that ``judges.power`` f
 
 from __future__ import annotations
 
+import operator
 import random
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 
 from hypothesis import given, note, settings
 from judges.power import LadderRung, Terminal, condition_tokens, power, read_ladder
 from strategies import (
-    ALWAYS,
     PIN_TOKENS,
     Act,
     Branch,
-    Compare,
     Condition,
-    Contact,
-    Group,
     Item,
     Loop,
     Program,
@@ -34,7 +32,10 @@ from strategies import (
 from test_power_properties import ladder_files
 
 Place = tuple[object, ...]
-SCANS, SEEDS = 5, 3
+OPERATORS: Mapping[str, Callable[[int, int], bool]] = {
+    "==": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
+}  # fmt: skip
+SCANS, SEEDS = 24, 3
 HIDDEN = "~"
 """Marks the bit of the on-delay timer inside an rtof; its number is the retentive off-delay's own in the source."""
 
@@ -59,6 +60,8 @@ class Machine:
     before: dict[str, int] = field(default_factory=dict)
     edges: dict[Place, int] = field(default_factory=dict)
     once: dict[Place, bool] = field(default_factory=dict)
+    off_delays: set[str] = field(default_factory=set)
+    """Retentive off-delay timers that the source has run."""
 
     def __post_init__(self) -> None:
         draw = random.Random(self.seed)
@@ -85,31 +88,23 @@ class Machine:
         return 1 if name == "SC1" else self.memory.get(name, 0)
 
     def value(self, name: str) -> int:
-        if re.fullmatch(r"-?\d+", name):
-            return int(name)
-        if re.fullmatch(r"[0-9A-F]{4}h", name):
-            return int(name[:-1], 16)
+        if not name[0].isalpha():
+            return int(name[:-1], 16) if name.endswith("h") else int(name)
         if name in ("XD0", "YD0"):
             return sum(self.bit(f"{name[0]}{number:03d}") << number - 1 for number in range(1, 17))
-        pointer = re.fullmatch(r"([A-Z]+)\[(.*)\]", name)
-        return self.memory.get(self.pointed(name) if pointer else name, 0)
+        return self.memory.get(self.pointed(name), 0)
 
     def pointed(self, name: str) -> str:
-        match = re.fullmatch(r"([A-Z]+)\[(.*)\]", name)
-        return f"{match[1]}{1 + abs(self.value(match[2])) % 4}" if match else name
+        """The cell itself, or the one that a pointer leads to: one of the first four, whatever the register holds."""
+        bank, _, register = name.partition("[")
+        return f"{bank}{1 + abs(self.value(register[:-1])) % 4}" if register else name
 
     def leaf(self, token: str, place: Place) -> int:
-        compare = re.fullmatch(r"(.+?)(==|!=|<=|>=|<|>)(.+)", token)
-        if compare:
-            left, right = self.value(compare[1]), self.value(compare[3])
-            return int({
-                "==": left == right, "!=": left != right, "<": left < right,
-                "<=": left <= right, ">": left > right, ">=": left >= right,
-            }[compare[2]])  # fmt: skip
-        call = re.fullmatch(r"(rise|fall|immediate)\((.*)\)", token)
-        if call is None:
-            return self.bit(token)
-        kind, name = call.groups()
+        kind, name, other = parsed_leaf(token)
+        if kind in OPERATORS:
+            return int(OPERATORS[kind](self.value(name), self.value(other)))
+        if not kind:
+            return self.bit(name)
         if kind == "immediate":
             moment = self.clock if self.inputs_move else 0
             return random.Random(f"{self.seed} {self.scan} {name} {moment}").randrange(2)
@@ -161,7 +156,7 @@ class Machine:
                     self.store(bit, value)
             return
         count, preset = rest.split(",")[0], self.value(rest.split(",")[1].removeprefix("preset="))
-        done = own + HIDDEN if retentive_off else own
+        done = HIDDEN + own if retentive_off else own
         so_far = self.memory.get(count, 0)
         if name == "off_delay" and not pins:
             on = enable or (bool(self.bit(own)) and so_far + 1 < preset)
@@ -180,6 +175,7 @@ class Machine:
         self.store(count, so_far)
         self.store(done, int(on))
         if retentive_off:
+            self.off_delays.add(own)
             # decisions.md: Q is on when E, or when Q and not T.
             self.memory[own] = int(enable or (bool(self.bit(own)) and not on))
 
@@ -239,7 +235,18 @@ class Machine:
     }  # fmt: skip
 
 
-def cells(text: str) -> list[str]:
+@cache
+def parsed_leaf(token: str) -> tuple[str, str, str]:
+    """``DS1==5`` as its operator and sides, ``rise(C1)`` as its word and bit."""
+    compare = re.fullmatch(r"(.+?)(==|!=|<=|>=|<|>)(.+)", token)
+    if compare:
+        return compare[2], compare[1], compare[3]
+    word, _, bit = token.rpartition("(")
+    return word, bit.rstrip(")"), ""
+
+
+@cache
+def cells(text: str) -> Sequence[str]:
     """``C1..C3`` and ``immediate(Y001)`` as single names; ``C3..C1`` runs backwards."""
     match = re.fullmatch(r"(?:immediate\()?([A-Z]+)(\d+)(?:\.\.[A-Z]+(\d+))?\)?", text)
     assert match, text
@@ -251,6 +258,7 @@ def cells(text: str) -> list[str]:
     ]
 
 
+@cache
 def is_users(name: str) -> bool:
     """False for scratch cells, which stand at the top of their banks."""
     match = re.fullmatch(r"(C|DS|DD|DH|DF)(\d+)", name)
@@ -427,10 +435,12 @@ def check_meaning(program: Program, inputs_move: bool = False) -> None:
 
 def visible(machine: Machine) -> dict[str, int]:
     """The memory as a person may look at it: no scratch, no flags, and of an rtof the timer inside."""
-    found = {name: value for name, value in machine.memory.items() if is_users(name) and not name.startswith("SC")}
-    for name in [name for name in found if name.endswith(HIDDEN)]:
-        found[name.removesuffix(HIDDEN)] = found.pop(name)
-    return {name: value for name, value in found.items() if value}
+    found = {name: value for name, value in machine.memory.items() if value and is_users(name) and name[:2] != "SC"}
+    for name in machine.off_delays:
+        found.pop(name, None)
+        if HIDDEN + name in found:
+            found[name] = found.pop(HIDDEN + name)
+    return found
 
 
 @given(meaning_programs())
