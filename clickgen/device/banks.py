@@ -103,6 +103,9 @@ VALUE_BANK = {bit: value for value, bit in CURRENT_VALUE_OF.items()}
 POINTED = ("C", "DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "TXT")
 """The banks that a pointer can point into (click-facts, section 3, copy family)."""
 
+READ_ONLY = {"X": "an input", "T": "a timer's bit", "CT": "a counter's bit", "XD": "an input word"}
+"""The banks that no instruction writes, and what they are (click-facts, sections 3 and 6)."""
+
 UPPER_BYTE_BANKS = ("XD", "YD")
 """Banks that also have an address ``0u``."""
 

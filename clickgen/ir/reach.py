@@ -21,7 +21,7 @@ def reached(action: Action, param: Param) -> Operand | None:
     operand = action.args.get(param.name)
     if isinstance(operand, Cell):
         length = length_of(action, param)
-        if length > 1:
+        if length > 1 or param.extends_over:
             first = operand.address.number
             last = first + length - 1
             return Range(operand.bank, first, last, operand.span)

@@ -75,7 +75,10 @@ def touches(action: Action) -> Iterator[tuple[Operand, bool]]:
 
     What is owned is written, its current value too.
     """
+    ends = {param.extends_to for param in action.spec.params}
     for param in action.spec.params:
+        if param.name in ends:
+            continue
         operand = reached(action, param)
         is_written = param.slot.access is not Access.READ
         if operand is not None:

@@ -62,13 +62,13 @@ def expand_formula(action: Action, take: TakeScratch) -> list[Action]:
     return [*copies, Action(action.spec, {**action.args, "formula": formula}, action.span)]
 
 
-def expand_oneshot_range(action: Action) -> list[Action]:
-    """A one-shot coil on a range: one coil for each bit (click-facts, section 3)."""
+def expand_range(action: Action) -> list[Action]:
+    """A coil on a range of one bit, and a one-shot coil on any range: one coil for each bit (click-facts, 3)."""
     target = action.args.get("address")
-    if action.spec is not OUT or not action.flag("oneshot") or not isinstance(target, Range):
+    if not isinstance(target, Range) or not (len(target) == 1 or action.flag("oneshot")):
         return [action]
     return [
-        Action(OUT, {**action.args, "address": Cell(address, target.span)}, action.span)
+        Action(action.spec, {**action.args, "address": Cell(address, target.span)}, action.span)
         for address in target.addresses()
     ]
 

@@ -14,12 +14,12 @@ from dataclasses import dataclass, replace
 from clickgen.device.banks import Address
 from clickgen.device.nicknames import COMMENT_MAX
 from clickgen.diagnostics import Diagnostics
-from clickgen.ir.operands import Cell
+from clickgen.ir.operands import Cell, Operand
+from clickgen.lower.tokens import operand_token
 from clickgen.resolve.allocate import Allocator
-from clickgen.resolve.table import AddressTable, Row
+from clickgen.resolve.table import AddressTable, Row, is_scratch, scratch_name
 from clickgen.source import Span
 
-PREFIX = "Scratch_"
 _RUNG_NUMBER = re.compile(r" rung \d+")
 
 
@@ -41,13 +41,11 @@ def _purpose(comment: str) -> str:
     return _RUNG_NUMBER.sub("", comment, count=1)
 
 
-def scratch_name(address: Address) -> str:
-    return f"{PREFIX}{address}"
-
-
-def is_scratch(row: Row) -> bool:
-    """True for a row that clickgen itself wrote for a scratch use."""
-    return row.nickname == scratch_name(row.address)
+def shown_in_reason(operand: Operand) -> str:
+    """An operand in a scratch reason, where another scratch cell has no address yet."""
+    if isinstance(operand, Cell) and operand.address.number < 0:
+        return "scratch"
+    return operand_token(operand)
 
 
 class Scratch:
@@ -74,7 +72,7 @@ class Scratch:
             addresses = _matched(uses, sorted(old, key=lambda row: -row.address.number))
             for use in uses:
                 if use not in addresses:
-                    address = None if frozen else allocator.highest(bank)
+                    address = None if frozen else _free(allocator, bank, table)
                     if address is None:
                         _no_scratch(use, bank, frozen, table, problems)
                         continue
@@ -83,6 +81,14 @@ class Scratch:
             for use, address in addresses.items():
                 assigned[use.placeholder] = _row(table, address, use.reason)
         return assigned
+
+
+def _free(allocator: Allocator, bank: str, table: AddressTable) -> Address | None:
+    """The highest free address whose scratch name is free too."""
+    address = allocator.highest(bank)
+    while address is not None and scratch_name(address).lower() in table.by_nickname:
+        address = allocator.highest(bank)
+    return address
 
 
 def _matched(uses: list[ScratchUse], old: list[Row]) -> dict[ScratchUse, Address]:

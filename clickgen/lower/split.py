@@ -12,16 +12,16 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import END, NEXT, RETURN
+from clickgen.instructions.control import END, NEXT, NOP, RETURN
 from clickgen.instructions.timers import RTOF
 from clickgen.ir.conditions import All, Always, Any, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Rung, Value, actions_in, rungs_in
 from clickgen.lower.effects import Cells, Effects, has_edge, is_volatile, reads
-from clickgen.lower.expand import OffDelays, Own, expand_formula, expand_oneshot_range
+from clickgen.lower.expand import OffDelays, Own, expand_formula, expand_range
 from clickgen.lower.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw, pin_network
 from clickgen.lower.network import bits, network
-from clickgen.lower.scratch import Scratch
+from clickgen.lower.scratch import Scratch, shown_in_reason
 from clickgen.lower.words import condition_words
 from clickgen.source import Span
 
@@ -78,6 +78,9 @@ class _Step:
     body: tuple[Rung, ...] | None = None
 
 
+_LEAVING = (RETURN, END)
+"""After one of these the rest of the rung may not be looked at in this scan."""
+
 _Part = list[_Step]
 """Steps that share one CLICK rung."""
 
@@ -125,7 +128,9 @@ class _RungSplit:
         self._where = f"{home.routine.name} rung {len(home.rungs) + 1}"
 
     def run(self) -> None:
-        parts = _apart(list(self._steps(self._rung.items, _Node(self._rung.condition))))
+        steps = list(self._steps(self._rung.items, _Node(self._rung.condition)))
+        # One NOP keeps a rung legal; a second one, or one beside an output, does not (click-facts, section 3, NOP).
+        parts = _apart([step for step in steps if step.action.spec is not NOP] or steps[:1])
         if len(parts) == 1:
             rung = self._rung_of(parts[0])
             if _draws(rung) and not _is_special(parts[0][0]):
@@ -150,7 +155,7 @@ class _RungSplit:
             elif isinstance(item, Loop):
                 yield _Step(node, item.action, item.body)
             else:
-                for action in expand_oneshot_range(item):
+                for action in expand_range(item):
                     for plain in expand_formula(action, self._take):
                         for expanded in self._home.delays.expand(plain):
                             if isinstance(expanded, Own):
@@ -190,21 +195,15 @@ class _RungSplit:
                     or (seen_before and is_volatile(node.condition))
                 ):
                     unsafe.append(node)
-            for step in part:
-                written.update(self._writes(step))
-                may_leave = may_leave or step.action.spec in (RETURN, END)
+            for action in _run_by(part):
+                written.update(self._home.effects.writes(action))
+                may_leave = may_leave or action.spec in _LEAVING
         return unsafe
-
-    def _writes(self, step: _Step) -> Cells:
-        cells = self._home.effects.writes(step.action)
-        for rung in rungs_in(step.body or ()):
-            for action in actions_in(rung.items):
-                cells.update(self._home.effects.writes(action))
-        return cells
 
     def _hoist_pins(self, parts: list[_Part]) -> None:
         """Pins whose condition an earlier part changes, or with parallel legs where the grid has no room for them."""
         written = Cells()
+        may_leave = False
         for part in parts:
             for step in part:
                 pins = step.action.spec.pins
@@ -214,15 +213,17 @@ class _RungSplit:
                         continue
                     net = pin_network(step.action, param)
                     too_tall = net.height > 1 and param is not pins[-1]
-                    if too_tall or not _fits_alone(condition) or reads(condition).meets(written):
+                    is_stale = reads(condition).meets(written) or (may_leave and has_edge(condition))
+                    if too_tall or is_stale or not _fits_alone(condition):
                         bit = self._on_scratch(self._reduced(condition), f"{param.name} input")
                         step.action = Action(step.action.spec, {**step.action.args, param.name: bit}, step.action.span)
-                if len(parts) > 1:
-                    written.update(self._writes(step))
+            for action in _run_by(part):
+                written.update(self._home.effects.writes(action))
+                may_leave = may_leave or action.spec in _LEAVING
 
     def _on_scratch(self, condition: Condition, purpose: str) -> Contact:
         """A condition on a scratch bit, in a rung before those to come; the contact that reads it."""
-        cell = self._take("C", purpose, condition.span, condition_words(condition))
+        cell = self._take("C", purpose, condition.span, condition_words(condition, shown_in_reason))
         self._emit(condition, (Action(OUT, {"address": cell}, condition.span),))
         return Contact(cell, condition.span)
 
@@ -267,16 +268,21 @@ class _RungSplit:
     def _squeezed(self, step: _Step) -> ClickRung:
         """One action whose conditions, small enough one by one, do not fit together: they go to scratch bits."""
         action = step.action
-        condition = All(tuple(node.condition for node in step.node.path), self._rung.condition.span)
-        enable = self._on_scratch(self._reduced(condition), "condition")
-        pins: dict[str, Value] = {}
-        if not _draws(ClickRung(enable, (action,), "", self._rung.span)):
+        path = All(tuple(node.condition for node in step.node.path), self._rung.condition.span)
+        enable: Condition = self._reduced(path)
+        if not self._takes(enable, action):
+            enable = self._on_scratch(enable, "condition")
+        if not self._takes(enable, action):
+            pins: dict[str, Value] = {}
             for param in action.spec.pins:
                 pin = action.pin(param.name)
                 if pin is not None:
                     pins[param.name] = self._on_scratch(pin, f"{param.name} input")
-        action = Action(action.spec, {**action.args, **pins}, action.span)
+            action = Action(action.spec, {**action.args, **pins}, action.span)
         return ClickRung(enable, (action,), self._comment, self._rung.span)
+
+    def _takes(self, condition: Condition, action: Action) -> bool:
+        return _draws(ClickRung(condition, (action,), "", self._rung.span))
 
     def _emit(self, condition: Condition, items: tuple[Item, ...]) -> None:
         self._put(ClickRung(condition, items, self._comment, self._rung.span))
@@ -290,6 +296,14 @@ class _RungSplit:
 def _is_special(step: _Step) -> bool:
     """True for a box with pins, which may need scratch bits, and for a loop, which brings its body."""
     return bool(step.action.spec.pins) or step.body is not None
+
+
+def _run_by(part: _Part) -> Iterator[Action]:
+    """Every action that runs in a part, those in the body of a loop included."""
+    for step in part:
+        yield step.action
+        for rung in rungs_in(step.body or ()):
+            yield from actions_in(rung.items)
 
 
 def _apart(steps: list[_Step]) -> list[_Part]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
+from clickgen.ir.operands import Range
 from clickgen.lower.tokens import Namer, operand_token
 
 
@@ -10,6 +11,8 @@ def condition_words(condition: Condition, name: Namer = operand_token) -> str:
     """The condition as a person says it; ``name`` gives each operand its text."""
     if isinstance(condition, Contact):
         operand = name(condition.operand)
+        if isinstance(condition.operand, Range) and len(condition.operand) > 1:
+            return f"{'none' if condition.negated else 'all'} of {operand}"
         if condition.edge:
             return f"{condition.edge} {operand}"
         return f"not {operand}" if condition.negated else operand

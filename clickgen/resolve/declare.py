@@ -128,7 +128,7 @@ class _Declarations:
         if bank.settings_fixed and (declaration.initial is not None or declaration.retentive is not None):
             add(
                 "CG302",
-                declaration.span,
+                declaration.initial.span if declaration.initial else declaration.span,
                 f"{address} has no initial value or retention that can be set",
                 "leave out initial= and retentive=",
             )

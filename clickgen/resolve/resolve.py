@@ -18,7 +18,7 @@ from clickgen.ir.walk import Rewriter, program_operands
 from clickgen.resolve.allocate import Allocator
 from clickgen.resolve.constants import kind_of, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
-from clickgen.resolve.table import AddressTable, Row
+from clickgen.resolve.table import AddressTable, Row, is_scratch
 
 
 @dataclass(frozen=True)
@@ -45,8 +45,32 @@ def resolve(program: Program, table: AddressTable, frozen: bool, problems: Diagn
     resolver.allocator.take(_addresses(operands))
     resolver.name(list(_named(operands)), list(reaching(program)))
     resolved = _Names(resolver.addresses).program(program)
+    _guard_scratch(resolved, table, problems)
     rows = (*declared.rows, *resolver.allocated)
     return Resolved(resolved, rows, tuple(resolver.allocated), resolver.allocator, table)
+
+
+def _guard_scratch(program: Program, table: AddressTable, problems: Diagnostics) -> None:
+    """A program that uses one of clickgen's own scratch cells: both would write it."""
+    scratch = {row.address: row for row in table.rows if is_scratch(row)}
+    if not scratch:
+        return
+    touched = [(operand, _addresses([operand])) for operand in program_operands(program)]
+    for operand, length in reaching(program):
+        if isinstance(operand, Cell):
+            bank, number, _ = operand.address
+            touched.append((operand, (Address(bank, number + n) for n in range(length))))
+    for operand, addresses in touched:
+        for address in addresses:
+            row = scratch.get(address)
+            if row is not None:
+                problems.add(
+                    "CG205",
+                    operand.span,
+                    f"{address} is {row.nickname}, which clickgen uses for itself ({table.path}, line {row.line})",
+                    "use another address here, or delete that row of the table: then clickgen chooses another cell",
+                )
+                break
 
 
 def _addresses(operands: Iterable[Operand]) -> Iterable[Address]:
@@ -83,8 +107,10 @@ class _Resolver:
 
         ``blocks`` are the operands that stand for more addresses than their own, with how many.
         """
-        first_uses = {(use.bank, use.name.lower()): use for use in reversed(uses)}
-        unknown = [use for use in reversed(first_uses.values()) if not self._give_known(use)]
+        first_uses: dict[tuple[str, str], Named] = {}
+        for use in uses:
+            first_uses.setdefault((use.bank, use.name.lower()), use)
+        unknown = [use for use in first_uses.values() if not self._give_known(use)]
         lengths: dict[tuple[str, str], int] = {}
         for operand, length in blocks:
             address = self._address_of(operand)
@@ -140,7 +166,7 @@ class _Resolver:
             return
         address = self.allocator.lowest(use.bank, length)
         if address is None:
-            what = use.name if length == 1 else f"{use.name} and the {length - 1} behind it"
+            what = use.name if length == 1 else f"{use.name}, which needs {length} in a row"
             self.problems.add(
                 "CG208",
                 use.span,
@@ -177,7 +203,7 @@ class _Resolver:
                 "CG206",
                 use.span,
                 f"CLICK has no {bank.title} named {use.name!r}",
-                did_you_mean(use.name, [name for name, _ in system_nicknames().values()])
+                did_you_mean(use.name, [name for name, point in system_nicknames().values() if point.bank == use.bank])
                 or f"write the number: {bank.dsl}[{bank.first}]",
             )
         elif fault:

@@ -227,6 +227,19 @@ def format_row(row: Row) -> str:
     return f"{row.address},{kind.value},{_quoted(row.nickname)},{initial},{retentive},{_quoted(row.comment)}"
 
 
+SCRATCH = "Scratch_"
+"""How the nicknames begin that clickgen gives to cells it needs for itself."""
+
+
+def scratch_name(address: Address) -> str:
+    return f"{SCRATCH}{address}"
+
+
+def is_scratch(row: Row) -> bool:
+    """True for a row that clickgen itself wrote for a scratch use."""
+    return row.nickname == scratch_name(row.address)
+
+
 def default_row(address: Address, nickname: str, comment: str = "") -> Row:
     """A new row with CLICK's own initial value and retention for the bank."""
     bank = BANKS[address.bank]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 
 from clickgen.diagnostics import did_you_mean
 from clickgen.instructions import INSTRUCTIONS
@@ -29,6 +30,10 @@ _COMPARISONS = {
     "gt": ">",
     "ge": ">=",
 }
+
+_SETTINGS = ("suppress_zero", "exponential", "termination_code")
+"""Of to_text (click-facts, section 3)."""
+_CHARACTER_CODE = re.compile(r"\$([0-7][0-9A-Fa-f])")
 
 
 def read_call(context: Context, node: ast.Call) -> Action | None:
@@ -174,8 +179,8 @@ def _read_options(context: Context, node: ast.expr) -> Value | None:
         return None
     for keyword in call.keywords if call else ():
         value = keyword.value.value if isinstance(keyword.value, ast.Constant) else ...
-        if name != "to_text" or keyword.arg not in ("suppress_zero", "exponential", "termination_code"):
-            help = did_you_mean(keyword.arg or "", ["suppress_zero", "exponential", "termination_code"])
+        if name != "to_text" or keyword.arg not in _SETTINGS:
+            help = did_you_mean(keyword.arg or "", _SETTINGS) or f"to_text alone has settings: {', '.join(_SETTINGS)}"
             context.problem("CG109", keyword, f"{name} has no setting {keyword.arg!r}", help)
             return None
         if keyword.arg == "termination_code":
@@ -188,7 +193,7 @@ def _read_options(context: Context, node: ast.expr) -> Value | None:
         elif isinstance(value, bool):
             settings[keyword.arg] = value
         else:
-            context.problem("CG115", keyword.value, f"{keyword.arg} must be True or False")
+            context.problem("CG115", keyword.value, f"{keyword.arg} must be True or False", f"{keyword.arg}=True")
             return None
     return Options(name, context.span(node), **settings, termination_code=code)
 
@@ -199,10 +204,5 @@ def _character_code(value: object) -> int | None:
         return value
     if isinstance(value, str) and len(value) == 1 and value.isascii():
         return ord(value)
-    if isinstance(value, str) and len(value) == 3 and value[0] == "$":
-        try:
-            code = int(value[1:], 16)
-        except ValueError:
-            return None
-        return code if code <= 127 else None
-    return None
+    code = _CHARACTER_CODE.fullmatch(value) if isinstance(value, str) else None
+    return int(code[1], 16) if code else None

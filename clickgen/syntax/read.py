@@ -96,7 +96,9 @@ def _read_routine(context: Context, cst_node: libcst.CSTNode, node: ast.Function
     is_sub = [decorator.id for decorator in node.decorator_list if isinstance(decorator, ast.Name)] == ["sub"]
     is_main = node.name == "main" and not node.decorator_list
     problems = context.problems
-    if isinstance(node, ast.AsyncFunctionDef) or ast.unparse(node.args) or node.returns is not None:
+    if isinstance(node, ast.AsyncFunctionDef):
+        problems.add("CG114", span, "a routine is not async", f"def {node.name}():")
+    elif ast.unparse(node.args) or node.returns is not None:
         problems.add("CG114", span, "a routine takes no parameters and returns nothing", f"def {node.name}():")
     if not is_main and (not is_sub or len(node.decorator_list) != 1):
         if node.name == "main":
@@ -181,6 +183,9 @@ def _read_items(context: Context, cst_node: libcst.CSTNode | None, nodes: Sequen
 
 
 def _read_item(context: Context, cst_node: libcst.CSTNode | None, node: ast.stmt) -> Item | None:
+    if isinstance(node, ast.Expr) and _is_call_of(node.value, "nickname"):
+        context.problem("CG112", node, "nickname(...) has no place in a rung", "write it at the top level, above main")
+        return None
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
         return read_call(context, node.value)
     if isinstance(node, ast.If):

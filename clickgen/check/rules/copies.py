@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
-from clickgen.device.banks import BANKS, Address
+from clickgen.device.banks import BANKS, READ_ONLY, Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.copies import CONVERSIONS, COPY
 from clickgen.instructions.spec import Pair
@@ -61,6 +61,8 @@ def _check_pair(action: Action, problems: Diagnostics) -> None:
     source_form, target_form = form_of(source), form_of(target)
     pairs = [pair for variant in spec.variants for pair in variant.pairs]
     pair = next((pair for pair in pairs if source_form in pair.sources and target_form in pair.targets), None)
+    if pair is None and target_form in READ_ONLY:
+        return  # the operand rule has said so
     if pair is None:
         _refuse(action, source_form, target_form, pairs, problems)
         return

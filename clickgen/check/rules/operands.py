@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from clickgen.check.facts import Facts, Placed
 from clickgen.check.values import constant_fault
-from clickgen.device.banks import BANKS
+from clickgen.device.banks import BANKS, READ_ONLY
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.spec import Access, Param, ParamKind, Slot
@@ -12,7 +12,6 @@ from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Oper
 from clickgen.ir.program import Action
 from clickgen.resolve.constants import kind_of
 
-_READ_ONLY = {"X": "an input", "T": "a timer's bit", "CT": "a counter's bit", "XD": "an input word"}
 _WRITABLE = {"SC": WRITABLE_SC, "SD": WRITABLE_SD}
 
 
@@ -59,7 +58,7 @@ def _check(placed: Placed, param: Param, operand: Operand, problems: Diagnostics
 def _refuse(placed: Placed, param: Param, operand: Named | Cell | Range, problems: Diagnostics) -> None:
     slot = param.slot
     what = f"a range of {operand.bank}" if isinstance(operand, Range) else _shown(operand)
-    help = ""
+    help = f"for example: {placed.spec.example}"
     if isinstance(operand, Cell) and operand.bank in slot.ranges:
         number = operand.address.number
         bank = BANKS[operand.bank].dsl
@@ -77,7 +76,7 @@ def _refuse(placed: Placed, param: Param, operand: Named | Cell | Range, problem
 def _is_read_only(operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
     """Report a target that nothing can write (click-facts, sections 3 and 6)."""
     target = operand.target if isinstance(operand, Immediate) else operand
-    reason = _READ_ONLY.get(target.bank) if isinstance(target, Named | Cell | Range | Pointer) else None
+    reason = READ_ONLY.get(target.bank) if isinstance(target, Named | Cell | Range | Pointer) else None
     if reason and not (isinstance(target, Pointer) and target.bank in slot.pointers and target.bank != "XD"):
         problems.add(
             "CG304", operand.span, f"{_shown(target)} is {reason}: no instruction writes it", "write another address"
@@ -110,6 +109,7 @@ def _check_constant(placed: Placed, param: Param, constant: Operand, problems: D
             "CG301",
             constant.span,
             f"{placed.spec.name} does not take this constant as {param.name!r}: it takes {slot.describe()}",
+            f"for example: {placed.spec.example}",
         )
         return
     if isinstance(constant, Integer) and slot.limits:
@@ -121,7 +121,7 @@ def _check_constant(placed: Placed, param: Param, constant: Operand, problems: D
                 f"{param.name!r} of {placed.spec.name} is {constant.value}, outside {low}..{high}",
                 "choose a larger unit"
                 if constant.value > high and any(other.kind is ParamKind.UNIT for other in action.spec.params)
-                else "",
+                else f"write a number from {low} to {high}",
             )
             return
     fault = constant_fault(constant, kind_of(action.args.get(param.typed_by)))
