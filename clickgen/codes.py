@@ -102,6 +102,7 @@ CODES: dict[str, Code] = {
     "CG422": Code(_E, "next_loop() stands alone in an unconditional rung"),
     "CG423": Code(_W, "a timer stands inside a loop"),
     "CG424": Code(_W, "main is too long for one CLICK file and is split"),
+    "CG425": Code(_E, "a loop that next_loop() closes is opened by the last action of its rung"),
     # -- the address table ----------------------------------------------------------------------------------------
     "CG601": Code(_E, "a row of the address table is malformed"),
     "CG602": Code(_E, "the address table gives a nickname or an address twice"),

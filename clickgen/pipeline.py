@@ -88,9 +88,12 @@ class BuildResult:
             removals = stale_files(folder, outputs)
         except ForeignFiles as error:
             raise CouldNotRun(str(error)) from None
-        if self.table != self._table_before:
-            writes[self.table_path] = self.table
-        return put_in_place(writes, removals, {self.table_path: self._table_before})
+        if self.table == self._table_before:
+            return put_in_place(writes, removals, {self.table_path: self._table_before})
+        # A result that is written a second time finds the table as it wants it.
+        written = self.table_path.is_file() and self.table_path.read_bytes() == self.table
+        writes[self.table_path] = self.table
+        return put_in_place(writes, removals, {self.table_path: self.table if written else self._table_before})
 
 
 def _same_file(one: Path, other: Path) -> bool:
@@ -240,7 +243,7 @@ def _fit(state: _Build) -> None:
                 "CG424",
                 routine.span,
                 f"main has {len(routine.rungs)} CLICK rungs and goes into {len(parts)} ladder files",
-                "paste main.csv and main_2.csv, ... one behind the other, in the order of their names",
+                "paste them one behind the other, in the order of their names",
             )
         # ClickNick pastes main's parts sorted by name (click-facts, section 7): all numbers have as many digits.
         digits = len(str(len(parts)))

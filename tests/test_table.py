@@ -184,7 +184,7 @@ def test_an_empty_table() -> None:
         (HEADER.encode() + b",More\n", "is not a CLICK nickname CSV"),
         (f'"{HEADER}"\n'.encode(), "is not a CLICK nickname CSV"),
         (HEADER.encode() + b"\rC1,BIT,A,0,No,\r", "lone carriage return"),
-        (b"PK\x03\x04\0\0\0", "binary data"),
+        (b"PK\x03\x04\0\0\0", "Excel workbook"),
         ("\ufeff".encode("utf-16-le") + HEADER.encode("utf-16-le"), "UTF-16"),
         (HEADER.encode() + b'\nC1,BIT,"A",0,No,"\xe4"\n', "line 2 holds the byte E4; save it as CSV UTF-8"),
         (b"x" * 100_000, "..."),

@@ -16,6 +16,7 @@ _CLASSES = {
 }
 _RANGES = {Kind.INT16: (-32768, 32767), Kind.INT32: (-(2**31), 2**31 - 1)}
 _FLOAT_MAX = 3.4028235e38
+_FLOAT_MIN = 1.1754944e-38
 
 
 def value_class(operand: Operand) -> str:
@@ -50,6 +51,8 @@ def range_fault(constant: Operand, kind: Kind | None) -> str:
         return f"{constant.value:X}h is outside 0000h..FFFFh"
     if isinstance(constant, Real) and not -_FLOAT_MAX <= constant.value <= _FLOAT_MAX:
         return f"{constant.text} is outside -3.4028235E+38..3.4028235E+38"
+    if isinstance(constant, Real) and 0 < abs(constant.value) < _FLOAT_MIN:
+        return f"{constant.text} is closer to 0 than a floating-point register can hold"
     if isinstance(constant, Text):
         if not constant.value:
             return "the text is empty"

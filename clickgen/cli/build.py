@@ -16,8 +16,10 @@ from clickgen.pipeline import BuildResult, CouldNotRun, build
 
 def run(program: str, output: str | None, nicknames: str | None, frozen: bool) -> int:
     """Build and write; returns the exit code."""
-    folder = Path(output) if output else Path("build") / Path(program).stem
+    folder = Path("build") / Path(program).stem if output is None else Path(output)
     try:
+        if output == "":
+            raise CouldNotRun("the output folder after -o is empty")
         with _no_collection():
             result = build(program, nicknames=nicknames, frozen=frozen)
         write_problems(result.diagnostics, result.sources, sys.stderr)

@@ -31,7 +31,9 @@ def stale_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
 
 
 def _csv_files(folder: Path) -> list[Path]:
-    return sorted((*folder.glob("*.csv"), *(folder / "subroutines").glob("*.csv")))
+    """Files that Windows takes for CSV, whatever the case of their ending."""
+    folders = [place for place in (folder, folder / "subroutines") if place.is_dir()]
+    return sorted(path for place in folders for path in place.iterdir() if path.suffix.casefold() == ".csv")
 
 
 def _differs(path: Path, data: bytes) -> bool:

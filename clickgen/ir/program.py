@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from clickgen.instructions.spec import Spec
+from clickgen.instructions.spec import Spec, Variant
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
-from clickgen.ir.operands import Cell, Constant, Named, Operand
+from clickgen.ir.operands import Cell, Constant, Named, Operand, form_of
 from clickgen.source import SourceFile, Span
 
 if TYPE_CHECKING:
@@ -62,6 +62,21 @@ class Action:
         """The text of a word argument, or "" when it was left out."""
         word = self.args.get(name)
         return str(word.value) if isinstance(word, Word) else ""
+
+    @property
+    def variant(self) -> Variant:
+        """The token form that the operands' banks choose: pack_bits, pack_words or pack_text.
+
+        Raises ValueError where no form takes them, which the rule about copies refuses.
+        """
+        variants = self.spec.variants
+        if len(variants) == 1:
+            return variants[0]
+        source, target = (form_of(self.args.get(name)) for name in self.spec.matrix)
+        for variant in variants:
+            if any(source in pair.sources and target in pair.targets for pair in variant.pairs):
+                return variant
+        raise ValueError(f"no form of {self.spec.name} takes {source} to {target}")
 
     def pin(self, name: str) -> Condition | None:
         value = self.args.get(name)

@@ -5,15 +5,22 @@ Addresses in such a reach belong to the program as much as those that it names.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
-from clickgen.device.banks import BANKS, Kind
+from clickgen.device.banks import BANKS, Address, Kind
 from clickgen.instructions.spec import Param
 from clickgen.ir.operands import Cell, Named, Operand, Pointer, Range, Text
 from clickgen.ir.program import Action, Options, Program, actions_in, rungs_in
 
 _TEXT_WIDTHS = {Kind.INT16: 6, Kind.INT32: 11, Kind.HEX: 4, Kind.FLOAT: 15}
 """The most characters that a number becomes, its sign included (click-facts, section 8, "Numeric -> TXT")."""
+
+
+AddressOf = Callable[[object], Address | None]
+
+
+def cell_address(operand: object) -> Address | None:
+    return operand.address if isinstance(operand, Cell) else None
 
 
 def reached(action: Action, param: Param) -> Operand | None:
@@ -23,21 +30,20 @@ def reached(action: Action, param: Param) -> Operand | None:
         length = length_of(action, param)
         if length > 1 or param.extends_over:
             first = operand.address.number
-            last = first + length - 1
-            return Range(operand.bank, first, last, operand.span)
+            return Range(operand.bank, first, first + length - 1, operand.span)
     return operand if isinstance(operand, Operand) else None
 
 
-def length_of(action: Action, param: Param) -> int:
-    """How many addresses an operand stands for, from its own upward."""
+def length_of(action: Action, param: Param, address_of: AddressOf = cell_address) -> int:
+    """How many addresses an operand stands for, from its own upward. ``address_of`` knows names too."""
     operand = action.args.get(param.name)
     if param.extends_over:
         source = action.args.get(param.extends_over)
         return len(source) if isinstance(source, Range) else 1
     if param.extends_to:
-        end = action.args.get(param.extends_to)
-        if isinstance(operand, Cell) and isinstance(end, Cell) and operand.bank == end.bank:
-            return max(1, end.address.number - operand.address.number + 1)
+        start, end = address_of(operand), address_of(action.args.get(param.extends_to))
+        if start and end and start.bank == end.bank:
+            return max(1, end.number - start.number + 1)
     if isinstance(operand, Named | Cell) and operand.bank == "TXT" and param.name == action.spec.matrix[1]:
         return _characters(action)
     return 1
@@ -48,13 +54,13 @@ def _characters(action: Action) -> int:
     source, options = action.args.get(action.spec.matrix[0]), action.args.get("options")
     if isinstance(source, Text):
         return max(1, len(source.value))
-    if isinstance(options, Options) and isinstance(source, Named | Cell | Pointer):
+    if isinstance(options, Options) and options.name == "to_text" and isinstance(source, Named | Cell | Pointer):
         end = 0 if options.termination_code is None else 1
         return _TEXT_WIDTHS.get(BANKS[source.bank].kind, 1) + end
     return 1
 
 
-def reaching(program: Program) -> Iterator[tuple[Operand, int]]:
+def reaching(program: Program, address_of: AddressOf = cell_address) -> Iterator[tuple[Operand, int]]:
     """Every operand that stands for more addresses than its own, and how many."""
     for routine in program.routines:
         for rung in rungs_in(routine.rungs):
@@ -62,6 +68,6 @@ def reaching(program: Program) -> Iterator[tuple[Operand, int]]:
                 for param in action.spec.params:
                     operand = action.args.get(param.name)
                     if isinstance(operand, Named | Cell):
-                        length = length_of(action, param)
+                        length = length_of(action, param, address_of)
                         if length > 1:
                             yield operand, length

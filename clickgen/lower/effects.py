@@ -7,12 +7,13 @@ from dataclasses import dataclass, field
 
 from clickgen.device.banks import Address, parse_address
 from clickgen.instructions.control import CALL
-from clickgen.instructions.spec import Access
+from clickgen.instructions.spec import COPY_FLAGS, Access
 from clickgen.ir.conditions import Condition
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
 from clickgen.ir.program import Action, Routine, actions_in, rungs_in
 from clickgen.ir.reach import reached
 from clickgen.ir.walk import condition_operands, leaves, value_operands
+from clickgen.lower.expand import OffDelays, copied_first
 from clickgen.lower.tokens import current_value
 
 _TWIN_BANKS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
@@ -92,10 +93,12 @@ def touches(action: Action) -> Iterator[tuple[Operand, bool]]:
 
 
 class Effects:
-    """What instructions write. A call writes what its subroutine writes."""
+    """What instructions write. A call writes what its subroutine writes, and an instruction that CLICK does not have
+    what the instructions write that stand for it."""
 
-    def __init__(self, routines: Iterable[Routine]) -> None:
+    def __init__(self, routines: Iterable[Routine], delays: OffDelays) -> None:
         self._routines: Mapping[str, Routine] = {routine.name: routine for routine in routines}
+        self._delays = delays
         self._called: dict[str, Cells] = {}
 
     def writes(self, action: Action) -> Cells:
@@ -103,10 +106,13 @@ class Effects:
         if action.spec is CALL:
             return self._writes_of(action.word("subroutine"))
         cells = Cells()
-        for flag in action.spec.sets_flags:
+        flags = action.spec.sets_flags + (COPY_FLAGS if copied_first(action) else ())
+        for flag in flags:
             address = parse_address(flag)
             assert address is not None
             cells.addresses.add(address)
+        for bit in self._delays.bits_of(action):
+            cells.add(bit)
         for operand, is_written in touches(action):
             if is_written:
                 cells.add(operand)

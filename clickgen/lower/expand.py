@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from clickgen.device.banks import Address, Kind
+from clickgen.device.banks import BANKS, Address, Kind
+from clickgen.formula.nodes import Operand as FormulaOperand
+from clickgen.formula.nodes import references
 from clickgen.formula.refs import Ref, map_refs
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.copies import COPY
 from clickgen.instructions.timers import RTOF, RTON
 from clickgen.ir.conditions import All, Any, Condition, Contact
-from clickgen.ir.operands import Cell, Named, Pointer, Range
+from clickgen.ir.operands import Cell, Immediate, Named, Pointer, Range
 from clickgen.ir.program import Action, FormulaText, Value
 from clickgen.ir.walk import Rewriter
 from clickgen.lower.tokens import operand_token
@@ -35,42 +37,48 @@ class Own:
 Expanded = Action | Own
 
 
+def copied_first(action: Action) -> list[Ref]:
+    """The operands that CLICK's formulas cannot read: pointers and XD/YD words (click-facts, section 4)."""
+    text = action.args.get("formula")
+    if not isinstance(text, FormulaText):
+        return []
+    refs = [node.ref for node in references(text.formula) if isinstance(node, FormulaOperand)]
+    return [ref for ref in refs if isinstance(ref, Pointer) or ref.bank in ("XD", "YD")]
+
+
 def expand_formula(action: Action, take: TakeScratch) -> list[Action]:
     """A formula that reads a pointer or an XD/YD word: each is copied to a scratch register first, in the same rung."""
     text = action.args.get("formula")
-    if not isinstance(text, FormulaText):
+    wanted = {operand_token(ref): ref for ref in copied_first(action)}
+    if not wanted or not isinstance(text, FormulaText):
         return [action]
     copies: list[Action] = []
-    replaced: dict[str, Cell] = {}
+    kept: dict[str, Cell] = {}
+    for token, ref in wanted.items():
+        bank = _SCRATCH_BANK[BANKS[ref.bank].kind]
+        kept[token] = take(bank, f"value of {token} for the formula", ref.span)
+        args: dict[str, Value] = {"source": ref, "destination": kept[token]}
+        if "oneshot" in action.args:
+            args["oneshot"] = action.args["oneshot"]
+        copies.append(Action(COPY, args, action.span))
 
     def change(ref: Ref) -> Ref:
-        if not (isinstance(ref, Pointer) or (isinstance(ref, Cell) and ref.bank in ("XD", "YD"))):
-            return ref
-        token = operand_token(ref)
-        if token not in replaced:
-            kind = Address(ref.bank, 1).kind
-            replaced[token] = cell = take(_SCRATCH_BANK[kind], f"value of {token} for the formula", ref.span)
-            args: dict[str, Value] = {"source": ref, "destination": cell}
-            if "oneshot" in action.args:
-                args["oneshot"] = action.args["oneshot"]
-            copies.append(Action(COPY, args, action.span))
-        return Cell(replaced[token].address, ref.span)
+        cell = kept.get(operand_token(ref))
+        return ref if cell is None else Cell(cell.address, ref.span)
 
     formula = FormulaText(map_refs(text.formula, change), text.span)
-    if not copies:
-        return [action]
     return [*copies, Action(action.spec, {**action.args, "formula": formula}, action.span)]
 
 
 def expand_range(action: Action) -> list[Action]:
     """A coil on a range of one bit, and a one-shot coil on any range: one coil for each bit (click-facts, 3)."""
     target = action.args.get("address")
-    if not isinstance(target, Range) or not (len(target) == 1 or action.flag("oneshot")):
+    bits = target.target if isinstance(target, Immediate) else target
+    if not isinstance(bits, Range) or not (len(bits) == 1 or action.flag("oneshot")):
         return [action]
-    return [
-        Action(action.spec, {**action.args, "address": Cell(address, target.span)}, action.span)
-        for address in target.addresses()
-    ]
+    cells = [Cell(address, bits.span) for address in bits.addresses()]
+    coils = [Immediate(cell, bits.span) for cell in cells] if isinstance(target, Immediate) else cells
+    return [Action(action.spec, {**action.args, "address": coil}, action.span) for coil in coils]
 
 
 class OffDelays(Rewriter):
@@ -93,6 +101,13 @@ class OffDelays(Rewriter):
             self._enables[name] = self._take("C", f"rtof {name}: on while its rung is true", action.span)
             self._outputs[name] = self._take("C", f"rtof {name}: its output, read in place of {name}", action.span)
 
+    def bits_of(self, action: Action) -> tuple[Cell, ...]:
+        """The scratch bits that an rtof drives; none for any other instruction."""
+        timer = action.args.get("timer")
+        if action.spec is not RTOF or not isinstance(timer, Cell):
+            return ()
+        return self._enables[timer.address], self._outputs[timer.address]
+
     def __bool__(self) -> bool:
         return bool(self._outputs)
 
@@ -107,11 +122,12 @@ class OffDelays(Rewriter):
         return changed if timer is None else Action(action.spec, {**changed.args, "timer": timer}, action.span)
 
     def expand(self, action: Action) -> list[Expanded]:
+        bits = self.bits_of(action)
         timer = action.args.get("timer")
-        if action.spec is not RTOF or not isinstance(timer, Cell):
+        if not bits or not isinstance(timer, Cell):
             return [action]
         span = action.span
-        enable, output = self._enables[timer.address], self._outputs[timer.address]
+        enable, output = bits
         running = Contact(enable, span)
         elapsed = Contact(timer, span)
         hold = All((Contact(output, span), replace(elapsed, negated=True)), span)

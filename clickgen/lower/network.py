@@ -46,9 +46,12 @@ def network(condition: Condition) -> Net | None:
     if isinstance(condition, Compare):
         return Leaf(compare_token(condition))
     if isinstance(condition, All):
-        return series([net for term in condition.terms if (net := network(term)) is not None])
+        nets = [net for term in condition.terms if (net := network(term)) is not None]
+        return series(nets) if nets else None
     if isinstance(condition, Any):
-        return parallel([net for term in condition.terms if (net := network(term)) is not None])
+        # A leg that is always on takes away every other: the reader lets none through.
+        legs = [net for term in condition.terms if (net := network(term)) is not None]
+        return parallel(legs) if len(legs) == len(condition.terms) else None
     assert isinstance(condition, Always)
     return None
 

@@ -8,7 +8,6 @@ is for, the rung number aside, so that a rung inserted before it moves nothing.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from clickgen.device.banks import Address
@@ -20,7 +19,7 @@ from clickgen.resolve.allocate import Allocator
 from clickgen.resolve.table import AddressTable, Row, is_scratch, scratch_name
 from clickgen.source import Span
 
-_RUNG_NUMBER = re.compile(r" rung \d+")
+_RUNG_NUMBER = re.compile(r" rung ([0-9]+)")
 
 
 @dataclass(frozen=True)
@@ -69,7 +68,7 @@ class Scratch:
         for bank in sorted({use.placeholder.bank for use in self.uses}):
             uses = [use for use in self.uses if use.placeholder.bank == bank]
             old = [row for row in table.rows if row.address.bank == bank and is_scratch(row)]
-            addresses = _matched(uses, sorted(old, key=lambda row: -row.address.number))
+            addresses = _matched(uses, old)
             for use in uses:
                 if use not in addresses:
                     address = None if frozen else _free(allocator, bank, table)
@@ -92,20 +91,28 @@ def _free(allocator: Allocator, bank: str, table: AddressTable) -> Address | Non
 
 
 def _matched(uses: list[ScratchUse], old: list[Row]) -> dict[ScratchUse, Address]:
-    """Uses matched with the rows of earlier builds: by the whole comment, then by purpose, then in order."""
+    """Uses matched with the rows of earlier builds: by purpose, in the order of the rungs, then what is left over.
+
+    Purposes hold the routine, so that rows of one purpose stand in the order in which the last build met their uses.
+    """
     addresses: dict[ScratchUse, Address] = {}
-    keys: tuple[Callable[[str], str], ...] = (str, _purpose, lambda _: "")
-    for key in keys:
-        left: dict[str, list[Row]] = {}
-        for row in old:
-            left.setdefault(key(row.comment), []).append(row)
+    waiting = sorted(old, key=lambda row: (_rung(row.comment), -row.address.number))
+    for key in (_purpose, lambda _: ""):
+        rows: dict[str, list[Row]] = {}
+        for row in waiting:
+            rows.setdefault(key(row.comment), []).append(row)
         for use in uses:
-            rows = left.get(key(use.reason))
-            if use not in addresses and rows:
-                row = rows.pop(0)
+            left = rows.get(key(use.reason))
+            if use not in addresses and left:
+                row = left.pop(0)
                 addresses[use] = row.address
-                old.remove(row)
+                waiting.remove(row)
     return addresses
+
+
+def _rung(comment: str) -> int:
+    match = _RUNG_NUMBER.search(comment)
+    return int(match[1]) if match else 0
 
 
 def _settle(addresses: dict[ScratchUse, Address]) -> None:

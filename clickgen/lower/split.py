@@ -95,7 +95,7 @@ def lower(program: Program, scratch: Scratch) -> tuple[ClickRoutine, ...]:
                     delays.add(action)
     if delays:
         program = delays.program(program)
-    effects = Effects(program.routines)
+    effects = Effects(program.routines, delays)
     return tuple(_RoutineLowering(routine, effects, scratch, delays).run() for routine in program.routines)
 
 

@@ -7,7 +7,7 @@ from decimal import Decimal
 
 from clickgen.device.banks import VALUE_BANK, Address
 from clickgen.formula import print_formula
-from clickgen.instructions.spec import Param, ParamKind, Spec, Variant
+from clickgen.instructions.spec import Param, ParamKind, Spec
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import (
     Cell,
@@ -21,7 +21,6 @@ from clickgen.ir.operands import (
     Range,
     Real,
     Text,
-    form_of,
 )
 from clickgen.ir.program import Action, FormulaText, Options, Word
 from clickgen.ir.reach import reached
@@ -58,6 +57,8 @@ def operand_token(operand: Operand) -> str:
 
 def real_token(real: Real) -> str:
     """A floating-point constant in plain decimal, as the person wrote it where that is plain already."""
+    if real.value == 0:
+        return "0.0"
     text = real.text.replace("_", "")
     if "e" not in text.lower():
         whole, _, fraction = text.partition(".")
@@ -97,7 +98,7 @@ def action_token(action: Action, name: Namer = operand_token) -> str:
         owner = action.args.get(owner_name)
         if isinstance(owner, Cell):
             texts[f"{owner_name}_value"] = name(Cell(current_value(owner.address), owner.span))
-    return variant_of(action).token.format_map(texts)
+    return action.variant.token.format_map(texts)
 
 
 def _argument(action: Action, param: Param, name: Namer) -> str:
@@ -127,18 +128,6 @@ def _options(options: Options) -> str:
 def current_value(bit: Address) -> Address:
     """The current value of a timer or counter: the same number in TD or CTD (click-facts, section 3)."""
     return Address(VALUE_BANK[bit.bank], bit.number)
-
-
-def variant_of(action: Action) -> Variant:
-    """The token form that the operands' banks choose: pack_bits, pack_words or pack_text."""
-    spec = action.spec
-    if len(spec.variants) == 1:
-        return spec.variants[0]
-    source, target = (form_of(action.args[name]) for name in spec.matrix)
-    for variant in spec.variants:
-        if any(source in pair.sources and target in pair.targets for pair in variant.pairs):
-            return variant
-    raise ValueError(f"no form of {spec.name} takes {source} to {target}")
 
 
 def pin_row(spec: Spec, param: Param) -> int:

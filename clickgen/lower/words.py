@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
-from clickgen.ir.operands import Range
+from clickgen.ir.operands import Immediate, Range
+from clickgen.lower.network import bits
 from clickgen.lower.tokens import Namer, operand_token
 
 
@@ -11,8 +12,12 @@ def condition_words(condition: Condition, name: Namer = operand_token) -> str:
     """The condition as a person says it; ``name`` gives each operand its text."""
     if isinstance(condition, Contact):
         operand = name(condition.operand)
-        if isinstance(condition.operand, Range) and len(condition.operand) > 1:
+        target = condition.operand.target if isinstance(condition.operand, Immediate) else condition.operand
+        if isinstance(target, Range) and len(target) > 1:
             return f"{'none' if condition.negated else 'all'} of {operand}"
+        if isinstance(target, Range):
+            (bit,) = bits(condition)
+            return condition_words(bit, name)
         if condition.edge:
             return f"{condition.edge} {operand}"
         return f"not {operand}" if condition.negated else operand

@@ -12,7 +12,7 @@ from clickgen.diagnostics import Diagnostics, Label
 from clickgen.ir.operands import CharCode, Operand
 from clickgen.ir.program import Declaration
 from clickgen.resolve.constants import typed
-from clickgen.resolve.table import AddressTable, Row, default_row, format_initial
+from clickgen.resolve.table import AddressTable, Row, default_row, format_initial, looks_like_scratch
 from clickgen.source import Span
 
 
@@ -113,6 +113,9 @@ class _Declarations:
                 f"write {bank.dsl}.{named.name}, or an address in {named.bank}",
             )
             return False
+        if looks_like_scratch(named.name):
+            add("CG203", named.span, f"clickgen keeps names like {named.name} for its own cells", "choose another name")
+            return False
         fault = nickname_fault(named.name, system=system_name_of(address) == named.name)
         if fault:
             add("CG203", named.span, f"CLICK does not take the nickname {named.name!r}: {fault}", "choose another name")
@@ -120,6 +123,15 @@ class _Declarations:
         fault = comment_fault(declaration.comment or "")
         if fault:
             add("CG203", declaration.span, f"CLICK does not take the comment of {named.name}: {fault}", "shorten it")
+            return False
+        if not (declaration.comment or " ").isprintable():
+            help = "write it on one line"
+            add(
+                "CG203",
+                declaration.span,
+                f"the comment of {named.name} holds a line break or a control character",
+                help,
+            )
             return False
         system = find_system_name(named.name)
         if system and system[1] != address:
@@ -174,7 +186,7 @@ class _Declarations:
             row = replace(row, retentive=declaration.retentive)
         if declaration.initial is not None:
             initial = format_initial(address.kind, _python_value(typed(declaration.initial, address.kind)))
-            if initial is None:
+            if initial is None or not initial.isprintable():
                 self.problems.add(
                     "CG302",
                     declaration.initial.span,

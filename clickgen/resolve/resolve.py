@@ -18,7 +18,7 @@ from clickgen.ir.walk import Rewriter, program_operands
 from clickgen.resolve.allocate import Allocator
 from clickgen.resolve.constants import kind_of, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
-from clickgen.resolve.table import AddressTable, Row, is_scratch
+from clickgen.resolve.table import AddressTable, Row, is_scratch, looks_like_scratch
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ def resolve(program: Program, table: AddressTable, frozen: bool, problems: Diagn
     resolver = _Resolver(table, declared, frozen, problems)
     operands = list(program_operands(program))
     resolver.allocator.take(_addresses(operands))
-    resolver.name(list(_named(operands)), list(reaching(program)))
+    resolver.name(program, list(_named(operands)))
     resolved = _Names(resolver.addresses).program(program)
     _guard_scratch(resolved, table, problems)
     rows = (*declared.rows, *resolver.allocated)
@@ -102,17 +102,14 @@ class _Resolver:
 
     # -- names --------------------------------------------------------------------------------------------------------
 
-    def name(self, uses: list[Named], blocks: list[tuple[Operand, int]]) -> None:
-        """Give every name of the program its address; those without one in order of first use.
-
-        ``blocks`` are the operands that stand for more addresses than their own, with how many.
-        """
+    def name(self, program: Program, uses: list[Named]) -> None:
+        """Give every name of the program its address; those without one in order of first use."""
         first_uses: dict[tuple[str, str], Named] = {}
         for use in uses:
             first_uses.setdefault((use.bank, use.name.lower()), use)
         unknown = [use for use in first_uses.values() if not self._give_known(use)]
         lengths: dict[tuple[str, str], int] = {}
-        for operand, length in blocks:
+        for operand, length in reaching(program, self._address_of):
             address = self._address_of(operand)
             if address is not None:
                 self.allocator.take(Address(address.bank, address.number + n) for n in range(length))
@@ -125,7 +122,7 @@ class _Resolver:
             if not self._give_known(use):
                 self._allocate(use, lengths.get(key, 1))
 
-    def _address_of(self, operand: Operand) -> Address | None:
+    def _address_of(self, operand: object) -> Address | None:
         if isinstance(operand, Named):
             return self.addresses.get((operand.bank, operand.name.lower()))
         return operand.address if isinstance(operand, Cell) else None
@@ -206,6 +203,8 @@ class _Resolver:
                 did_you_mean(use.name, [name for name, point in system_nicknames().values() if point.bank == use.bank])
                 or f"write the number: {bank.dsl}[{bank.first}]",
             )
+        elif looks_like_scratch(use.name):
+            add("CG203", use.span, f"clickgen keeps names like {use.name} for its own cells", "choose another name")
         elif fault:
             add("CG203", use.span, f"CLICK does not take the nickname {use.name!r}: {fault}", "choose another name")
         elif self.frozen:

@@ -235,9 +235,18 @@ def scratch_name(address: Address) -> str:
     return f"{SCRATCH}{address}"
 
 
+_SCRATCH_NAME = re.compile(rf"{SCRATCH}[A-Z]+[0-9]+", re.IGNORECASE)
+_SCRATCH_REASON = re.compile(r".+ of \w+ rung [0-9]+(: .+)?|rtof T[0-9]+: .+")
+
+
+def looks_like_scratch(name: str) -> bool:
+    """True for a name of the kind that clickgen keeps for its own cells."""
+    return _SCRATCH_NAME.fullmatch(name) is not None
+
+
 def is_scratch(row: Row) -> bool:
-    """True for a row that clickgen itself wrote for a scratch use."""
-    return row.nickname == scratch_name(row.address)
+    """True for a row that clickgen itself wrote for a scratch use: its name and its reason say so."""
+    return row.nickname == scratch_name(row.address) and _SCRATCH_REASON.fullmatch(row.comment) is not None
 
 
 def default_row(address: Address, nickname: str, comment: str = "") -> Row:

@@ -14,7 +14,7 @@ from clickgen.instructions.timers import UNITS
 from clickgen.ir.program import Action, FormulaText, Options, Value, Word
 from clickgen.syntax.conditions import read_condition
 from clickgen.syntax.context import Context
-from clickgen.syntax.operands import read_operand
+from clickgen.syntax.operands import read_operand, shorten
 
 _COMPARISONS = {
     "==": "==",
@@ -42,7 +42,7 @@ def read_call(context: Context, node: ast.Call) -> Action | None:
     spec = INSTRUCTIONS.get(name)
     if spec is None:
         shown = name or context.text(node.func)
-        known = did_you_mean(name, INSTRUCTIONS) if name else ""
+        known = _elsewhere(name) or did_you_mean(name, INSTRUCTIONS) if name else ""
         context.problem("CG108", node.func, f"there is no instruction {shown!r}", known or "see the language reference")
         return None
     bound = _bind(context, spec, node)
@@ -60,6 +60,30 @@ def read_call(context: Context, node: ast.Call) -> Action | None:
         else:
             args[param.name] = value
     return Action(spec, args, context.span(node)) if complete else None
+
+
+_ELSEWHERE = {
+    "latch": "set",
+    "on_delay": "ton",
+    "off_delay": "tof",
+    "count_up": "ctu",
+    "count_down": "ctd",
+    "blockcopy": "copy_block",
+    "fill": "copy_fill",
+    "pack_bits": "copy_pack",
+    "pack_words": "copy_pack",
+    "pack_text": "copy_pack",
+    "unpack_to_bits": "copy_unpack",
+    "unpack_to_words": "copy_unpack",
+    "math": "calc",
+    "next": "next_loop",
+}
+"""What CLICK's ladder files and other dialects call an instruction."""
+
+
+def _elsewhere(name: str) -> str:
+    own = _ELSEWHERE.get(name)
+    return f"here it is called {INSTRUCTIONS[own].signature}" if own else ""
 
 
 def _is_none(expression: ast.expr, param: Param) -> bool:
@@ -133,6 +157,8 @@ def _read_argument(context: Context, spec: Spec, param: Param, node: ast.expr) -
 
 def _wrong_kind(context: Context, spec: Spec, param: Param, node: ast.expr) -> None:
     help = spec.signature
+    if param.kind is ParamKind.ROUTINE and isinstance(node, ast.Call):
+        help = f"write {spec.name}({shorten(context.text(node.func))})"
     if param.kind is ParamKind.UNIT:
         word = str(node.value) if isinstance(node, ast.Constant) else context.text(node)
         help = did_you_mean(word, UNITS) or help
@@ -144,12 +170,11 @@ def _wrong_kind(context: Context, spec: Spec, param: Param, node: ast.expr) -> N
 def _read_pin(context: Context, param: Param, node: ast.expr) -> Value | None:
     if isinstance(node, ast.Lambda) and not ast.unparse(node.args):
         return read_condition(context, node.body)
-    context.problem(
-        "CG115",
-        node,
-        f"{param.name!r} must be a condition behind lambda:",
-        f"{param.name}=lambda: {context.text(node)}",
-    )
+    condition = node.body if isinstance(node, ast.Lambda) else node
+    is_nothing = isinstance(condition, ast.Constant) and condition.value is None
+    shown = "c.Name" if is_nothing else shorten(context.text(condition))
+    fault = f"{param.name!r} must be a condition behind lambda:"
+    context.problem("CG115", node, fault, f"{param.name}=lambda: {shown}")
     return None
 
 
@@ -180,7 +205,8 @@ def _read_options(context: Context, node: ast.expr) -> Value | None:
     for keyword in call.keywords if call else ():
         value = keyword.value.value if isinstance(keyword.value, ast.Constant) else ...
         if name != "to_text" or keyword.arg not in _SETTINGS:
-            help = did_you_mean(keyword.arg or "", _SETTINGS) or f"to_text alone has settings: {', '.join(_SETTINGS)}"
+            known = did_you_mean(keyword.arg or "", _SETTINGS) if name == "to_text" else ""
+            help = known or f"to_text alone has settings: {', '.join(_SETTINGS)}"
             context.problem("CG109", keyword, f"{name} has no setting {keyword.arg!r}", help)
             return None
         if keyword.arg == "termination_code":

@@ -9,7 +9,7 @@ from clickgen.diagnostics import did_you_mean
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real
 from clickgen.syntax.context import Context
-from clickgen.syntax.operands import looks_like_address, read_address, read_operand, shorten
+from clickgen.syntax.operands import address_hint, looks_like_address, read_address, read_operand, shorten
 
 _COMPARISONS: dict[type[ast.cmpop], str] = {
     ast.Eq: "==",
@@ -52,7 +52,7 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
             "leave it out; where a contact is needed, sc[1] is always on",
         )
     else:
-        context.problem("CG107", node, "this is not a condition", _WAY_OUT)
+        context.problem("CG107", node, "this is not a condition", address_hint(node) or _WAY_OUT)
     return None
 
 

@@ -61,15 +61,18 @@ def read_constant(context: Context, node: ast.expr) -> Constant | None:
             return Integer(sign * inner.value, context.span(node))
         if isinstance(inner, Real):
             return Real(sign * inner.value, ("-" if sign < 0 else "") + inner.text, context.span(node))
-    name = node.id if isinstance(node, ast.Name) else ""
-    hint = _ADDRESS_FORMS
-    match = re.fullmatch(r"([A-Za-z]+)(\d+)", name)
-    if match and match[1].lower() in BANK_NAMES:
-        hint = f"write {match[1].lower()}[{int(match[2])}]"
-    elif name.lower() in BANK_NAMES:
-        hint = f"{name} is a whole bank: {_ADDRESS_FORMS}"
+    hint = address_hint(node) or _ADDRESS_FORMS
     context.problem("CG113", node, f"{shorten(context.text(node))} is not an address or a constant", hint)
     return None
+
+
+def address_hint(node: ast.expr) -> str:
+    """How the language writes what looks like an address of CLICK's: ``C1``, ``ds5``; "" for anything else."""
+    name = node.id if isinstance(node, ast.Name) else ""
+    match = re.fullmatch(r"([A-Za-z]+)([0-9]{1,4})", name)
+    if match and match[1].lower() in BANK_NAMES:
+        return f"write {match[1].lower()}[{int(match[2])}]"
+    return f"{name} is a whole bank: {_ADDRESS_FORMS}" if name.lower() in BANK_NAMES else ""
 
 
 def read_address(context: Context, node: ast.Attribute | ast.Subscript) -> Operand | None:
@@ -115,7 +118,7 @@ def _read_index(context: Context, bank: Bank, node: ast.Subscript) -> Operand | 
     if isinstance(index, ast.Slice):
         return _read_range(context, bank, index, node)
     if isinstance(index, ast.Constant) and isinstance(index.value, str):
-        if index.value == "0u" and bank.name in UPPER_BYTE_BANKS:
+        if index.value.lower() == "0u" and bank.name in UPPER_BYTE_BANKS:
             return Cell(Address(bank.name, 0, True), span)
         return Named(bank.name, index.value, span)
     number = _whole_number(index)
@@ -180,7 +183,7 @@ def _read_range(context: Context, bank: Bank, index: ast.Slice, node: ast.Subscr
     if bank.has(low) and bank.has(high):
         message = f"the range {Address(bank.name, low)} to {Address(bank.name, high)} crosses a gap"
     else:
-        message = f"the range {bank.name}{low} to {bank.name}{high} leaves the bank"
+        message = f"the range {Address(bank.name, low)} to {Address(bank.name, high)} leaves the bank"
     context.problem(
         "CG202", node, message, f"{bank.name} has {bank.describe_range()}; the end of a slice is not included"
     )

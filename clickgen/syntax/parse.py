@@ -7,6 +7,7 @@ statements run in step with libcst's.
 from __future__ import annotations
 
 import ast
+import re
 import warnings
 from typing import TYPE_CHECKING
 
@@ -16,8 +17,12 @@ from clickgen.source import SourceFile, Span
 if TYPE_CHECKING:
     import libcst
 
+_SPLIT = "split it into several rungs"
 MAX_DEPTH = 100
 """How deep the syntax tree may be: far beyond any rung, and safe for every recursive walk."""
+
+
+_FORM_FEED = re.compile(r"(?m)^[ \t]*\f")
 
 
 def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
@@ -25,6 +30,9 @@ def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
+        if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+            problems.add("CG101", Span(path, 1, 1, 1, 2), "the file is UTF-16, not UTF-8", "save it as UTF-8")
+            return None
         before = data[: error.start].decode("utf-8-sig", errors="replace")
         line = before.count("\n") + 1
         col = len(before) - before.rfind("\n")
@@ -35,11 +43,18 @@ def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
             "save the file as UTF-8 in your editor",
         )
         return None
-    return SourceFile(path, text.replace("\r\n", "\n").replace("\r", "\n"))
+    # For Python a form feed begins its line anew; libcst does not know that.
+    return SourceFile(path, _FORM_FEED.sub("", text.replace("\r\n", "\n").replace("\r", "\n")))
 
 
 def parse_trees(source: SourceFile, problems: Diagnostics) -> tuple[libcst.Module, ast.Module] | None:
     """Both trees of a source file, or None with a CG101 or CG118 problem."""
+    if "\0" in source.text:
+        before = source.text[: source.text.index("\0")]
+        line, col = before.count("\n") + 1, len(before) - before.rfind("\n")
+        span = source.span(line, col, line, col + 1)
+        problems.add("CG101", span, "the file holds a NUL character", "save the file as plain UTF-8 text")
+        return None
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -47,15 +62,8 @@ def parse_trees(source: SourceFile, problems: Diagnostics) -> tuple[libcst.Modul
     except SyntaxError as error:
         _syntax_problem(source, error, problems)
         return None
-    except (ValueError, RecursionError, MemoryError) as error:
-        nul = source.text.find("\0")
-        line = source.text.count("\n", 0, max(nul, 0)) + 1
-        col = nul - source.text.rfind("\n", 0, max(nul, 0)) if nul >= 0 else 1
-        span = source.span(line, col, line, col + 1)
-        if isinstance(error, ValueError):
-            problems.add("CG101", span, "the file holds a NUL character", "save the file as plain UTF-8 text")
-        else:
-            problems.add("CG118", span, "the program is nested too deeply to be read", "split it into simpler rungs")
+    except (RecursionError, MemoryError):
+        problems.add("CG118", source.span(1, 1, 1, 2), "the program is nested too deeply to be read", _SPLIT)
         return None
     deep = _too_deep(tree)
     if deep is not None:
@@ -65,7 +73,7 @@ def parse_trees(source: SourceFile, problems: Diagnostics) -> tuple[libcst.Modul
             "CG118",
             source.span(line, col, line, col + 1),
             f"this is nested more than {MAX_DEPTH} levels deep",
-            "split it into several rungs",
+            _SPLIT,
         )
         return None
 
@@ -85,6 +93,9 @@ def _syntax_problem(source: SourceFile, error: SyntaxError, problems: Diagnostic
     end_line, end_col = error.end_lineno or line, error.end_offset or col + 1
     if (end_line, end_col) <= (line, col) or end_line != line:
         end_line, end_col = line, col + 1
+    if "too many" in error.msg:  # levels of indentation, nested parentheses
+        problems.add("CG118", source.span(line, col, line, col + 1), f"this is nested too deeply: {error.msg}", _SPLIT)
+        return
     problems.add(
         "CG101",
         source.span(line, col, end_line, end_col),

@@ -10,7 +10,7 @@ from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.ir.conditions import Always
-from clickgen.ir.operands import Cell, Named
+from clickgen.ir.operands import Cell, Constant, Integer, Named
 from clickgen.ir.program import Action, Branch, Declaration, Item, Loop, Program, Routine, Rung, Value, Word
 from clickgen.source import SourceFile, Span
 from clickgen.syntax.calls import read_call
@@ -100,7 +100,7 @@ def _read_routine(context: Context, cst_node: libcst.CSTNode, node: ast.Function
         problems.add("CG114", span, "a routine is not async", f"def {node.name}():")
     elif ast.unparse(node.args) or node.returns is not None:
         problems.add("CG114", span, "a routine takes no parameters and returns nothing", f"def {node.name}():")
-    if not is_main and (not is_sub or len(node.decorator_list) != 1):
+    if not is_main and (not is_sub or node.name == "main"):
         if node.name == "main":
             problems.add("CG114", span, "main has no decorators", "def main():")
         else:
@@ -125,14 +125,16 @@ def _block(cst_node: libcst.CSTNode) -> Sequence[libcst.CSTNode]:
     return (body,) if isinstance(body, libcst.SimpleStatementSuite) else ()
 
 
-def _read_rungs(context: Context, cst_body: Sequence[libcst.CSTNode], nodes: Sequence[ast.stmt]) -> tuple[Rung, ...]:
+def _read_rungs(
+    context: Context, cst_body: Sequence[libcst.CSTNode], nodes: Sequence[ast.stmt], holder: str = "a routine"
+) -> tuple[Rung, ...]:
     rungs: list[Rung] = []
     for index, (cst_node, node) in enumerate(_in_step(cst_body, nodes)):
         if isinstance(node, ast.If):
             rungs.append(_read_rung(context, cst_node, node))
         elif not (isinstance(node, ast.Pass) or (index == 0 and _is_docstring(node))):
             help = "put it under a condition; if True: is the unconditional rung"
-            context.problem("CG103", node, "a routine holds only rungs: if ...:", help)
+            context.problem("CG103", node, f"{holder} holds only rungs: if ...:", help)
     return tuple(rungs)
 
 
@@ -233,7 +235,7 @@ def _read_loop(context: Context, cst_node: libcst.CSTNode | None, node: ast.For 
             context.problem("CG109", keyword, "a loop has no such argument", "for _ in range(n, oneshot=True):")
     body: tuple[Rung, ...] | None = None
     if not all(isinstance(child, ast.Pass) for child in node.body):
-        body = _read_rungs(context, _block(cst_node) if cst_node else (), node.body)
+        body = _read_rungs(context, _block(cst_node) if cst_node else (), node.body, "the body of a loop")
     if count is None:
         return None
     args["count"] = count
@@ -252,11 +254,16 @@ def _read_declaration(context: Context, node: ast.Call) -> Declaration | None:
         context.problem("CG110", node, "nickname takes a name and its address", example)
         return None
     named, cell = (read_operand(context, argument) for argument in node.args)
-    initial = retentive = comment = None
+    initial: Constant | None = None
+    retentive = comment = None
     for keyword in node.keywords:
         value = keyword.value.value if isinstance(keyword.value, ast.Constant) else ...
         if keyword.arg == "initial":
-            initial = read_constant(context, keyword.value)
+            # A bit begins as 0 or 1, for which Python's words do as well.
+            if isinstance(value, bool):
+                initial = Integer(int(value), context.span(keyword.value))
+            else:
+                initial = read_constant(context, keyword.value)
         elif keyword.arg == "retentive" and isinstance(value, bool):
             retentive = value
         elif keyword.arg == "comment" and isinstance(value, str):
@@ -266,7 +273,7 @@ def _read_declaration(context: Context, node: ast.Call) -> Declaration | None:
             context.problem("CG115", keyword.value, f"{keyword.arg} must be {kind}", example)
         else:
             help = did_you_mean(keyword.arg or "", _DECLARED) or example
-            context.problem("CG109", keyword, f"nickname has no argument {keyword.arg!r}", help)
+            context.problem("CG109", keyword, f"nickname has no argument {keyword.arg or '**'!r}", help)
     if named is None or cell is None:
         return None
     if not isinstance(named, Named):

@@ -3,24 +3,42 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
-from clickgen.device.banks import BANKS, READ_ONLY, Address
+from clickgen.device.banks import BANKS, Address
 from clickgen.diagnostics import Diagnostics
-from clickgen.instructions.copies import CONVERSIONS, COPY
-from clickgen.instructions.spec import Pair
-from clickgen.ir.operands import Cell, Range, form_of
+from clickgen.instructions.copies import CONVERSIONS, COPY, COPY_FILL
+from clickgen.instructions.spec import Pair, ParamKind
+from clickgen.ir.operands import Cell, Range, Text, form_of
 from clickgen.ir.program import Action, Options
 from clickgen.ir.reach import reached
 
+_OPERAND_CODES = ("CG301", "CG304", "CG307", "CG308")
+"""Where the operand rule refused an operand, nothing more is said about the pair."""
+
 
 def check(facts: Facts, problems: Diagnostics) -> None:
+    refused = {problem.span for problem in problems.found if problem.code in _OPERAND_CODES}
     for placed in facts.actions:
-        if placed.spec.matrix == ("", ""):
+        action = placed.action
+        operands = [action.args[name] for name in placed.spec.matrix if name]
+        if not operands or any(operand.span in refused for operand in operands):
             continue
         before = len(problems.found)
-        _check_options(placed.action, problems)
+        _check_options(action, problems)
         if len(problems.found) == before:
-            _check_pair(placed.action, problems)
-            _check_lengths(placed.action, problems)
+            _check_pair(action, problems)
+        if len(problems.found) == before:
+            _check_flags(action, problems)
+            _check_lengths(action, problems)
+
+
+def _check_flags(action: Action, problems: Diagnostics) -> None:
+    """A flag that the chosen form of the instruction does not have, such as allow_whitespace for bits."""
+    for param in action.spec.params:
+        if param.kind is ParamKind.FLAG and action.flag(param.name) and f"{{{param.name}}}" not in action.variant.token:
+            name = action.variant.token.partition("(")[0]
+            problems.add(
+                "CG314", action.args[param.name].span, f"{name} has no {param.name}: it is for text", "leave it out"
+            )
 
 
 def _check_options(action: Action, problems: Diagnostics) -> None:
@@ -61,8 +79,6 @@ def _check_pair(action: Action, problems: Diagnostics) -> None:
     source_form, target_form = form_of(source), form_of(target)
     pairs = [pair for variant in spec.variants for pair in variant.pairs]
     pair = next((pair for pair in pairs if source_form in pair.sources and target_form in pair.targets), None)
-    if pair is None and target_form in READ_ONLY:
-        return  # the operand rule has said so
     if pair is None:
         _refuse(action, source_form, target_form, pairs, problems)
         return
@@ -97,21 +113,26 @@ def _refuse(action: Action, source: str, target: str, pairs: list[Pair], problem
 
 
 def _check_lengths(action: Action, problems: Diagnostics) -> None:
-    for param in action.spec.params:
-        whole, target = reached(action, param), action.args.get(param.name)
-        # How many characters a number becomes is known only when it is copied, so only its most is reserved.
-        if isinstance(target, Cell) and isinstance(whole, Range) and "options" not in action.args:
-            _check_room(whole, target, problems)
-        if not param.extends_over:
-            continue
-        source = action.args[param.extends_over]
-        if isinstance(target, Range) and isinstance(source, Range) and len(target) != len(source):
-            problems.add(
-                "CG306",
-                target.span,
-                f"the source has {len(source)} addresses and the destination {len(target)}",
-                "write the destination's first address alone; its end follows from the source",
-            )
+    source, target = (action.args[name] for name in action.spec.matrix)
+    if action.spec is COPY_FILL and isinstance(source, Text) and len(source.value) > 1:
+        help = 'fill with one: copy_fill("A", txt[1:9])'
+        problems.add("CG302", source.span, "a TXT address holds one character", help)
+    param = next(param for param in action.spec.params if param.name == action.spec.matrix[1])
+    whole = reached(action, param)
+    # How many characters a number becomes is known only when it is copied, so only its most is reserved.
+    if isinstance(target, Cell) and isinstance(whole, Range) and "options" not in action.args:
+        _check_room(whole, target, problems)
+    if not param.extends_over:
+        return
+    if isinstance(target, Cell) and target.address.upper:
+        problems.add("CG301", target.span, f"a block cannot begin at {target.address}", "copy it with copy(...)")
+    if isinstance(target, Range) and isinstance(source, Range) and len(target) != len(source):
+        problems.add(
+            "CG306",
+            target.span,
+            f"the source has {len(source)} addresses and the destination {len(target)}",
+            "write the destination's first address alone; its end follows from the source",
+        )
 
 
 def _check_room(whole: Range, first: Cell, problems: Diagnostics) -> None:

@@ -6,7 +6,7 @@ from clickgen.check.facts import Facts, Placed
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions import timers
 from clickgen.instructions.control import FOR, NEXT
-from clickgen.ir.program import Loop, Routine, loops_in
+from clickgen.ir.program import Loop, Routine, actions_in, loops_in
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
@@ -29,6 +29,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 )
             elif id(placed.action) not in with_body:
                 open_loop = placed
+                _check_opening(placed, problems)
         elif placed.spec is NEXT:
             _check_next(placed, open_loop, problems)
             open_loop = None
@@ -40,6 +41,19 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 "move it out of the loop",
             )
     _refuse_open(open_loop, problems)
+
+
+def _check_opening(placed: Placed, problems: Diagnostics) -> None:
+    """What stands behind an opening for in its rung would be repeated with the loop, its condition included."""
+    actions = list(actions_in(placed.rung.items))
+    if actions[-1] is not placed.action:
+        behind = actions[actions.index(placed.action) + 1]
+        problems.add(
+            "CG425",
+            behind.span,
+            f"this stands behind the for of line {placed.action.span.line}, so the loop would repeat it",
+            "put it before the for, into a rung of the loop, or behind next_loop()",
+        )
 
 
 def _loops(facts: Facts) -> list[Loop]:

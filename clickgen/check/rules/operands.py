@@ -19,7 +19,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
     for placed in facts.actions:
         for param in placed.spec.params:
             operand = placed.action.args.get(param.name)
-            if param.kind is ParamKind.OPERAND and isinstance(operand, Operand):
+            # A name without an address is a problem already.
+            if param.kind is ParamKind.OPERAND and isinstance(operand, Operand) and not isinstance(operand, Named):
                 _check(placed, param, operand, problems)
         _check_oneshot(placed.action, problems)
 
@@ -126,7 +127,7 @@ def _check_constant(placed: Placed, param: Param, constant: Operand, problems: D
             return
     fault = constant_fault(constant, kind_of(action.args.get(param.typed_by)))
     if fault:
-        problems.add("CG302", constant.span, fault, "write a constant that the destination can hold")
+        problems.add("CG302", constant.span, fault, "write a constant that fits")
 
 
 def _check_oneshot(action: Action, problems: Diagnostics) -> None:

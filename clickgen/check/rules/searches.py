@@ -20,6 +20,10 @@ def _check(action: Action, problems: Diagnostics) -> None:
     start, end, value = action.args["start"], action.args["end"], action.args["value"]
     if not (isinstance(start, Cell) and isinstance(end, Cell) and isinstance(value, Operand)):
         return
+    for place in (start, end):
+        if place.address.upper:
+            problems.add("CG301", place.span, f"a search cannot begin or end at {place.address}", "search XD0 to XD8")
+            return
     if start.bank != end.bank:
         problems.add("CG306", end.span, f"the search begins in {start.bank} and ends in {end.bank}", "search one bank")
     elif start.address.number > end.address.number:

@@ -1,0 +1,765 @@
+"""Where an address comes from (decisions.md, "Addresses" and "Where an address comes from"), through whole builds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import dedent, indent
+
+import pytest
+
+import clickgen
+from clickgen.device.system import system_nicknames
+from clickgen.diagnostics import Diagnostic
+from clickgen.pipeline import BuildResult
+
+HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment"
+
+
+class Desk:
+    """A folder with a program and perhaps an address table."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.program = folder / "prog.py"
+        self.table = folder / "nicknames.csv"
+
+    def rows(self, *rows: str, end: str = "\n") -> None:
+        """Lay an address table beside the program."""
+        self.table.write_bytes("".join(row + end for row in (HEADER, *rows)).encode())
+
+    def build(self, rungs: str, top: str = "", *, frozen: bool = False) -> BuildResult:
+        """Build these rungs of main, with these lines in front of it."""
+        body = indent(dedent(rungs), "    ")
+        self.program.write_text(f"{dedent(top)}\n\ndef main():\n{body}\n    if True:\n        end()\n")
+        return clickgen.build(self.program, frozen=frozen)
+
+    def good(self, rungs: str, top: str = "", *, frozen: bool = False) -> BuildResult:
+        result = self.build(rungs, top, frozen=frozen)
+        assert result.ok, [(problem.code, problem.message) for problem in result.diagnostics]
+        return result
+
+    def bad(self, code: str, rungs: str, top: str = "", *, frozen: bool = False) -> Diagnostic:
+        """The one error of these rungs."""
+        result = self.build(rungs, top, frozen=frozen)
+        errors = [problem for problem in result.diagnostics if problem.is_error]
+        assert [problem.code for problem in errors] == [code], [problem.message for problem in errors]
+        assert not result.files
+        return errors[0]
+
+    def text_at(self, problem: Diagnostic) -> str:
+        """The source text that a problem marks."""
+        span = problem.span
+        assert span is not None
+        assert span.line == span.end_line
+        return Path(span.path).read_text().split("\n")[span.line - 1][span.col - 1 : span.end_col - 1]
+
+
+@pytest.fixture
+def desk(tmp_path: Path) -> Desk:
+    return Desk(tmp_path)
+
+
+def new(result: BuildResult) -> dict[str, str]:
+    """The addresses that clickgen chose, by name."""
+    return {row.nickname: str(row.address) for row in result.new_rows}
+
+
+def rung(result: BuildResult, number: int = 1) -> str:
+    """The first row of a rung of main: its contacts and its output, without wires."""
+    lines = [line for line in result.files["main.csv"].split("\n") if line.startswith("R,")]
+    cells = lines[number - 1].split(",", 32)
+    return " ".join(cell for cell in cells[1:] if cell.strip("-")).replace("T:", "").replace(" T ", " ")
+
+
+# -- the order of the four sources -------------------------------------------------------------------------------------
+
+
+def test_a_declaration_comes_before_the_table(desk: Desk) -> None:
+    desk.rows('C9,BIT,"Other",0,No,""')
+    result = desk.good("if c.Run:\n    out(c.Other)", "nickname(c.Run, c[5])")
+    assert rung(result) == "C5 out(C9)"
+    assert new(result) == {}
+
+
+def test_the_table_comes_before_allocation(desk: Desk) -> None:
+    desk.rows('C7,BIT,"Run",0,No,""')
+    assert rung(desk.good("if c.Run:\n    out(y[1])")) == "C7 out(Y001)"
+
+
+def test_the_table_comes_before_clicks_own_names(desk: Desk) -> None:
+    name = "_1st_SCAN"
+    desk.rows(f'SC777,BIT,"{name}",0,No,""')
+    assert rung(desk.good(f"if sc.{name}:\n    out(y[1])")) == "SC777 out(Y001)"
+
+
+def test_clicks_own_names_come_before_allocation(desk: Desk) -> None:
+    result = desk.good("if sc._1st_SCAN:\n    out(y[1])")
+    assert rung(result) == "SC2 out(Y001)"
+    assert new(result) == {}
+
+
+def test_a_declared_name_may_agree_with_the_table(desk: Desk) -> None:
+    desk.rows('C5,BIT,"Run",0,No,""')
+    before = desk.table.read_bytes()
+    result = desk.good("if c.Run:\n    out(y[1])", "nickname(c.Run, c[5])")
+    assert result.table == before
+
+
+def test_a_declaration_below_the_routine_counts_as_well(desk: Desk) -> None:
+    desk.program.write_text(
+        "def main():\n    if c.Run:\n        end()\n    if True:\n        end()\n\n\nnickname(c.Run, c[5])\n"
+    )
+    result = clickgen.build(desk.program)
+    assert result.ok
+    assert new(result) == {}
+    assert b'C5,BIT,"Run",0,No,""' in result.table
+
+
+# -- disagreement ------------------------------------------------------------------------------------------------------
+
+
+def test_a_declaration_moves_no_name_of_the_table(desk: Desk) -> None:
+    desk.rows('C6,BIT,"Run",0,No,""')
+    problem = desk.bad("CG205", "if c.Run:\n    out(y[1])", "nickname(c.Run, c[5])")
+    assert desk.text_at(problem) == "nickname(c.Run, c[5])"
+    assert "C5" in problem.message
+    assert "C6" in problem.message
+    assert "line 2" in problem.message
+    assert problem.labels[0].span.path == str(desk.table)
+
+
+def test_a_declaration_takes_no_address_of_the_table(desk: Desk) -> None:
+    desk.rows('C5,BIT,"Stop",0,No,""')
+    problem = desk.bad("CG205", "if c.Run:\n    out(y[1])", "nickname(c.Run, c[5])")
+    assert "Stop" in problem.message
+
+
+@pytest.mark.parametrize("second", ["nickname(c.Run, c[6])", "nickname(c.RUN, c[6])", "nickname(c.Stop, c[5])"])
+def test_two_declarations_disagree_at_the_later_one(desk: Desk, second: str) -> None:
+    problem = desk.bad("CG205", "if c.Run:\n    out(y[1])", f"nickname(c.Run, c[5])\n{second}")
+    assert desk.text_at(problem) == second
+    assert problem.labels[0].span.line == 1
+
+
+def test_a_declaration_cannot_take_clicks_own_name_away(desk: Desk) -> None:
+    for declaration in ("nickname(c._1st_SCAN, c[5])", "nickname(sc._1st_SCAN, sc[5])"):
+        problem = desk.build("if True:\n    pass", declaration).diagnostics[0]
+        assert problem.is_error
+        assert problem.code in ("CG203", "CG205")
+
+
+def test_a_declaration_names_its_bank_twice(desk: Desk) -> None:
+    problem = desk.bad("CG205", "if True:\n    pass", "nickname(c.Run, ds[5])")
+    assert "DS5" in problem.message
+
+
+def test_a_wrong_declaration_is_one_problem_and_its_uses_are_none(desk: Desk) -> None:
+    desk.bad("CG205", "if c.Run:\n    out(c.Run)\nif c.Run:\n    set(c.Run)", "nickname(c.Run, ds[5])")
+
+
+def test_the_table_gives_an_address_twice(desk: Desk) -> None:
+    desk.rows('C1,BIT,"Run",0,No,""', 'C1,BIT,"Stop",0,No,""')
+    problem = desk.bad("CG602", "if True:\n    pass")
+    assert problem.span is not None
+    assert problem.span.line == 3
+    assert problem.labels[0].span.line == 2
+
+
+def test_the_table_gives_a_name_twice_whatever_the_case(desk: Desk) -> None:
+    desk.rows('C1,BIT,"Run",0,No,""', 'DS1,INT,"RUN",0,Yes,""')
+    problem = desk.bad("CG602", "if True:\n    pass")
+    assert desk.text_at(problem) == '"RUN"'
+
+
+# -- one nickname, one address -----------------------------------------------------------------------------------------
+
+
+def test_names_know_no_case(desk: Desk) -> None:
+    result = desk.good("if c.Run:\n    out(c.run)\nif c.RUN:\n    out(y[1])")
+    assert new(result) == {"Run": "C1"}
+    assert rung(result, 2) == "C1 out(Y001)"
+
+
+def test_the_table_keeps_its_spelling(desk: Desk) -> None:
+    desk.rows('C1,BIT,"RUN",0,No,""')
+    before = desk.table.read_bytes()
+    assert desk.good("if c.run:\n    out(y[1])").table == before
+    assert desk.good("if c.run:\n    out(y[1])", "nickname(c.Run, c[1])").table == before
+
+
+@pytest.mark.parametrize("first", ["if c.Speed:\n    out(y[1])", "if True:\n    out(c.Speed)"])
+def test_one_name_in_two_banks_is_a_problem_at_the_later_use(desk: Desk, first: str) -> None:
+    problem = desk.bad("CG204", f"{first}\nif True:\n    copy(1, ds.speed)")
+    assert desk.text_at(problem) == "ds.speed"
+    assert problem.labels[0].span.line < (problem.span.line if problem.span else 0)
+
+
+def test_one_name_in_two_banks_between_table_and_program(desk: Desk) -> None:
+    desk.rows('DS4,INT,"Speed",0,Yes,""')
+    problem = desk.bad("CG204", "if c.Speed:\n    out(y[1])")
+    assert desk.text_at(problem) == "c.Speed"
+    assert problem.labels[0].span.path == str(desk.table)
+
+
+def test_a_system_name_in_the_wrong_bank(desk: Desk) -> None:
+    problem = desk.bad("CG204", 'if c["_1st_SCAN"]:\n    out(y[1])')
+    assert "sc._1st_SCAN" in problem.message
+
+
+# -- current values ----------------------------------------------------------------------------------------------------
+
+
+def test_td_and_ctd_names_are_the_current_values(desk: Desk) -> None:
+    result = desk.good(
+        """\
+        if td.Delay > 5:
+            copy(ctd.Parts, dd[1])
+        if re(x[1]):
+            ton(t.Delay, 10)
+            ctu(ct.Parts, 10, reset=lambda: x[2])
+        """
+    )
+    assert rung(result) == 'TD1>5 "copy(CTD1,DD1)"'
+    assert new(result) == {"Delay": "T1", "Parts": "CT1"}
+
+
+def test_td_names_follow_the_table_and_declarations(desk: Desk) -> None:
+    desk.rows('T7,BIT,"Delay",0,No,""')
+    result = desk.good("if td.delay > ctd.Parts:\n    out(y[1])", "nickname(ct.Parts, ct[9])")
+    assert rung(result) == "TD7>CTD9 out(Y001)"
+
+
+def test_a_td_address_may_have_a_nickname_of_its_own(desk: Desk) -> None:
+    desk.rows('TD3,INT,"Elapsed",0,No,""')
+    result = desk.good("if td.Elapsed > 5:\n    ton(t.Delay, 10)")
+    assert rung(result) == 'TD3>5 "on_delay(T1,TD1,preset=10,unit=Tms)"'
+
+
+def test_a_declared_td_name(desk: Desk) -> None:
+    result = desk.good("if td.Elapsed > 5:\n    ton(t[4], 10)", "nickname(td.Elapsed, td[4])")
+    assert rung(result) == 'TD4>5 "on_delay(T4,TD4,preset=10,unit=Tms)"'
+
+
+@pytest.mark.parametrize("name", ["td.Dely", "ctd.Dely"])
+def test_a_current_value_of_nothing(desk: Desk, name: str) -> None:
+    problem = desk.bad("CG207", f"if {name} > 5:\n    ton(t.Delay, 10)")
+    assert desk.text_at(problem) == name
+
+
+def test_a_td_name_that_is_a_register(desk: Desk) -> None:
+    assert desk.text_at(desk.bad("CG204", "if td.Level > 5:\n    copy(1, ds.Level)")) in ("td.Level", "ds.Level")
+
+
+# -- allocation --------------------------------------------------------------------------------------------------------
+
+
+def test_names_are_allocated_in_the_order_of_first_use(desk: Desk) -> None:
+    result = desk.good(
+        """\
+        if all(c.One, any(nc(c.Two), re(c.Three))):
+            if c.Four:
+                out(c.Five)
+            out(c.Two)
+            calc("ds.A + ds.B", ds.C)
+            rton(t.T1, ds.D, reset=lambda: c.Six)
+        if c.Seven:
+            for _ in range(ds.E):
+                if c.Eight:
+                    copy(ds[ds.F], ds.G)
+        """
+    )
+    chosen = new(result)
+    assert {name: chosen[name] for name in ("One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight")} == {
+        name: f"C{number}"
+        for number, name in enumerate(("One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight"), 1)
+    }
+    assert [chosen[name] for name in "ABCDEFG"] == [f"DS{number}" for number in range(1, 8)]
+
+
+def test_every_bank_begins_at_its_lowest_free_address(desk: Desk) -> None:
+    result = desk.good(
+        """\
+        if all(x.A, c.B, ct.D, t.C):
+            out(y.E)
+            copy(dd.F, df.G)
+            copy(dh.H, ds.I)
+            copy("A", txt.J)
+        """
+    )
+    assert new(result) == {
+        "A": "X001",
+        "B": "C1",
+        "C": "T1",
+        "D": "CT1",
+        "E": "Y001",
+        "F": "DD1",
+        "G": "DF1",
+        "H": "DH1",
+        "I": "DS1",
+        "J": "TXT1",
+    }
+
+
+def test_addresses_of_the_table_are_not_free(desk: Desk) -> None:
+    desk.rows('C1,BIT,"A",0,No,""', 'C2,BIT,"",0,Yes,""', 'C4,BIT,"",0,No,"kept for the panel"')
+    assert new(desk.good("if c.New1:\n    out(c.New2)")) == {"New1": "C3", "New2": "C5"}
+
+
+def test_declared_addresses_are_not_free(desk: Desk) -> None:
+    result = desk.good("if c.New1:\n    out(c.New2)", "nickname(c.Unused, c[1])\nnickname(c.Later, c[3])")
+    assert new(result) == {"New1": "C2", "New2": "C4"}
+
+
+@pytest.mark.parametrize(
+    ("action", "chosen"),
+    [
+        ("copy(1, ds[1])", "DS2"),
+        ("copy(1, ds[2])", "DS1"),
+        ("copy_fill(0, ds[1:5])", "DS5"),
+        ("copy_fill(0, ds[2:5])", "DS1"),
+        ("copy_block(dd[1:4], ds[1])", "DS4"),
+        ("copy_block(ds[1:3], ds[3:5])", "DS5"),
+        ("copy_unpack(dd[1], ds[1:3])", "DS3"),
+        ('search("==", 1, ds[1], ds[9], dd[1], c[1])', "DS10"),
+        ('calc("SUM(ds[1:11])", dd[1])', "DS11"),
+        ('calc("ds[1] + ds[2]", ds[3])', "DS4"),
+        ("copy(dd[ds[1]], dd[1])", "DS2"),
+        ("ton(t[1], ds[1])", "DS2"),
+        ("ctu(ct[1], ds[1], reset=lambda: c[1])", "DS2"),
+        ("ctu(ct[1], 5, reset=lambda: ds[1] == 0)", "DS2"),
+        ('calc("dd[ds[1]] + 1", dd[1])', "DS2"),
+    ],
+)
+def test_addresses_that_the_program_uses_by_number_are_not_free(desk: Desk, action: str, chosen: str) -> None:
+    """Wherever the number stands, be it behind the name in the program."""
+    result = desk.good(f"if re(x[1]):\n    copy(ds.New, dd[9])\nif re(x[1]):\n    {action}")
+    assert new(result)["New"] == chosen
+
+
+def test_bits_that_the_program_uses_by_number_are_not_free(desk: Desk) -> None:
+    result = desk.good(
+        """\
+        if all(c.New, nc(c[1:4]), c[5]):
+            out(c.Next)
+            shift(c[9:5:-1], clock=lambda: c[10], reset=lambda: re(c[11]))
+            copy_pack(c[12:14], dh[1])
+        """
+    )
+    assert new(result)["New"] == "C4"
+    assert new(result)["Next"] == "C14"
+
+
+@pytest.mark.parametrize(
+    ("copied", "chosen"),
+    [
+        ('copy("ABC", txt[1])', "TXT4"),
+        ('copy("A", txt[1])', "TXT2"),
+        ('copy("$0D", txt[1])', "TXT2"),
+        ('copy_fill("A", txt[1:4])', "TXT4"),
+        ("copy(txt[9], txt[1])", "TXT2"),
+        ("copy_pack(txt[1:5], ds[1])", "TXT5"),
+    ],
+)
+def test_a_text_takes_an_address_for_each_character(desk: Desk, copied: str, chosen: str) -> None:
+    assert new(desk.good(f'if x[1]:\n    copy("X", txt.New)\n    {copied}'))["New"] == chosen
+
+
+def test_a_number_as_text_takes_as_many_addresses_as_it_can_have_digits(desk: Desk) -> None:
+    result = desk.good('if x[1]:\n    copy(ds[1], txt[1], options=to_text)\n    copy("X", txt.New)')
+    assert int(new(result)["New"].removeprefix("TXT")) > 6
+
+
+def test_a_named_block_is_allocated_with_its_length(desk: Desk) -> None:
+    result = desk.good("if x[1]:\n    copy_block(dd[1:5], ds.Copy)\n    copy(1, ds.Next)\n    copy(ds[2], ds[9])")
+    assert new(result) == {"Copy": "DS3", "Next": "DS1"}
+    assert "blockcopy(DD1..DD4,DS3..DS6)" in result.files["main.csv"]
+
+
+def test_a_named_text_is_allocated_with_its_length(desk: Desk) -> None:
+    result = desk.good('if x[1]:\n    copy("READY", txt.Message)\n    copy("X", txt.Next)')
+    assert new(result) == {"Message": "TXT1", "Next": "TXT6"}
+
+
+def test_the_reach_of_a_known_name_is_not_free(desk: Desk) -> None:
+    desk.rows('DS1,INT,"Copy",0,Yes,""', 'TXT1,TEXT,"Message",,Yes,""')
+    result = desk.good(
+        'if x[1]:\n    copy_block(dd[1:5], ds.Copy)\n    copy(1, ds.Next)\n    copy("HI", txt.Message)\n    '
+        'copy("X", txt.Letter)'
+    )
+    assert new(result) == {"Next": "DS5", "Letter": "TXT3"}
+
+
+def test_the_range_between_two_known_names_of_a_search_is_not_free(desk: Desk) -> None:
+    result = desk.good(
+        'if x[1]:\n    search("==", 1, ds.First, ds.Last, dd[1], c[1])\n    copy(1, ds.New)',
+        "nickname(ds.First, ds[1])\nnickname(ds.Last, ds[5])",
+    )
+    assert new(result) == {"New": "DS6"}
+
+
+@pytest.mark.parametrize(
+    ("row", "name"),
+    [
+        ('TD1,INT,"Elapsed",0,No,""', "t.New"),
+        ('T1,BIT,"Delay",0,No,""', "t.New"),
+        ('CTD1,INT2,"Total",0,Yes,""', "ct.New"),
+        ('CT1,BIT,"Parts",0,Yes,""', "ct.New"),
+    ],
+)
+def test_a_bit_and_its_current_value_are_taken_together(desk: Desk, row: str, name: str) -> None:
+    desk.rows(row)
+    assert new(desk.good(f"if {name}:\n    out(y[1])"))["New"].endswith("T2")
+
+
+def test_a_current_value_by_number_takes_its_timer(desk: Desk) -> None:
+    result = desk.good("if t.New:\n    copy(td[1], ds[1])\n    copy_fill(0, ctd[1:4])\nif ct.Parts:\n    out(y[1])")
+    assert new(result) == {"New": "T2", "Parts": "CT4"}
+
+
+def test_inputs_and_outputs_are_given_with_a_warning(desk: Desk) -> None:
+    result = desk.good("if x.Start:\n    out(y.Motor)")
+    warnings = [problem for problem in result.diagnostics if problem.code == "CG210"]
+    assert [desk.text_at(problem) for problem in warnings] == ["x.Start", "y.Motor"]
+    assert [problem.help for problem in warnings] == [
+        "pin it: nickname(x.Start, x[1])",
+        "pin it: nickname(y.Motor, y[1])",
+    ]
+    desk.table.write_bytes(result.table)
+    assert not desk.good("if x.Start:\n    out(y.Motor)").diagnostics
+
+
+def test_inputs_are_allocated_around_their_gaps(desk: Desk) -> None:
+    taken = [f"x[{number}]" for number in (*range(2, 17), *range(21, 36))]
+    result = desk.good(f"if all(x.A, x.B, x.C, any({', '.join(taken)})):\n    out(y[1])")
+    assert new(result) == {"A": "X001", "B": "X036", "C": "X101"}
+
+
+def test_a_block_of_outputs_does_not_cross_a_gap(desk: Desk) -> None:
+    result = desk.good("if x[1]:\n    copy_block(c[1:9], y.Lamps)\n    out(y[5])\n    out(y[12])")
+    assert new(result) == {"Lamps": "Y021"}
+
+
+@pytest.mark.parametrize("name", ["sc.FirstScan", "sd.Clock", "xd.Panel", "yd.Panel"])
+def test_system_banks_are_never_given(desk: Desk, name: str) -> None:
+    condition = name if name.startswith("sc") else f"{name} == {'5' if name.startswith('sd') else '0x5'}"
+    problem = desk.bad("CG206", f"if {condition}:\n    out(y[1])")
+    assert desk.text_at(problem) == name
+
+
+def test_names_in_system_banks_come_from_declarations_and_the_table(desk: Desk) -> None:
+    desk.rows('XD2,HEX,"Panel",0,No,""')
+    result = desk.good(
+        "if all(xd.Panel == 5, sc.Slow, sd.Code == 3):\n    out(y[1])",
+        "nickname(sc.Slow, sc[900])\nnickname(sd.Code, sd[900])",
+    )
+    assert rung(result) == "XD2==0005h SC900 SD900==3 out(Y001)"
+    assert "SC900" not in result.files["nicknames.csv"]
+    assert "SD900" not in result.files["nicknames.csv"]
+    assert b'SC900,BIT,"Slow"' in result.table
+
+
+@pytest.mark.parametrize(("taken", "name"), [("ct[1:251]", "ct.New"), ("c[1:2001]", "c.New"), ("t[1:501]", "t.New")])
+def test_a_full_bank(desk: Desk, taken: str, name: str) -> None:
+    bank, count = taken.split("[")[0], int(taken.split(":")[1].rstrip("]")) - 1
+    kind, retentive = "BIT", "Yes" if bank == "ct" else "No"
+    desk.rows(*(f'{bank.upper()}{number},{kind},"N{number}",0,{retentive},""' for number in range(1, count + 1)))
+    problem = desk.bad("CG208", f"if {name}:\n    out(y[1])")
+    assert desk.text_at(problem) == name
+    assert str(count) in problem.help
+
+
+def test_the_last_free_address_of_a_bank_is_given(desk: Desk) -> None:
+    desk.rows(*(f'CT{number},BIT,"N{number}",0,Yes,""' for number in range(1, 251) if number != 137))
+    assert new(desk.good("if ct.New:\n    out(y[1])")) == {"New": "CT137"}
+
+
+def test_a_block_that_no_gap_is_long_enough_for(desk: Desk) -> None:
+    desk.rows(*(f'DH{number},HEX,"N{number}",0,Yes,""' for number in range(3, 501, 3)))
+    problem = desk.bad("CG208", "if x[1]:\n    copy_block(ds[1:5], dh.Copy)")
+    assert desk.text_at(problem) == "dh.Copy"
+
+
+def test_a_name_that_click_does_not_take_is_told_once(desk: Desk) -> None:
+    problem = desk.bad("CG203", 'if c["a,b"]:\n    out(c["a,b"])\nif c["A,B"]:\n    out(y[1])')
+    assert problem.span is not None
+    assert problem.span.line == 4
+
+
+# -- quoted names ------------------------------------------------------------------------------------------------------
+
+
+def test_quoted_names(desk: Desk) -> None:
+    desk.rows('C5,BIT,"Belt runs",0,No,""', 'C6,BIT,"1st",0,No,""')
+    result = desk.good('if all(c["Belt runs"], c["1st"], c["belt RUNS"], c["New one"]):\n    out(c["Plain"])')
+    assert new(result) == {"New one": "C1", "Plain": "C2"}
+    assert b'C1,BIT,"New one",0,No,""' in result.table
+
+
+def test_a_quoted_plain_name_is_the_same_name(desk: Desk) -> None:
+    assert new(desk.good('if c["Run"]:\n    out(c.Run)')) == {"Run": "C1"}
+
+
+def test_quoted_names_in_formulas_and_declarations(desk: Desk) -> None:
+    result = desk.good(
+        """if x[1]:\n    calc("ds['Belt speed'] + 1", ds["Belt speed"])""", 'nickname(ds["Belt speed"], ds[8])'
+    )
+    assert '"math(DS8 + 1,DS8,mode=decimal)"' in result.files["main.csv"]
+
+
+# -- clicks own names --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("written", "token"),
+    [
+        ('sd["_RTC_Year (4 digits)"]', "SD19"),
+        ('sd["_RTC_Year(4 digits)"]', "SD19"),
+        ('sd["_rtc_year(4DIGITS)"]', "SD19"),
+        ("sd._rtc_new_month", "SD31"),
+    ],
+)
+def test_system_names_with_and_without_spaces(desk: Desk, written: str, token: str) -> None:
+    assert rung(desk.good(f"if {written} > 5:\n    out(y[1])")) == f"{token}>5 out(Y001)"
+
+
+def test_every_system_name_resolves(desk: Desk) -> None:
+    points = [(name, address) for name, address in system_nicknames().values() if '"' not in name]
+    bits = [(name, address) for name, address in points if address.bank == "SC"]
+    assert len(bits) > 100
+    rungs = "\n".join(f'if sc["{name}"]:\n    out(y[1])' for name, _ in bits)
+    result = desk.good(rungs)
+    assert new(result) == {}
+    text = "".join(result.files[name] for name in sorted(result.files) if name.startswith("main"))
+    for _, address in bits:
+        assert f"\nR,{address}," in text
+
+
+def test_a_misspelt_system_name_gets_a_hint(desk: Desk) -> None:
+    problem = desk.bad("CG206", "if sc._1st_SCN:\n    out(y[1])")
+    assert problem.help == "did you mean _1st_SCAN?"
+
+
+# -- frozen ------------------------------------------------------------------------------------------------------------
+
+
+def test_frozen_names_all_that_is_missing(desk: Desk) -> None:
+    desk.rows('C1,BIT,"Old",0,No,""')
+    result = desk.build("if all(c.Old, c.New, c.new):\n    out(c.Other)\n    ton(t.Delay, ds.Time)", frozen=True)
+    assert not result.ok
+    assert [(problem.code, desk.text_at(problem)) for problem in result.diagnostics] == [
+        ("CG209", "c.New"),
+        ("CG209", "c.Other"),
+        ("CG209", "t.Delay"),
+        ("CG209", "ds.Time"),
+    ]
+    assert result.table == desk.table.read_bytes()
+
+
+def test_frozen_without_a_table(desk: Desk) -> None:
+    desk.bad("CG209", "if c.New:\n    out(y[1])", frozen=True)
+    assert desk.good("if c[1]:\n    out(y[1])", frozen=True).files
+    assert not desk.table.exists()
+
+
+def test_frozen_takes_declared_and_system_names(desk: Desk) -> None:
+    result = desk.good("if all(c.Run, sc._1st_SCAN):\n    out(y[1])", "nickname(c.Run, c[3])", frozen=True)
+    assert rung(result) == "C3 SC2 out(Y001)"
+    assert 'C3,BIT,"Run",0,No,""' in result.files["nicknames.csv"]
+
+
+SPLIT = "if all(c.Go, nc(c.Done)):\n    set(c.Done)\n    rton(t.Run, 5, reset=lambda: c.Clear)"
+
+
+def test_frozen_refuses_a_new_scratch_address(desk: Desk) -> None:
+    first = desk.good(SPLIT)
+    desk.table.write_bytes(first.table)
+    assert desk.good(SPLIT, frozen=True).files == first.files
+    desk.table.write_bytes(b"".join(line for line in first.table.splitlines(keepends=True) if b"Scratch" not in line))
+    problem = desk.bad("CG209", SPLIT, frozen=True)
+    assert problem.span is not None
+    assert problem.span.line == 4
+
+
+# -- scratch -----------------------------------------------------------------------------------------------------------
+
+
+def test_scratch_comes_from_the_top_with_name_and_comment(desk: Desk) -> None:
+    result = desk.good(SPLIT)
+    assert new(result)["Scratch_C2000"] == "C2000"
+    assert b'C2000,BIT,"Scratch_C2000",0,No,"condition of main rung 1: C1 and not C2"' in result.table
+
+
+def test_scratch_avoids_what_the_table_and_the_program_use(desk: Desk) -> None:
+    desk.rows('C2000,BIT,"Mine",0,No,""', 'C1999,BIT,"",0,Yes,""')
+    result = desk.good(SPLIT + "\nif c[1998]:\n    reset(c[1990:1998])", "nickname(c.Pinned, c[1989])")
+    assert [name for name in new(result) if name.startswith("Scratch")] == ["Scratch_C1988"]
+
+
+@pytest.mark.parametrize("use", ["out(c[2000])", "reset(c[1995:2001])", "copy_block(x[1:6], c[1996])"])
+def test_a_scratch_address_is_not_shared_with_a_number_of_the_program(desk: Desk, use: str) -> None:
+    """The program has taken the address by number after an earlier build put a scratch bit there."""
+    desk.table.write_bytes(desk.good(SPLIT).table)
+    result = desk.build(f"{SPLIT}\nif x[9]:\n    {use}")
+    if result.ok:
+        assert "out(C2000)" not in rung(result), "a scratch bit and the program's own bit are one"
+
+
+@pytest.mark.parametrize(
+    ("top", "rows"),
+    [
+        ("", ()),
+        ("nickname(c.Scratch_C2000, c[7])", ()),
+        ("", ('C1500,BIT,"Scratch_C2000",0,No,""',)),
+    ],
+)
+def test_a_name_of_the_users_may_look_like_a_scratch_name(desk: Desk, top: str, rows: tuple[str, ...]) -> None:
+    if rows:
+        desk.rows(*rows)
+    result = desk.build(f"{SPLIT}\nif x[9]:\n    out(c.Scratch_C2000)", top)
+    assert result.ok or {problem.code[:3] for problem in result.diagnostics} == {"CG2"}
+
+
+def test_a_declared_scratch_name_is_the_users(desk: Desk) -> None:
+    """Or it is refused at once; but not taken by one build and refused by the next."""
+    top = "nickname(c.Scratch_C2000, c[2000])"
+    rungs = f"{SPLIT}\nif x[9]:\n    out(c.Scratch_C2000)"
+    first = desk.build(rungs, top)
+    if first.ok:
+        desk.table.write_bytes(first.table)
+        assert "out(C2000)" not in rung(desk.good(rungs, top))
+
+
+# -- what is written to the table --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("declaration", "row"),
+    [
+        ("nickname(c.A, c[5])", 'C5,BIT,"A",0,No,""'),
+        ("nickname(c.A, c[5], initial=1)", 'C5,BIT,"A",1,No,""'),
+        ("nickname(ds.A, ds[5])", 'DS5,INT,"A",0,Yes,""'),
+        ("nickname(ds.A, ds[5], retentive=False)", 'DS5,INT,"A",0,No,""'),
+        ("nickname(ds.A, ds[5], initial=-32768)", 'DS5,INT,"A",-32768,Yes,""'),
+        ("nickname(dd.A, dd[5], initial=2147483647)", 'DD5,INT2,"A",2147483647,Yes,""'),
+        ("nickname(dh.A, dh[5], initial=0x00ff)", 'DH5,HEX,"A",00FF,Yes,""'),
+        ('nickname(dh.A, dh[5], initial="00FFh")', 'DH5,HEX,"A",00FF,Yes,""'),
+        ("nickname(df.A, df[5], initial=2.5)", 'DF5,FLOAT,"A",2.5,Yes,""'),
+        ("nickname(df.A, df[5], initial=-3.4028235e38)", 'DF5,FLOAT,"A",-3.4028235E+38,Yes,""'),
+        ('nickname(txt.A, txt[5], initial="Q")', 'TXT5,TEXT,"A",Q,Yes,""'),
+        ("nickname(x.A, x[5], initial=1, retentive=True)", 'X005,BIT,"A",1,Yes,""'),
+        ("nickname(c.A, c[5], comment='say \"hi\", you')", 'C5,BIT,"A",0,No,"say ""hi"", you"'),
+        ('nickname(y["A b"], y[21], comment="")', 'Y021,BIT,"A b",0,No,""'),
+        ("nickname(td.A, td[5])", 'TD5,INT,"A",0,No,""'),
+        ("nickname(ctd.A, ctd[5])", 'CTD5,INT2,"A",0,Yes,""'),
+    ],
+)
+def test_declared_attributes_are_written(desk: Desk, declaration: str, row: str) -> None:
+    result = desk.good("if True:\n    pass", declaration)
+    assert result.table.decode() == f"{HEADER}\n{row}\n"
+    assert row in result.files["nicknames.csv"]
+
+
+@pytest.mark.parametrize(
+    "declaration",
+    [
+        "nickname(c.A, c[5], initial=2)",
+        "nickname(ds.A, ds[5], initial=32768)",
+        "nickname(ds.A, ds[5], initial=1.5)",
+        'nickname(ds.A, ds[5], initial="5")',
+        "nickname(dh.A, dh[5], initial=0x10000)",
+        "nickname(df.A, df[5], initial=1e39)",
+        'nickname(txt.A, txt[5], initial="QQ")',
+        "nickname(sc.A, sc[5], initial=1)",
+        "nickname(sd.A, sd[5], retentive=True)",
+    ],
+)
+def test_declared_attributes_that_click_does_not_hold(desk: Desk, declaration: str) -> None:
+    problem = desk.bad("CG302", "if True:\n    pass", declaration)
+    assert problem.span is not None
+    assert problem.span.line == 1
+
+
+def test_a_declaration_changes_only_what_it_says(desk: Desk) -> None:
+    desk.rows('DS5,INT,"Rows",7,No,"rows of the list"', 'DS6,INT,"",9,No,"unnamed"')
+    result = desk.good("if True:\n    pass", "nickname(ds.Rows, ds[5], initial=10)\nnickname(ds.Cols, ds[6])")
+    assert result.table.decode().splitlines()[1:] == [
+        'DS5,INT,"Rows",10,No,"rows of the list"',
+        'DS6,INT,"Cols",9,No,"unnamed"',
+    ]
+
+
+def test_new_rows_stand_in_clicks_order(desk: Desk) -> None:
+    desk.rows('X001,BIT,"First",0,No,""', 'C5,BIT,"Mid",0,No,""', 'TXT1,TEXT,"Last",,Yes,""')
+    result = desk.good("if c.A:\n    copy(1, ds.B)\n    ton(t.D, 5)", "nickname(c.Z, c[9])")
+    addresses = [line.split(",")[0] for line in result.table.decode().splitlines()[1:]]
+    assert addresses == ["X001", "C1", "C5", "C9", "T1", "DS1", "TXT1"]
+
+
+STRANGE = (
+    'C0005,BIT,Loose,0,No,""',
+    'DS3,INT,"Unquoted comment",5,No,plain',
+    "",
+    'SC1,BIT,"_Always_ON",0,No,""',
+    'C77,BIT,"Say ""so""",0,No,"x"',
+    'DH1,HEX,"Low",00ff,Yes,"two ""quotes"" and, a comma"',
+    'C3,BIT,"Out of order",0,No,""',
+    'TXT9,TEXT,"Letter",A,No,""',
+)
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+@pytest.mark.parametrize("bom", [b"", b"\xef\xbb\xbf"])
+@pytest.mark.parametrize("final", [True, False])
+def test_foreign_rows_are_kept_byte_for_byte(desk: Desk, end: str, bom: bytes, final: bool) -> None:
+    rows = [row for row in STRANGE if "Say" not in row and "C0005" not in row]
+    text = end.join((HEADER, *rows)) + (end if final else "")
+    desk.table.write_bytes(bom + text.encode())
+    result = desk.good("if c.New:\n    copy(1, ds.Fresh)")
+    lines = result.table.removeprefix(bom).decode().split(end)
+    assert result.table.startswith(bom)
+    assert (lines[-1] == "") == final
+    if end == "\r\n":
+        assert result.table.count(b"\n") == result.table.count(b"\r\n")
+    added = ['C1,BIT,"New",0,No,""', 'DS1,INT,"Fresh",0,Yes,""']
+    assert [line for line in lines if line not in added] == [HEADER, *rows, *([""] if final else [])]
+    assert all(line in lines for line in added)
+    desk.table.write_bytes(result.table)
+    assert desk.good("if c.New:\n    copy(1, ds.Fresh)").table == result.table
+
+
+def test_the_csv_for_click_is_in_plain_form_whatever_the_table(desk: Desk) -> None:
+    desk.table.write_bytes(
+        b"\xef\xbb\xbf" + f'{HEADER}\r\nDS3,INT,"B",5,No,plain\r\nC3,BIT,A,0,No,""\r\nC9,BIT,"",0,No,""\r\n'.encode()
+    )
+    text = desk.good("if c.A:\n    out(y[1])").files["nicknames.csv"]
+    assert text == f'{HEADER}\nC3,BIT,"A",0,No,""\nDS3,INT,"B",5,No,"plain"\n'
+
+
+def test_a_malformed_row_stops_the_build_and_touches_nothing(desk: Desk) -> None:
+    desk.rows('C1,BIT,"A",0,Perhaps,""', 'C2001,BIT,"B",0,No,""', 'DS1,BIT,"D",0,Yes,""')
+    before = desk.table.read_bytes()
+    result = desk.build("if c.New:\n    out(y[1])")
+    assert {problem.code for problem in result.diagnostics} == {"CG601"}
+    assert [desk.text_at(problem) for problem in result.diagnostics] == ["Perhaps", "C2001", "BIT"]
+    assert result.table == before
+
+
+def test_a_table_name_that_click_does_not_take(desk: Desk) -> None:
+    desk.rows('C1,BIT,"Run!",0,No,""')
+    assert desk.text_at(desk.bad("CG603", "if True:\n    pass")) == '"Run!"'
+
+
+def test_a_named_table_must_exist(desk: Desk) -> None:
+    desk.program.write_text("def main():\n    if True:\n        end()\n")
+    with pytest.raises(clickgen.CouldNotRun, match=r"no address table at .*other\.csv"):
+        clickgen.build(desk.program, nicknames=desk.folder / "other.csv")
+
+
+def test_a_named_table_is_used_instead_of_the_one_beside(desk: Desk) -> None:
+    desk.rows('C5,BIT,"Run",0,No,""')
+    other = desk.folder / "other.csv"
+    other.write_text(f'{HEADER}\nC6,BIT,"Run",0,No,""\n')
+    desk.good("if c.Run:\n    out(y[1])")
+    result = clickgen.build(desk.program, nicknames=other)
+    assert rung(result) == "C6 out(Y001)"
+    assert result.table_path == other
