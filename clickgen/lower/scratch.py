@@ -69,13 +69,14 @@ class Scratch:
             uses = [use for use in self.uses if use.placeholder.bank == bank]
             old = [row for row in table.rows if row.address.bank == bank and is_scratch(row)]
             addresses = _matched(uses, old)
-            for use in uses:
-                if use not in addresses:
-                    address = None if frozen else _free(allocator, bank, table)
-                    if address is None:
-                        _no_scratch(use, bank, frozen, table, problems)
-                        continue
+            for use in (use for use in uses if use not in addresses):
+                address = None if frozen else _free(allocator, bank, table)
+                if address is not None:
                     addresses[use] = address
+                    continue
+                _no_scratch(use, bank, frozen, table, problems)
+                if not frozen:
+                    break  # the bank is full for all that follow
             _settle(addresses)
             for use, address in addresses.items():
                 assigned[use.placeholder] = _row(table, address, use.reason)
@@ -145,5 +146,5 @@ def _no_scratch(use: ScratchUse, bank: str, frozen: bool, table: AddressTable, p
             "CG208",
             use.span,
             f"no {bank} address is free for scratch use ({use.reason})",
-            f"free some {bank} rows of {table.path}",
+            f"write simpler conditions, or free some {bank} addresses of the program and of {table.path}",
         )

@@ -6,10 +6,11 @@ condition that an earlier part could change, or that must not be looked at twice
 
 from __future__ import annotations
 
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import accumulate
 
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import END, NEXT, NOP, RETURN
@@ -241,18 +242,15 @@ class _RungSplit:
         is_series = not isinstance(condition, Any)
         limit = _FREE_COLUMNS if is_series else MAX_ROWS
         join = All if is_series else Any
-
-        def size(some: list[Condition]) -> int:
-            net = network(join(tuple(some), condition.span))
-            return 0 if net is None else net.width if is_series else net.height
-
-        while size(terms) > limit:
-            count = max(n for n in range(1, len(terms)) if n == 1 or size(terms[:n]) <= limit)
+        sizes = [_width(term) if is_series else _height(term) for term in terms]
+        while sum(sizes) > limit:
+            stop = bisect_right(list(accumulate(sizes)), limit)
             # A single contact gains nothing on a scratch bit: then it is the term behind it that is too large.
-            start = 1 if count == 1 and size(terms[:1]) == 1 else 0
-            stop = max(count, start + 1)
+            start = 1 if stop == 1 and sizes[0] == 1 else 0
+            stop = max(stop, start + 1)
             chunk = join(tuple(terms[start:stop]), condition.span)
             terms[start:stop] = [self._on_scratch(chunk, "part of the condition")]
+            sizes[start:stop] = [1]
         return join(tuple(terms), condition.span)
 
     # -- putting CLICK rungs down -------------------------------------------------------------------------------------
@@ -348,9 +346,18 @@ def _tree(part: _Part, depth: int) -> tuple[Condition, tuple[Item, ...]]:
     return condition, tuple(items)
 
 
-def _fits_alone(condition: Condition) -> bool:
+def _width(condition: Condition) -> int:
     net = network(condition)
-    return net is None or (net.width <= _FREE_COLUMNS and net.height <= MAX_ROWS)
+    return net.width if net is not None else 0
+
+
+def _height(condition: Condition) -> int:
+    net = network(condition)
+    return net.height if net is not None else 0
+
+
+def _fits_alone(condition: Condition) -> bool:
+    return _width(condition) <= _FREE_COLUMNS and _height(condition) <= MAX_ROWS
 
 
 def _draws(rung: ClickRung) -> bool:
