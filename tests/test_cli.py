@@ -230,6 +230,22 @@ def test_control_characters_of_a_program_do_not_reach_the_terminal(
     assert "\x1b" not in capsys.readouterr().err
 
 
+def test_an_internal_error_is_told_without_a_traceback(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def broken(*_: object) -> None:
+        raise ZeroDivisionError("no such luck")
+
+    monkeypatch.setattr("clickgen.pipeline.read_program", broken)
+    assert main(["build", "prog.py"]) == 2
+    said = capsys.readouterr().err
+    assert "internal error: ZeroDivisionError: no such luck" in said
+    assert "Traceback" not in said
+    monkeypatch.setenv("CLICKGEN_TRACEBACK", "1")
+    with pytest.raises(ZeroDivisionError):
+        main(["build", "prog.py"])
+
+
 def test_version_and_help(capsys: pytest.CaptureFixture[str]) -> None:
     for arguments, words in (["--version"], clickgen.__version__), (["build", "--help"], "examples:"):
         with pytest.raises(SystemExit) as stop:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
 
 OK, PROBLEMS, COULD_NOT_RUN = 0, 1, 2
 """Exit codes: done; problems in the program; there was nothing to judge (no such file, bad flag, unreadable table)."""
+
+TRACEBACK = "CLICKGEN_TRACEBACK"
+"""The environment variable that lets an internal error through, for those who mend it."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -21,9 +25,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 130
     except BrokenPipeError:
         # The reader of our output went away, as head does.
-        import os
-
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return COULD_NOT_RUN
+    except Exception as error:
+        if os.environ.get(TRACEBACK):
+            raise
+        print(
+            f"clickgen: internal error: {type(error).__name__}: {error}\n"
+            f"This is a fault of clickgen, not of your program. Please report it with the program; {TRACEBACK}=1 shows "
+            "where it happened.",
+            file=sys.stderr,
+        )
         return COULD_NOT_RUN
 
 

@@ -18,7 +18,7 @@ from clickgen.ir.walk import condition_operands
 from clickgen.lower.effects import touches
 from clickgen.lower.split import ClickRoutine, ClickRung
 from clickgen.lower.tokens import NEVER_CONTACT, action_token, operand_token
-from clickgen.lower.words import condition_words
+from clickgen.lower.words import condition_words, term_words
 
 _WIDTH = 100
 """A condition longer than this is broken at its terms."""
@@ -111,9 +111,7 @@ def _condition(indent: str, condition: Condition, names: Names) -> Iterator[str]
     else:
         joiner = "and" if isinstance(condition, All) else "or"
         for index, term in enumerate(condition.terms):
-            text = condition_words(type(condition)((term, term), condition.span), names.show)
-            text = text[: (len(text) - len(joiner) - 2) // 2]
-            yield f"{indent}{'if ' if index == 0 else f'   {joiner} '}{text}"
+            yield f"{indent}{f'   {joiner}' if index else 'if'} {term_words(term, condition, names.show)}"
 
 
 # -- cross-reference --------------------------------------------------------------------------------------------------

@@ -29,11 +29,12 @@ def condition_words(condition: Condition, name: Namer = operand_token) -> str:
     if not kept:
         return "always"
     word = " and " if isinstance(condition, All) else " or "
-    return word.join(_bracketed(term, isinstance(condition, All), name) for term in kept)
+    return word.join(term_words(term, condition, name) for term in kept)
 
 
-def _bracketed(term: Condition, in_series: bool, name: Namer) -> str:
+def term_words(term: Condition, whole: All | Any, name: Namer = operand_token) -> str:
+    """One term of a series or a parallel, in brackets where it mixes the two."""
     text = condition_words(term, name)
-    if isinstance(term, Any if in_series else All) and len(term.terms) > 1:
+    if isinstance(term, Any if isinstance(whole, All) else All) and len(term.terms) > 1:
         return f"({text})"
     return text
