@@ -230,8 +230,9 @@ def test_control_characters_of_a_program_do_not_reach_the_terminal(
     assert "\x1b" not in capsys.readouterr().err
 
 
+@pytest.mark.usefixtures("folder")
 def test_an_internal_error_is_told_without_a_traceback(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def broken(*_: object) -> None:
         raise ZeroDivisionError("no such luck")
