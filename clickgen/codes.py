@@ -91,7 +91,6 @@ CODES: dict[str, Code] = {
     "CG411": Code(_E, "return belongs in a subroutine"),
     "CG412": Code(_E, "a timer or counter has two owners"),
     "CG413": Code(_E, "the rung comment is too long for CLICK"),
-    "CG414": Code(_E, "the rung does not fit CLICK's grid"),
     "CG415": Code(_E, "a routine is too long for one CLICK file"),
     "CG416": Code(_E, "too many subroutines"),
     "CG417": Code(_E, "CLICK does not take this subroutine name"),

@@ -19,7 +19,6 @@ from clickgen.emit.nickname_csv import nickname_csv
 from clickgen.emit.sourcemap import source_map
 from clickgen.emit.write import put_in_place
 from clickgen.ir.program import Program
-from clickgen.lower.grid import DoesNotFit
 from clickgen.lower.place import PlaceScratch
 from clickgen.lower.scratch import Scratch
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
@@ -216,18 +215,8 @@ def _place_scratch(state: _Build) -> None:
         state.table = state.table.extended((*resolved.rows, *state.scratch_rows))
 
 
-def _fit(state: _Build) -> None:
-    """Draw every rung, and divide the routines into files within CLICK's limits."""
-    for routine in state.routines:
-        for rung in routine.rungs:
-            try:
-                rung.grid  # noqa: B018  drawn here, kept for the emitters
-            except DoesNotFit:
-                state.problems.add(
-                    "CG414", rung.span, "this rung does not fit 31 columns and 32 rows", "split it into several rungs"
-                )
-    if state.problems.has_errors:
-        return
+def _divide(state: _Build) -> None:
+    """Divide the routines into files within CLICK's limits."""
     for routine in state.routines:
         parts = list(_within_limits(routine.rungs))
         if len(parts) > 1 and not routine.is_main:
@@ -284,7 +273,7 @@ STAGES: tuple[tuple[Callable[[_Build], None], bool], ...] = (
     (_check, False),
     (_lower, True),
     (_place_scratch, True),
-    (_fit, True),
+    (_divide, True),
     (_emit, True),
 )
 """The stages in their order, each with whether it needs a program without errors."""

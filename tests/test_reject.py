@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shutil
-from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -21,11 +20,6 @@ PROGRAM, TABLE = "prog.py", "nicknames.csv"
 _EXPECT = re.compile(r"# expect: ((?:CG\d{3} \d+:\d+(?:, )?)+)\n")
 _FLAGS = re.compile(r"^# flags: (\w+)$", re.MULTILINE)
 
-NOT_REACHED = {
-    "CG414": "lowering divides every rung until it fits",
-}
-"""Codes without a fixture, and why."""
-
 
 class Place(NamedTuple):
     code: str
@@ -33,56 +27,11 @@ class Place(NamedTuple):
     col: int
 
 
-# -- programs too long for a file ------------------------------------------------------------------------------------
-
-END = "    if True:\n        end()\n"
-RETURN = "    if True:\n        return\n"
-
-
-def _deep() -> str:
-    return (
-        f"# expect: CG118 3:988\ndef main():\n    if {'any(x[1], ' * 120}x[2]{')' * 120}:\n        out(y[1])\n\n{END}"
-    )
-
-
-def _rungs(count: int) -> str:
-    return "".join(f"    if c[{number}]:\n        out(y[1])\n\n" for number in range(1, count + 1))
-
-
-def _long_subroutine() -> str:
-    return f"# expect: CG415 8:1\ndef main():\n{END}\n\n@sub\ndef station():\n{_rungs(256)}{RETURN}"
-
-
-def _long_main() -> str:
-    return f"# expect: CG424 2:1\ndef main():\n{_rungs(256)}{END}"
-
-
-def _tall_main() -> str:
-    wide = "any(" + ", ".join(f"c[{number}]" for number in range(1, 33)) + ")"
-    rungs = f"    if {wide}:\n        out(y[1])\n\n" * 62
-    return f"# expect: CG424 2:1\ndef main():\n{rungs}{END}"
-
-
-def _many_subroutines() -> str:
-    subroutines = "".join(f"\n\n@sub\ndef station_{number}():\n{RETURN}" for number in range(987))
-    line = 2 + 2 + 986 * 6 + 4
-    return f"# expect: CG416 {line}:1\ndef main():\n{END}{subroutines}"
-
-
-GENERATED: dict[str, Callable[[], str]] = {
-    "CG118": _deep,
-    "CG415": _long_subroutine,
-    "CG416": _many_subroutines,
-    "CG424": _long_main,
-    "CG424_rows": _tall_main,
-}
-
-
 # -- the fixtures -----------------------------------------------------------------------------------------------------
 
 
 def _names() -> list[str]:
-    return sorted([*(path.stem for path in REJECT.iterdir()), *GENERATED])
+    return sorted(path.stem for path in REJECT.iterdir())
 
 
 def _code(name: str) -> str:
@@ -93,9 +42,7 @@ def _code(name: str) -> str:
 def _lay_out(name: str, folder: Path) -> Path:
     """The fixture in a folder of its own; returns its program."""
     program = folder / PROGRAM
-    if name in GENERATED:
-        program.write_text(GENERATED[name](), "utf-8")
-    elif (REJECT / name).is_dir():
+    if (REJECT / name).is_dir():
         for path in (REJECT / name).iterdir():
             shutil.copyfile(path, folder / path.name)
     else:
@@ -120,7 +67,7 @@ each_fixture = pytest.mark.parametrize("name", _names())
 
 
 def test_every_code_has_a_fixture_and_every_fixture_a_code() -> None:
-    assert {_code(name) for name in _names()} == CODES.keys() - NOT_REACHED.keys()
+    assert {_code(name) for name in _names()} == CODES.keys()
 
 
 @each_fixture
