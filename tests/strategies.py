@@ -165,10 +165,11 @@ class Branch:
 
 @dataclass(frozen=True)
 class Loop:
-    """``for _ in range(count):`` around rungs."""
+    """``for _ in range(count):`` around rungs; an open one stands last in its rung and ends at ``next_loop()``."""
 
     count: int
     body: tuple[Rung, ...]
+    is_open: bool = False
 
 
 Item = Act | Branch | Loop
@@ -206,6 +207,10 @@ def _rung_lines(rungs: Sequence[Rung], depth: int) -> Iterator[str]:
     for rung in rungs:
         yield "    " * depth + f"if {rung.condition.text}:"
         yield from _item_lines(rung.items, depth + 1)
+        last = rung.items[-1] if rung.items else None
+        if isinstance(last, Loop) and last.is_open:
+            yield from _rung_lines(last.body, depth)
+            yield from (f"{'    ' * depth}if True:", f"{'    ' * depth}    next_loop()")
 
 
 def _item_lines(items: Sequence[Item], depth: int) -> Iterator[str]:
@@ -218,7 +223,7 @@ def _item_lines(items: Sequence[Item], depth: int) -> Iterator[str]:
             yield from _item_lines(item.items, depth + 1)
         else:
             yield f"{indent}for _ in range({item.count}):"
-            yield from _rung_lines(item.body, depth + 1)
+            yield from [indent + "    pass"] if item.is_open else _rung_lines(item.body, depth + 1)
 
 
 def acts(items: Sequence[Item]) -> Iterator[Act]:
@@ -254,7 +259,7 @@ def written(name: str) -> str:
 
 # ---------------------------------------------------------------------------------------------------- leaves
 
-FORMS = ("", "", "", "nc", "nc", "re", "fe")
+FORMS = ("", "", "nc", "re", "fe")
 POWER_BITS = (
     "X001",
     "X016",
@@ -328,7 +333,11 @@ def bit_ranges(draw: st.DrawFn, banks: Sequence[str] = ("X", "Y", "C", "T", "CT"
 
 
 def conditions(
-    leaf: st.SearchStrategy[Condition], depth: int = 3, breadth: int = 4, always: bool = False
+    leaf: st.SearchStrategy[Condition],
+    depth: int = 3,
+    breadth: int = 4,
+    always: bool = False,
+    groups_weight: int = 1,
 ) -> st.SearchStrategy[Condition]:
     """Trees of ``all`` and ``any``, also of a single term and of their own kind inside."""
     tree = leaf
@@ -336,7 +345,7 @@ def conditions(
         groups = st.builds(
             Group, st.sampled_from(("all", "any")), st.lists(tree, min_size=1, max_size=breadth).map(tuple)
         )
-        tree = weighted((1, leaf), (1, groups))
+        tree = weighted((1, leaf), (groups_weight, groups))
     return weighted((5, tree), (1, st.just(ALWAYS))) if always else tree
 
 
@@ -347,7 +356,7 @@ any_leaves: st.SearchStrategy[Condition] = st.one_of(
 
 def few_leaves(count: int) -> st.SearchStrategy[st.SearchStrategy[Condition]]:
     """A strategy over a pool of at most so many different leaves, so that all their situations can be tried."""
-    pools = st.lists(any_leaves, min_size=1, max_size=count)
+    pools = st.lists(any_leaves, min_size=min(6, count), max_size=count, unique=True)
     return pools.map(st.sampled_from)
 
 
@@ -413,9 +422,9 @@ class Numbers:
 @st.composite
 def plain_rungs(draw: st.DrawFn, numbers: Numbers | None = None) -> Rung:
     """A rung of plain instructions and branches that fits one CLICK rung."""
-    leaf = draw(few_leaves(9))
+    leaf = draw(few_leaves(10))
     mine = numbers or Numbers()
-    tree = conditions(leaf, draw(st.integers(1, 4)), 3, always=True)
+    tree = conditions(leaf, draw(st.integers(1, 4)), 3, always=True, groups_weight=2)
 
     def items(depth: int) -> tuple[Item, ...]:
         found: list[Item] = []
@@ -454,9 +463,9 @@ def fits(rung: Rung) -> bool:
 @st.composite
 def pinned_rungs(draw: st.DrawFn, numbers: Numbers | None = None) -> Rung:
     """A rung with one box that has inputs, its conditions as tall as one CLICK rung takes them."""
-    leaf = draw(few_leaves(9))
+    leaf = draw(few_leaves(10))
     mine = numbers or Numbers()
-    tree = conditions(leaf, draw(st.integers(1, 4)), 3, always=True)
+    tree = conditions(leaf, draw(st.integers(1, 4)), 3, always=True, groups_weight=2)
     act, names, _ = draw(st.sampled_from(PINNED_ACTS))
     pins: list[tuple[str, Condition | None]] = []
     for name in names:
@@ -521,20 +530,9 @@ class World:
 
 
 def world_leaves(world: World, timers: Sequence[int], immediate: bool = False) -> st.SearchStrategy[Condition]:
-    bits = [
-        "X001",
-        "X002",
-        "C1",
-        "C2",
-        "C3",
-        "C4",
-        "Y001",
-        "Y002",
-        *(f"T{n}" for n in timers[:2]),
-        *(f"CT{n}" for n in timers[2:]),
-    ]
+    bits = ["X001", "X002", "C1", "C2", "C3", "Y001", f"T{timers[0]}", f"CT{timers[2]}"]
     if world.flags:
-        bits += ["SC43", "SC40", "SC44"]
+        bits += ["SC43", "SC40", "SC43", "SC44"]
     registers = [_register(name) for name in ("DS1", "DS2", "DS3", "DD1", "TD11", "CTD13")]
     numbers = [*registers, *((str(n), str(n)) for n in range(4))]
     decimal = st.builds(_compare, st.sampled_from(registers), st.sampled_from(OPERATORS), st.sampled_from(numbers))
@@ -553,7 +551,7 @@ WORLD_ACTS = (
     *(
         Act(f"{word}({written(bit)})", f"{token}({bit})")
         for word, token in (("out", "out"), ("set", "latch"), ("reset", "reset"))
-        for bit in ("C1", "C2", "C3", "C4", "Y001", "Y002")
+        for bit in ("C1", "C2", "C3", "Y001")
     ),
     Act("out(c[1:4])", "out(C1..C3)"),
     Act("reset(c[1:4])", "reset(C1..C3)"),
@@ -567,8 +565,8 @@ WORLD_ACTS = (
     Act("copy(x[1], c[1])", "copy(X001,C1)", 2),
     Act("copy(ds[ds[1]], ds[3])", "copy(DS[DS1],DS3)", 2),
     Act("copy(ds[2], ds[ds[1]])", "copy(DS2,DS[DS1])", 2),
-    Act("copy(c[1], c[ds[1]])", "copy(C1,C[DS1])", 2),
-    Act("copy(dh[1], yd[0])", "copy(DH1,YD0)", 2),
+    *(Act("copy(c[1], c[ds[1]])", "copy(C1,C[DS1])", 2),) * 3,
+    *(Act("copy(dh[1], yd[0])", "copy(DH1,YD0)", 2),) * 3,
     Act("copy_fill(2, ds[1:4])", "fill(2,DS1..DS3)", 2),
     Act("copy_block(c[1:4], y[1])", "blockcopy(C1..C3,Y001..Y003)", 2),
     Act("copy_unpack(dh[1], c[1:4])", "unpack_to_bits(DH1,C1..C3)", 2),
@@ -640,16 +638,27 @@ def _world_items(world: World, place: str, large: bool) -> st.SearchStrategy[Run
         leave = st.sampled_from((Act("call(other)", 'call("other")'),) * 2 + (Act("end()", "end()"),))
     else:
         leave = st.just(Act("return", "return()"))
-    item = weighted((6, plain), (4, st.one_of(boxes)), (1, leave))
+    leaves_if: st.SearchStrategy[Item] = st.builds(lambda one, act: Branch(one, (act,)), branch, leave)
+    item = weighted((5, plain), (4, st.one_of(boxes)), (1, leave), (1, leaves_if))
+
+    # Something that changes or leaves, and behind it something that a split could be wrong about.
+    box = st.one_of(boxes)
+    then = weighted((3, box), (1, st.builds(lambda one, act: Branch(one, (act,)), branch, box)))
+    two = st.tuples(weighted((2, plain), (2, leaves_if), (1, leave)), then)
 
     def rungs(inner: st.SearchStrategy[Item]) -> st.SearchStrategy[Rung]:
+        loop_or_item = inner
         for _ in range(2):
             some = st.lists(inner, min_size=1, max_size=3).map(tuple)
-            inner = weighted((3, item), (1, st.builds(Branch, branch, some)))
-        return st.builds(Rung, conditions_of["rung"], st.lists(inner, min_size=1, max_size=4).map(tuple))
+            inner = weighted((3, item), (2, st.builds(Branch, branch, some)), (1, loop_or_item))
+        few, more = (st.lists(inner, min_size=low, max_size=high).map(tuple) for low, high in ((1, 3), (3, 5)))
+        return st.builds(Rung, conditions_of["rung"], weighted((1, few), (3, more), (3, two)))
 
     body = st.lists(rungs(item), min_size=1, max_size=2).map(tuple)
-    return rungs(weighted((5, item), (1, st.builds(Loop, st.integers(1, 3), body))))
+    closed = rungs(weighted((2, item), (1, st.builds(Loop, st.integers(1, 3), body))))
+    opened = st.builds(Loop, st.integers(1, 3), body, st.just(True))
+    with_open = st.builds(lambda rung, loop: Rung(rung.condition, (*rung.items, loop)), closed, opened)
+    return weighted((9, closed), (1, with_open))
 
 
 def _numbered(program: Program) -> Program:
@@ -661,7 +670,7 @@ def _numbered(program: Program) -> Program:
         if isinstance(one, Branch):
             return Branch(one.condition, tuple(map(item, one.items)))
         if isinstance(one, Loop):
-            return Loop(one.count, tuple(map(rung, one.body)))
+            return Loop(one.count, tuple(map(rung, one.body)), one.is_open)
         if "{}" not in one.call:
             return one
         numbers = free["CT" if "ct[" in one.call else "T"]

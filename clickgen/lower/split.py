@@ -182,19 +182,12 @@ class _RungSplit:
     def _unsafe(self, parts: list[_Part]) -> list[_Node]:
         """The conditions that a later part would see changed, or that must not be looked at twice."""
         unsafe: list[_Node] = []
-        first_seen: dict[_Node, int] = {}
         written = Cells()
         may_leave = False
         for index, part in enumerate(parts):
             for node in _nodes([part]):
-                seen_before = first_seen.setdefault(node, index) < index
-                if index == 0 or node.is_own or node in unsafe:
-                    continue
-                if (
-                    reads(node.condition).meets(written)
-                    or (may_leave and has_edge(node.condition))
-                    or (seen_before and is_volatile(node.condition))
-                ):
+                late = index > 0 and not node.is_own and node not in unsafe
+                if late and _is_stale(node.condition, written, may_leave):
                     unsafe.append(node)
             for action in _run_by(part):
                 written.update(self._home.effects.writes(action))
@@ -205,7 +198,7 @@ class _RungSplit:
         """Pins whose condition an earlier part changes, or with parallel legs where the grid has no room for them."""
         written = Cells()
         may_leave = False
-        for part in parts:
+        for index, part in enumerate(parts):
             for step in part:
                 pins = step.action.spec.pins
                 for param in pins:
@@ -214,7 +207,7 @@ class _RungSplit:
                         continue
                     net = pin_network(step.action, param)
                     too_tall = net.height > 1 and param is not pins[-1]
-                    is_stale = reads(condition).meets(written) or (may_leave and has_edge(condition))
+                    is_stale = index > 0 and _is_stale(condition, written, may_leave)
                     if too_tall or is_stale or not _fits_alone(condition):
                         bit = self._on_scratch(self._reduced(condition), f"{param.name} input")
                         step.action = Action(step.action.spec, {**step.action.args, param.name: bit}, step.action.span)
@@ -294,6 +287,15 @@ class _RungSplit:
 def _is_special(step: _Step) -> bool:
     """True for a box with pins, which may need scratch bits, and for a loop, which brings its body."""
     return bool(step.action.spec.pins) or step.body is not None
+
+
+def _is_stale(condition: Condition, written: Cells, may_leave: bool) -> bool:
+    """True when a condition may look otherwise after what ran before it than it did before.
+
+    Something it reads was written; or it holds an edge, which a scan that left early has not seen; or an immediate
+    contact, which looks at the point itself.
+    """
+    return reads(condition).meets(written) or (may_leave and has_edge(condition)) or is_volatile(condition)
 
 
 def _run_by(part: _Part) -> Iterator[Action]:

@@ -27,13 +27,14 @@ _FORM_FEED = re.compile(r"(?m)^[ \t]*\f")
 
 def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
     """The source file behind these bytes (UTF-8, with or without a byte order mark), or None with a problem."""
+    data = data.removeprefix(b"\xef\xbb\xbf")
     try:
-        text = data.decode("utf-8-sig")
+        text = _lines(data.decode())
     except UnicodeDecodeError as error:
         if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
             problems.add("CG101", Span(path, 1, 1, 1, 2), "the file is UTF-16, not UTF-8", "save it as UTF-8")
             return None
-        before = data[: error.start].decode("utf-8-sig", errors="replace")
+        before = _lines(data[: error.start].decode())
         line = before.count("\n") + 1
         col = len(before) - before.rfind("\n")
         problems.add(
@@ -44,7 +45,12 @@ def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
         )
         return None
     # For Python a form feed begins its line anew; libcst does not know that.
-    return SourceFile(path, _FORM_FEED.sub("", text.replace("\r\n", "\n").replace("\r", "\n")))
+    return SourceFile(path, _FORM_FEED.sub("", text))
+
+
+def _lines(text: str) -> str:
+    """Text with one kind of line end."""
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def parse_trees(source: SourceFile, problems: Diagnostics) -> tuple[libcst.Module, ast.Module] | None:
