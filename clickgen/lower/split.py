@@ -20,7 +20,7 @@ from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Rung, Value, actions_in, rungs_in
 from clickgen.lower.effects import Cells, Effects, has_edge, is_volatile, reads
 from clickgen.lower.expand import OffDelays, Own, expand_formula, expand_range
-from clickgen.lower.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw, pin_network
+from clickgen.lower.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw
 from clickgen.lower.network import bits, network
 from clickgen.lower.scratch import Scratch, shown_in_reason
 from clickgen.lower.words import condition_words
@@ -205,12 +205,11 @@ class _RungSplit:
                     condition = step.action.pin(param.name)
                     if condition is None:
                         continue
-                    net = pin_network(step.action, param)
-                    too_tall = net.height > 1 and param is not pins[-1]
-                    is_stale = index > 0 and _is_stale(condition, written, may_leave)
-                    if too_tall or is_stale or not _fits_alone(condition):
-                        bit = self._on_scratch(self._reduced(condition), f"{param.name} input")
-                        step.action = Action(step.action.spec, {**step.action.args, param.name: bit}, step.action.span)
+                    reduced = self._reduced(condition)
+                    too_tall = _height(reduced) > 1 and param is not pins[-1]
+                    if too_tall or (index > 0 and _is_stale(condition, written, may_leave)):
+                        reduced = self._on_scratch(reduced, f"{param.name} input")
+                    step.action = Action(step.action.spec, {**step.action.args, param.name: reduced}, step.action.span)
             for action in _run_by(part):
                 written.update(self._home.effects.writes(action))
                 may_leave = may_leave or action.spec in _LEAVING
@@ -261,13 +260,13 @@ class _RungSplit:
         action = step.action
         path = All(tuple(node.condition for node in step.node.path), self._rung.condition.span)
         enable: Condition = self._reduced(path)
-        if not self._takes(enable, action):
+        if not self._takes(enable, action) and _is_large(enable):
             enable = self._on_scratch(enable, "condition")
         if not self._takes(enable, action):
             pins: dict[str, Value] = {}
             for param in action.spec.pins:
                 pin = action.pin(param.name)
-                if pin is not None:
+                if pin is not None and _is_large(pin):
                     pins[param.name] = self._on_scratch(pin, f"{param.name} input")
             action = Action(action.spec, {**action.args, **pins}, action.span)
         return ClickRung(enable, (action,), self._comment, self._rung.span)
@@ -356,6 +355,11 @@ def _width(condition: Condition) -> int:
 def _height(condition: Condition) -> int:
     net = network(condition)
     return net.height if net is not None else 0
+
+
+def _is_large(condition: Condition) -> bool:
+    """True when the condition takes more than the one contact of a scratch bit."""
+    return _width(condition) > 1 or _height(condition) > 1
 
 
 def _fits_alone(condition: Condition) -> bool:
