@@ -22,8 +22,10 @@ from clickgen.ir.program import Program
 from clickgen.lower.place import PlaceScratch
 from clickgen.lower.scratch import Scratch
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
+from clickgen.resolve.read_table import TableUnreadable, read_table
 from clickgen.resolve.resolve import Resolved, resolve
-from clickgen.resolve.table import AddressTable, Row, TableUnreadable, read_table
+from clickgen.resolve.rows import Row
+from clickgen.resolve.table import AddressTable
 from clickgen.source import SourceFile
 from clickgen.syntax.parse import decode
 from clickgen.syntax.read import read_program

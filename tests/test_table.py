@@ -20,17 +20,9 @@ from pyclickplc.validation import validate_initial_value
 from clickgen.device.banks import BANKS, Address, Kind, parse_address
 from clickgen.diagnostics import Diagnostic, Diagnostics
 from clickgen.emit.nickname_csv import nickname_csv
-from clickgen.resolve.table import (
-    COLUMNS,
-    HEADER,
-    AddressTable,
-    Row,
-    TableUnreadable,
-    default_row,
-    format_initial,
-    format_row,
-    read_table,
-)
+from clickgen.resolve.read_table import TableUnreadable, read_table
+from clickgen.resolve.rows import COLUMNS, HEADER, Row, default_row, format_initial, format_row
+from clickgen.resolve.table import AddressTable
 
 EXPORT = Path(__file__).parents[1] / "fixtures" / "nicknames" / "export.csv"
 SHARED_EXPORT = Path(__file__).parents[2] / "shared" / "data" / "nickname-export.csv"
@@ -574,9 +566,9 @@ def test_every_formatted_value_is_one_that_a_row_may_hold(kind: Kind, value: Any
 
 
 def check_row(row: Row, problems: Diagnostics) -> None:
-    from clickgen.resolve import table
+    from clickgen.resolve import read_table as room
 
-    reader = table._Reader("t", problems)
+    reader = room._Reader("t", problems)
     reader.read([HEADER + "\n", *io.StringIO(format_row(row), newline="\n").readlines()])
     assert [entry.row.content for entry in reader.entries[1:] if entry.row] == [row.content]
 

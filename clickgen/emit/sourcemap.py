@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterable
 
 from clickgen.lower.split import ClickRoutine
-from clickgen.resolve.table import Row
+from clickgen.resolve.rows import Row
 
 FORMAT = 1
 """The version of the file's form."""

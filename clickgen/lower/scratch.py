@@ -16,7 +16,8 @@ from clickgen.diagnostics import Diagnostics
 from clickgen.ir.operands import Cell, Operand
 from clickgen.lower.tokens import operand_token
 from clickgen.resolve.allocate import Allocator
-from clickgen.resolve.table import AddressTable, Row, is_scratch, scratch_name
+from clickgen.resolve.rows import Row, is_scratch, scratch_name
+from clickgen.resolve.table import AddressTable
 from clickgen.source import Span
 
 _RUNG_NUMBER = re.compile(r" rung ([0-9]+)")

@@ -12,7 +12,8 @@ from clickgen.diagnostics import Diagnostics, Label
 from clickgen.ir.operands import CharCode, Operand
 from clickgen.ir.program import Declaration
 from clickgen.resolve.constants import typed
-from clickgen.resolve.table import AddressTable, Row, default_row, format_initial, looks_like_scratch
+from clickgen.resolve.rows import Row, default_row, format_initial, looks_like_scratch
+from clickgen.resolve.table import AddressTable
 from clickgen.source import Span
 
 

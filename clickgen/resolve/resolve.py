@@ -18,7 +18,8 @@ from clickgen.ir.walk import Rewriter, program_operands
 from clickgen.resolve.allocate import Allocator
 from clickgen.resolve.constants import kind_of, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
-from clickgen.resolve.table import AddressTable, Row, is_scratch, looks_like_scratch
+from clickgen.resolve.rows import Row, is_scratch, looks_like_scratch
+from clickgen.resolve.table import AddressTable
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,277 @@
+"""Reading an address table, with everything that is wrong with it told at once."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from pathlib import Path
+
+from clickgen.device.banks import BANKS, Address, Kind, parse_address
+from clickgen.device.nicknames import comment_fault, is_click_owned, nickname_fault
+from clickgen.diagnostics import Diagnostics, Label
+from clickgen.resolve.rows import COLUMNS, HEADER, Row, initial_fault, text_span
+from clickgen.resolve.table import BOM, AddressTable, Entry
+from clickgen.source import Span
+
+_ADDRESS, _TYPE, _NICKNAME, _INITIAL, _RETENTIVE, _COMMENT = range(6)
+# The longest address is CTD250; a field of thousands of digits is no business of int().
+_ADDRESS_MAX = 16
+
+
+class TableUnreadable(Exception):
+    """The file cannot be read as an address table at all; the message says why and what to do."""
+
+
+def read_table(path: Path, shown: str, problems: Diagnostics) -> AddressTable:
+    """Read an address table. ``shown`` is the path as the user knows it.
+
+    Raises TableUnreadable when the file is no address table. Everything wrong with single rows goes to ``problems``,
+    all at once; a row whose address can be read is in the table all the same, so that its name is known.
+    """
+    text, bom = _decoded(path, shown)
+    # Only \n ends a line, as in SourceFile; the \r of \r\n stays on the line, and the csv module knows it.
+    lines = io.StringIO(text, newline="\n").readlines()
+    _check_header(lines[0] if lines else "", shown)
+    reader = _Reader(shown, problems)
+    reader.read(lines)
+    return AddressTable(shown, tuple(reader.entries), reader.entries[0].end or "\n", bom)
+
+
+def _decoded(path: Path, shown: str) -> tuple[str, bool]:
+    try:
+        data = path.read_bytes()
+    except FileNotFoundError:
+        raise TableUnreadable(f"there is no address table at {shown}") from None
+    except IsADirectoryError:
+        raise TableUnreadable(f"{shown} is a folder; name the nickname CSV in it") from None
+    except OSError as error:
+        if path.is_dir():  # Windows answers a folder with PermissionError.
+            raise TableUnreadable(f"{shown} is a folder; name the nickname CSV in it") from None
+        raise TableUnreadable(f"{shown} cannot be read: {error.strerror or error}") from error
+    if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
+        raise TableUnreadable(f"{shown} is an Excel workbook; save its table as CSV UTF-8 and name that")
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        raise TableUnreadable(f"{shown} is UTF-16 (Excel's Unicode text); save it as CSV UTF-8")
+    bom = data.startswith(BOM)
+    try:
+        return data[len(BOM) if bom else 0 :].decode("utf-8"), bom
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        byte = error.object[error.start]
+        message = f"{shown} is not UTF-8: line {line} holds the byte {byte:02X}; save it as CSV UTF-8"
+        raise TableUnreadable(message) from None
+
+
+def _check_header(line: str, shown: str) -> None:
+    # The names need no quotes; a spreadsheet may have given them some.
+    fields = line.rstrip("\r\n").split(",")
+    if [re.sub(r'^"(.*)"$', r"\1", field) for field in fields] == list(COLUMNS):
+        return
+    if not line:
+        reason = "it is empty"
+    elif not line.strip():
+        reason = "its first line is empty"
+    elif "\r" in line.rstrip("\r\n"):
+        reason = "its lines end in a lone carriage return"
+    elif "\0" in line:
+        reason = "it holds binary data"
+    elif line.count(";") >= 5 or line.count("\t") >= 5:
+        reason = f"its columns are separated by {'semicolons' if ';' in line else 'tabs'}; save it with commas"
+    else:
+        start = line.strip()
+        reason = f"it begins with {start if len(start) <= 60 else start[:60] + '...'}"
+    raise TableUnreadable(f"{shown} is not a CLICK nickname CSV: {reason}. The first line must be {HEADER}")
+
+
+class _Reader:
+    """Turns the lines of a table into entries, saying what is wrong with each row."""
+
+    def __init__(self, shown: str, problems: Diagnostics) -> None:
+        self.shown = shown
+        self.problems = problems
+        self.entries: list[Entry] = []
+        self._by_address: dict[Address, Row] = {}
+        self._by_name: dict[str, Row] = {}
+
+    def read(self, lines: list[str]) -> None:
+        self._keep(None, *_cut(lines[0]))
+        start = 1
+        while start < len(lines):
+            # A reader of its own after each fault: the csv module would go on behind what the open quote swallowed.
+            reader = csv.reader(map(lines.__getitem__, range(start, len(lines))), strict=True)
+            base = start
+            try:
+                for fields in reader:
+                    end = base + reader.line_num
+                    text, line_end = _cut(lines[start] if end - start == 1 else "".join(lines[start:end]))
+                    row = self._row(fields, text, start + 1) if any(fields) else None
+                    self._keep(row, text, line_end)
+                    start = end
+            except csv.Error as error:
+                text, line_end = _cut(lines[start])
+                self._unsplittable(str(error), text, start + 1)
+                self._keep(None, text, line_end)
+                start += 1
+
+    def _keep(self, row: Row | None, text: str, line_end: str) -> None:
+        self.entries.append(Entry(row, text, line_end))
+
+    def _row(self, fields: list[str], raw: str, line: int) -> Row | None:
+        if len(fields) != len(COLUMNS):
+            self._malformed(
+                text_span(self.shown, line, raw, 0, len(raw)),
+                f"this row has {len(fields)} field{'s' * (len(fields) != 1)} where {len(COLUMNS)} are expected",
+                f"write {HEADER}, with a nickname or comment that holds a comma between double quotes",
+            )
+            return None
+        shown_address, word, nickname, initial, retentive, comment = fields
+        address = parse_address(shown_address) if len(shown_address) <= _ADDRESS_MAX else None
+        if address is None:
+            self._malformed(
+                _field_span(self.shown, line, raw, _ADDRESS),
+                f"CLICK has no address {_short(shown_address)}",
+                _way_to_an_address(shown_address),
+            )
+            return None
+
+        bank = BANKS[address.bank]
+        kind = bank.kind
+        row = Row(address, nickname, initial, retentive == "Yes", comment, line, raw)
+
+        if word != kind.value:
+            self._malformed(
+                _field_span(self.shown, line, raw, _TYPE),
+                f"{address} is given the data type {_short(word)}",
+                f"write {kind.value}: {bank.name} holds {bank.title}",
+            )
+        if initial != "0" or kind is Kind.TEXT:
+            expected = initial_fault(kind, initial)
+            if expected is not None:
+                self._malformed(
+                    _field_span(self.shown, line, raw, _INITIAL),
+                    f"{address} cannot start with the value {_short(initial)}",
+                    f"write {expected}",
+                )
+            elif bank.name in ("XD", "YD") and int(initial, 16):
+                self._fixed(row, _INITIAL, "0")
+        if retentive != "Yes" and retentive != "No":
+            self._malformed(
+                _field_span(self.shown, line, raw, _RETENTIVE),
+                f"the Retentive field of {address} reads {_short(retentive)}",
+                "write Yes or No",
+            )
+        elif row.retentive and bank.name in ("XD", "YD"):
+            self._fixed(row, _RETENTIVE, "No")
+        if comment:
+            fault = comment_fault(comment)
+            if fault:
+                self._malformed(
+                    _field_span(self.shown, line, raw, _COMMENT),
+                    f"CLICK does not take the comment of {address}: {fault}",
+                    "shorten the comment" if "takes" in fault else "take the character out of the comment",
+                )
+        return self._placed(row)
+
+    def _placed(self, row: Row) -> Row | None:
+        """The row, unless its address is taken; says so, and judges the nickname."""
+        stands = self._by_address.setdefault(row.address, row)
+        if stands is not row:
+            self._twice(
+                row, _ADDRESS, stands, f"{row.address} stands twice: on line {stands.line} and here", "delete one row"
+            )
+            return None
+        name = row.nickname
+        if not name:
+            return row
+        fault = nickname_fault(name)
+        if fault and is_click_owned(row.address, name):
+            fault = nickname_fault(name, system=True)
+        if fault:
+            self.problems.add(
+                "CG603",
+                _field_span(self.shown, row.line, row.raw, _NICKNAME),
+                f"CLICK does not take the nickname {_short(name)} of {row.address}: {fault}",
+                "rename it in CLICK and export again, or rename it here and in the program",
+            )
+        holder = self._by_name.setdefault(name.lower(), row)
+        # CLICK itself gives one name to two of its own points now and then (pyclickplc, read_csv).
+        if holder is not row and {holder.address.bank, row.address.bank} - {"SC", "SD"}:
+            spelled = "" if holder.nickname == name else f", there spelled {_short(holder.nickname)}"
+            self._twice(
+                row,
+                _NICKNAME,
+                holder,
+                f"the nickname {_short(name)} of {row.address} already belongs to {holder.address} "
+                f"on line {holder.line}{spelled}",
+                "give one of the two another nickname; CLICK does not tell capitals from small letters",
+            )
+        return row
+
+    def _twice(self, row: Row, field: int, earlier: Row, message: str, way_out: str) -> None:
+        there = _field_span(self.shown, earlier.line, earlier.raw, field)
+        here = _field_span(self.shown, row.line, row.raw, field)
+        self.problems.add("CG602", here, message, way_out, (Label(there, f"the earlier row, {earlier.address}"),))
+
+    def _fixed(self, row: Row, field: int, expected: str) -> None:
+        self._malformed(
+            _field_span(self.shown, row.line, row.raw, field),
+            f"CLICK lets nobody change the {COLUMNS[field].lower()} setting of {row.address}",
+            f"write {expected}",
+        )
+
+    def _unsplittable(self, reason: str, raw: str, line: int) -> None:
+        if "field limit" in reason:
+            message, way_out = "this row is far too long for a row of nicknames", "look for a quote that is not closed"
+        elif "new-line" in reason:
+            message, way_out = "a lone carriage return stands in this row", "delete it, or put a line break there"
+        else:
+            message = "the double quotes of this row do not pair up"
+            way_out = 'put nickname and comment between double quotes, and write "" for a quote inside them'
+        self._malformed(text_span(self.shown, line, raw, 0, len(raw)), message, way_out)
+
+    def _malformed(self, span: Span, message: str, way_out: str) -> None:
+        self.problems.add("CG601", span, message, way_out)
+
+
+def _cut(text: str) -> tuple[str, str]:
+    """A row's text and its line end."""
+    if text.endswith("\r\n"):
+        return text[:-2], "\r\n"
+    if text.endswith(("\n", "\r")):
+        return text[:-1], text[-1]
+    return text, ""
+
+
+def _short(text: str) -> str:
+    """A field for a message: on one line, and not endless."""
+    if not text:
+        return '""'
+    if len(text) > 40:
+        text = text[:40] + "..."
+    return text if text.isprintable() else ascii(text)
+
+
+def _way_to_an_address(text: str) -> str:
+    name = re.match(r"[A-Za-z]{0,4}", text.strip())
+    bank = BANKS.get(name[0].upper()) if name else None
+    if bank is None:
+        return f"the banks are {' '.join(BANKS)}"
+    return f"{bank.name} has {bank.describe_range()}"
+
+
+def _field_span(shown: str, line: int, raw: str, field: int) -> Span:
+    """Where a field of a row stands, its quotes included."""
+    start = 0
+    for index in range(field + 1):
+        if raw.startswith('"', start):
+            close = raw.find('"', start + 1)
+            while close >= 0 and raw.startswith('"', close + 1):
+                close = raw.find('"', close + 2)
+            end = close + 1 if close >= 0 else len(raw)
+        else:
+            comma = raw.find(",", start)
+            end = comma if comma >= 0 else len(raw)
+        if index < field:
+            start = end + 1
+    return text_span(shown, line, raw, start, end)
