@@ -1,7 +1,5 @@
 """``python -m clickgen``."""
 
-import sys
+from clickgen.cli import run
 
-from clickgen.cli import main
-
-sys.exit(main())
+run()

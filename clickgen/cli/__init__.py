@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
+import gc
 import os
 import sys
 from collections.abc import Sequence
+from typing import NoReturn
 
 OK, PROBLEMS, COULD_NOT_RUN = 0, 1, 2
 """Exit codes: done; problems in the program; there was nothing to judge (no such file, bad flag, unreadable table)."""
@@ -37,6 +40,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
             file=sys.stderr,
         )
         return COULD_NOT_RUN
+
+
+def run() -> NoReturn:
+    """The command as a process of its own: run it and end.
+
+    A build makes hundreds of thousands of objects and few cycles. Collecting them in between, and taking all of them
+    apart at the end, costs a fifth of the time; the system takes the memory back anyway.
+    """
+    gc.disable()
+    try:
+        code = main()
+    except SystemExit as stop:
+        code = stop.code if isinstance(stop.code, int) else COULD_NOT_RUN
+    for stream in (sys.stdout, sys.stderr):
+        with contextlib.suppress(OSError, ValueError):
+            stream.flush()
+    os._exit(code)
 
 
 def _speak_utf8() -> None:

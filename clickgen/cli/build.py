@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import gc
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
@@ -20,8 +17,7 @@ def run(program: str, output: str | None, nicknames: str | None, frozen: bool) -
     try:
         if output == "":
             raise CouldNotRun("the output folder after -o is empty")
-        with _no_collection():
-            result = build(program, nicknames=nicknames, frozen=frozen)
+        result = build(program, nicknames=nicknames, frozen=frozen)
         write_problems(result.diagnostics, result.sources, sys.stderr)
         if not result.ok:
             print(f"clickgen: {summary(result.diagnostics)}; nothing was written", file=sys.stderr)
@@ -36,18 +32,6 @@ def run(program: str, output: str | None, nicknames: str | None, frozen: bool) -
         return COULD_NOT_RUN
     print(_report(result, folder))
     return OK
-
-
-@contextmanager
-def _no_collection() -> Iterator[None]:
-    """A build makes hundreds of thousands of objects and few cycles: collecting them costs a third of the time."""
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            gc.enable()
 
 
 def _report(result: BuildResult, folder: Path) -> str:

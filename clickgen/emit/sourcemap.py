@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable
+from functools import cache
 
 from clickgen.lower.split import ClickRoutine
 from clickgen.resolve.rows import Row
@@ -47,6 +48,7 @@ def source_map(routines: Iterable[ClickRoutine], scratch: Iterable[Row], files: 
     return "{\n" + ",\n".join(parts) + "\n}\n"
 
 
+@cache
 def _relative(path: str, base: str) -> str:
     """The same for every way to name the program, and with forward slashes on Windows too."""
     return os.path.relpath(path, base or ".").replace(os.sep, "/")
