@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from clickgen.device.banks import Kind
+from clickgen.device.banks import FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, Kind
 from clickgen.ir.operands import CharCode, Hex, Integer, Operand, Real, Text
 from clickgen.resolve.constants import kind_of
 
@@ -14,9 +14,6 @@ _CLASSES = {
     Kind.TEXT: "text",
     Kind.BIT: "bit",
 }
-_RANGES = {Kind.INT16: (-32768, 32767), Kind.INT32: (-(2**31), 2**31 - 1)}
-_FLOAT_MAX = 3.4028235e38
-_FLOAT_MIN = 1.1754944e-38
 
 
 def value_class(operand: Operand) -> str:
@@ -39,19 +36,16 @@ def constant_fault(constant: Operand, kind: Kind | None) -> str:
 def range_fault(constant: Operand, kind: Kind | None) -> str:
     """The same for a constant that is only compared with a value of this kind."""
     if isinstance(constant, Integer):
-        if kind in _RANGES:
-            low, high = _RANGES[kind]
-            if not low <= constant.value <= high:
-                return f"{constant.value} is outside {low}..{high}"
-        elif kind is Kind.HEX:
+        if kind is Kind.HEX:
             return f"{constant.value} is negative; a hexadecimal word holds 0..FFFFh"
-        elif not -(2**31) <= constant.value < 2**31:
-            return f"{constant.value} is outside -2147483648..2147483647"
+        low, high = INTEGER_RANGES[kind if kind in INTEGER_RANGES else Kind.INT32]
+        if not low <= constant.value <= high:
+            return f"{constant.value} is outside {low}..{high}"
     if isinstance(constant, Hex) and constant.value > 0xFFFF:
         return f"{constant.value:X}h is outside 0000h..FFFFh"
-    if isinstance(constant, Real) and not -_FLOAT_MAX <= constant.value <= _FLOAT_MAX:
+    if isinstance(constant, Real) and not -FLOAT_MAX <= constant.value <= FLOAT_MAX:
         return f"{constant.text} is outside -3.4028235E+38..3.4028235E+38"
-    if isinstance(constant, Real) and 0 < abs(constant.value) < _FLOAT_MIN:
+    if isinstance(constant, Real) and 0 < abs(constant.value) < FLOAT_MIN:
         return f"{constant.text} is closer to 0 than a floating-point register can hold"
     if isinstance(constant, Text):
         if not constant.value:

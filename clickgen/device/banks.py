@@ -19,6 +19,13 @@ class Kind(Enum):
     TEXT = "TEXT"
 
 
+INTEGER_RANGES = {Kind.INT16: (-32768, 32767), Kind.INT32: (-(2**31), 2**31 - 1)}
+"""The least and greatest whole number of a cell."""
+
+FLOAT_MAX = 3.4028235e38
+FLOAT_MIN = 1.1754944e-38
+"""The greatest and the least magnitude of a 32-bit floating-point number, 0 aside."""
+
 # Ten slots of 16 points; X017..X020 and the like do not exist.
 _SLOTS = ((1, 16), (21, 36), *((n * 100 + 1, n * 100 + 16) for n in range(1, 9)))
 

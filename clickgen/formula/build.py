@@ -11,7 +11,7 @@ from typing import Any
 
 from lark import Token
 
-from clickgen.device.banks import BANKS, parse_address
+from clickgen.device.banks import BANKS, FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, Kind, parse_address
 from clickgen.formula import addresses
 from clickgen.formula.addresses import Index, Negative, Reference
 from clickgen.formula.nodes import (
@@ -40,10 +40,8 @@ from clickgen.formula.words import (
 )
 from clickgen.ir.operands import Range
 
-# A constant beyond these fits no register: DD is 32 bits, DF an IEEE single.
-_LARGEST_INTEGER = 2_147_483_647
-_LARGEST_REAL = 3.4028235e38
-_SMALLEST_REAL = 1.17549e-38
+# A constant beyond the ranges of DD and DF fits no register.
+_LARGEST_INTEGER = INTEGER_RANGES[Kind.INT32][1]
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,8 +188,8 @@ class Builder:
                 self.report.add("CG302", start, end, f"{_shorten(text)} does not fit into 32 bits", help)
         else:
             value = float(text)
-            if value > _LARGEST_REAL or (0 < value < _SMALLEST_REAL):
-                help = f"CLICK's floating-point numbers go from {_SMALLEST_REAL} to {_LARGEST_REAL}"
+            if value > FLOAT_MAX or (0 < value < FLOAT_MIN):
+                help = f"CLICK's floating-point numbers go from {FLOAT_MIN} to {FLOAT_MAX}"
                 self.report.add("CG302", start, end, f"{_shorten(text)} does not fit into a DF register", help)
         return Number(text, value, start, end)
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from clickgen.device.banks import INTEGER_RANGES, Kind
 from clickgen.instructions.spec import INTEGER, Access, Param, ParamKind, Slot, Spec, Variant
 
 _COUNTER = Param("counter", slot=Slot(cells=("CT",), access=Access.OWN))
-_SETPOINT = Param("setpoint", slot=Slot(cells=("DS", "DD"), constants=(INTEGER,), limits=(-(2**31), 2**31 - 1)))
+_SETPOINT = Param("setpoint", slot=Slot(cells=("DS", "DD"), constants=(INTEGER,), limits=INTEGER_RANGES[Kind.INT32]))
 _RESET = Param("reset", ParamKind.PIN, default=None, pin=".reset()", missing_pin="CG418")
 _DOWN = Param("count_down", ParamKind.PIN, pin=".down()")
 _ARGUMENTS = "({counter},{counter_value},preset={setpoint})"

@@ -7,14 +7,11 @@ import re
 import struct
 from dataclasses import dataclass
 
-from clickgen.device.banks import BANKS, Address, Kind
+from clickgen.device.banks import BANKS, FLOAT_MAX, INTEGER_RANGES, Address, Kind
 from clickgen.source import Span
 
 COLUMNS = ("Address", "Data Type", "Nickname", "Initial Value", "Retentive", "Address Comment")
 HEADER = ",".join(COLUMNS)
-
-_FLOAT_MAX = 3.4028235e38
-_INTEGER_RANGE = {Kind.INT16: (-32768, 32767), Kind.INT32: (-(2**31), 2**31 - 1)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +106,7 @@ def format_initial(kind: Kind, value: object) -> str | None:
         return None
     if kind is Kind.HEX:
         return _hex(value) if 0 <= value <= 0xFFFF else None
-    low, high = (0, 1) if kind is Kind.BIT else _INTEGER_RANGE[kind]
+    low, high = (0, 1) if kind is Kind.BIT else INTEGER_RANGES[kind]
     return str(value) if low <= value <= high else None
 
 
@@ -127,7 +124,7 @@ def _hex(value: int) -> str:
 
 def _float(value: float) -> str | None:
     """The shortest digits that give the same 32-bit float, with CLICK's exponent (``-3.4028235E+38``)."""
-    if not -_FLOAT_MAX <= value <= _FLOAT_MAX:  # also false for NaN
+    if not -FLOAT_MAX <= value <= FLOAT_MAX:  # also false for NaN
         return None
     single = _single(float(value))
     if single == 0:
@@ -165,9 +162,9 @@ def initial_fault(kind: Kind, text: str) -> str | None:
         return None if len(text) <= 1 and text.isascii() and text != "\0" else "one ASCII character, or nothing"
     if kind is Kind.FLOAT:
         # Long digit strings are legal for float(), and cheap.
-        legal = _FLOAT_FORM.fullmatch(text) and abs(float(text)) <= _FLOAT_MAX
+        legal = _FLOAT_FORM.fullmatch(text) and abs(float(text)) <= FLOAT_MAX
         return None if legal else "a number from -3.4028235E+38 to 3.4028235E+38"
-    low, high = _INTEGER_RANGE[kind]
+    low, high = INTEGER_RANGES[kind]
     legal = _INTEGER_FORM.fullmatch(text) and low <= int(text) <= high
     return None if legal else f"a whole number from {low} to {high}"
 
