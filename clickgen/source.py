@@ -20,10 +20,6 @@ class Span(NamedTuple):
     def __str__(self) -> str:
         return f"{self.path}:{self.line}:{self.col}"
 
-    def to(self, other: Span) -> Span:
-        """The stretch from the start of this span to the end of the other."""
-        return Span(self.path, self.line, self.col, other.end_line, other.end_col)
-
 
 @dataclass(frozen=True)
 class SourceFile:

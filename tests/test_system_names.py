@@ -14,7 +14,6 @@ from clickgen.device.banks import BANKS, Address
 from clickgen.device.nicknames import nickname_fault
 from clickgen.device.system import (
     ALWAYS_ON,
-    FIRST_SCAN,
     WRITABLE_SC,
     WRITABLE_SD,
     find_system_name,
@@ -97,7 +96,6 @@ def test_every_name_is_legal_for_click_s_own_points() -> None:
 
 def test_the_points_that_the_compiler_itself_uses() -> None:
     assert system_name_of(ALWAYS_ON) == "_Always_ON"
-    assert system_name_of(FIRST_SCAN) == "_1st_SCAN"
     assert system_name_of(Address("DS", 1)) is None
     assert system_name_of(Address("SC", 999)) is None
 

@@ -26,6 +26,9 @@ FLOAT_MAX = 3.4028235e38
 FLOAT_MIN = 1.1754944e-38
 """The greatest and the least magnitude of a 32-bit floating-point number, 0 aside."""
 
+TEXT_WIDTHS = {Kind.INT16: 6, Kind.INT32: 11, Kind.HEX: 4, Kind.FLOAT: 15}
+"""The most characters that a number becomes, its sign included (click-facts, section 8, "Numeric -> TXT")."""
+
 # Ten slots of 16 points; X017..X020 and the like do not exist.
 _SLOTS = ((1, 16), (21, 36), *((n * 100 + 1, n * 100 + 16) for n in range(1, 9)))
 

@@ -8,7 +8,6 @@ from pathlib import Path
 from clickgen.device.banks import Address
 
 ALWAYS_ON = Address("SC", 1)
-FIRST_SCAN = Address("SC", 2)
 
 WRITABLE_SC = frozenset((50, 51, 53, 55, 60, 61, 65, 66, 67, 75, 76, 120, 121, 303, 304, 323, 324))
 """The numbers of the SC bits that a coil may drive (click-facts, section 3)."""

@@ -7,14 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from clickgen.device.banks import BANKS, Address, Kind
+from clickgen.device.banks import BANKS, TEXT_WIDTHS, Address
 from clickgen.instructions.spec import Param
 from clickgen.ir.operands import Cell, Named, Operand, Pointer, Range, Text
 from clickgen.ir.program import Action, Options, Program, actions_in, rungs_in
-
-_TEXT_WIDTHS = {Kind.INT16: 6, Kind.INT32: 11, Kind.HEX: 4, Kind.FLOAT: 15}
-"""The most characters that a number becomes, its sign included (click-facts, section 8, "Numeric -> TXT")."""
-
 
 AddressOf = Callable[[object], Address | None]
 
@@ -56,7 +52,7 @@ def _characters(action: Action) -> int:
         return max(1, len(source.value))
     if isinstance(options, Options) and options.name == "to_text" and isinstance(source, Named | Cell | Pointer):
         end = 0 if options.termination_code is None else 1
-        return _TEXT_WIDTHS.get(BANKS[source.bank].kind, 1) + end
+        return TEXT_WIDTHS.get(BANKS[source.bank].kind, 1) + end
     return 1
 
 

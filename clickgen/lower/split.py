@@ -79,6 +79,26 @@ class _Step:
     body: tuple[Rung, ...] | None = None
 
 
+@dataclass
+class _Past:
+    """What ran in a rung before one of its parts."""
+
+    parts: int = 0
+    written: Cells = field(default_factory=Cells)
+    may_have_left: bool = False
+
+    def spoils(self, condition: Condition) -> bool:
+        """True when a condition may look otherwise now than it did before the first part.
+
+        Something it reads was written; or it holds an edge, which a scan that left early has not seen; or an
+        immediate contact, which looks at the point itself.
+        """
+        if self.parts == 0:
+            return False
+        left = self.may_have_left and has_edge(condition)
+        return left or is_volatile(condition) or reads(condition).meets(self.written)
+
+
 _LEAVING = (RETURN, END)
 """After one of these the rest of the rung may not be looked at in this scan."""
 
@@ -181,24 +201,16 @@ class _RungSplit:
 
     def _unsafe(self, parts: list[_Part]) -> list[_Node]:
         """The conditions that a later part would see changed, or that must not be looked at twice."""
-        unsafe: list[_Node] = []
-        written = Cells()
-        may_leave = False
-        for index, part in enumerate(parts):
+        unsafe: dict[_Node, None] = {}
+        for part, past in self._with_past(parts):
             for node in _nodes([part]):
-                late = index > 0 and not node.is_own and node not in unsafe
-                if late and _is_stale(node.condition, written, may_leave):
-                    unsafe.append(node)
-            for action in _run_by(part):
-                written.update(self._home.effects.writes(action))
-                may_leave = may_leave or action.spec in _LEAVING
-        return unsafe
+                if not node.is_own and past.spoils(node.condition):
+                    unsafe[node] = None
+        return list(unsafe)
 
     def _hoist_pins(self, parts: list[_Part]) -> None:
         """Pins whose condition an earlier part changes, or with parallel legs where the grid has no room for them."""
-        written = Cells()
-        may_leave = False
-        for index, part in enumerate(parts):
+        for part, past in self._with_past(parts):
             for step in part:
                 pins = step.action.spec.pins
                 for param in pins:
@@ -207,12 +219,19 @@ class _RungSplit:
                         continue
                     reduced = self._reduced(condition)
                     too_tall = _height(reduced) > 1 and param is not pins[-1]
-                    if too_tall or (index > 0 and _is_stale(condition, written, may_leave)):
+                    if too_tall or past.spoils(condition):
                         reduced = self._on_scratch(reduced, f"{param.name} input")
                     step.action = Action(step.action.spec, {**step.action.args, param.name: reduced}, step.action.span)
+
+    def _with_past(self, parts: list[_Part]) -> Iterator[tuple[_Part, _Past]]:
+        """Each part with what ran in this rung before it."""
+        past = _Past()
+        for part in parts:
+            yield part, past
+            past.parts += 1
             for action in _run_by(part):
-                written.update(self._home.effects.writes(action))
-                may_leave = may_leave or action.spec in _LEAVING
+                past.written.update(self._home.effects.writes(action))
+                past.may_have_left = past.may_have_left or action.spec in _LEAVING
 
     def _on_scratch(self, condition: Condition, purpose: str) -> Contact:
         """A condition on a scratch bit, in a rung before those to come; the contact that reads it."""
@@ -286,15 +305,6 @@ class _RungSplit:
 def _is_special(step: _Step) -> bool:
     """True for a box with pins, which may need scratch bits, and for a loop, which brings its body."""
     return bool(step.action.spec.pins) or step.body is not None
-
-
-def _is_stale(condition: Condition, written: Cells, may_leave: bool) -> bool:
-    """True when a condition may look otherwise after what ran before it than it did before.
-
-    Something it reads was written; or it holds an edge, which a scan that left early has not seen; or an immediate
-    contact, which looks at the point itself.
-    """
-    return reads(condition).meets(written) or (may_leave and has_edge(condition)) or is_volatile(condition)
 
 
 def _run_by(part: _Part) -> Iterator[Action]:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from decimal import Decimal
 
 from clickgen.device.banks import VALUE_BANK, Address
+from clickgen.device.system import ALWAYS_ON
 from clickgen.formula import print_formula
 from clickgen.instructions.spec import Param, ParamKind, Spec
 from clickgen.ir.conditions import Compare, Contact
@@ -28,8 +29,8 @@ from clickgen.ir.reach import reached
 Namer = Callable[[Operand], str]
 """How an operand is shown: as its token, or with its nickname beside it."""
 
-ALWAYS_CONTACT = "SC1"
-NEVER_CONTACT = "~SC1"
+ALWAYS_CONTACT = str(ALWAYS_ON)
+NEVER_CONTACT = f"~{ALWAYS_ON}"
 
 
 def operand_token(operand: Operand) -> str:

@@ -22,9 +22,6 @@ class Allocator:
             if twin:
                 self._taken[twin].add(number)
 
-    def is_taken(self, address: Address) -> bool:
-        return address.number in self._taken[address.bank]
-
     def lowest(self, bank: str, length: int = 1) -> Address | None:
         """The first of the lowest ``length`` free addresses in a row, all now taken; None when there are none."""
         taken = self._taken[bank]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
-from clickgen.device.banks import BANKS, UPPER_BYTE_BANKS, Address
+from clickgen.device.banks import BANKS, FLOAT_MAX, INTEGER_RANGES, UPPER_BYTE_BANKS, Address, Kind
 from clickgen.device.nicknames import comment_fault, nickname_fault
 from clickgen.device.system import find_system_name, system_name_of
 from clickgen.diagnostics import Diagnostics, Label
@@ -206,11 +206,12 @@ def _python_value(constant: Operand) -> object:
 
 
 def _holds(address: Address) -> str:
+    if address.kind in INTEGER_RANGES:
+        low, high = INTEGER_RANGES[address.kind]
+        return f"{low}..{high}"
     return {
-        "BIT": "0 or 1",
-        "INT": "-32768..32767",
-        "INT2": "-2147483648..2147483647",
-        "HEX": "0x0000..0xFFFF",
-        "FLOAT": "numbers up to 3.4028235E+38",
-        "TEXT": "one character",
-    }[address.kind.value]
+        Kind.BIT: "0 or 1",
+        Kind.HEX: "0x0000..0xFFFF",
+        Kind.FLOAT: f"numbers up to {FLOAT_MAX}",
+        Kind.TEXT: "one character",
+    }[address.kind]

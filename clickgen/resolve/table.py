@@ -62,11 +62,6 @@ class AddressTable:
         return {row.address: row for row in self.rows}
 
     @property
-    def foreign(self) -> tuple[Row, ...]:
-        """The rows of CLICK's own points (SC, SD), which are kept in the file but not ours to give."""
-        return tuple(row for row in self.rows if row.address.bank in ("SC", "SD"))
-
-    @property
     def final_newline(self) -> bool:
         return self._entries[-1].end != ""
 
