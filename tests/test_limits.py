@@ -17,6 +17,7 @@ def test_the_limit_is_the_codec_s() -> None:
 @example("**a** and __b__ and *c* and _d_")
 @example("***a***")
 @example("_*a*_ *_b_* __*c*__")
+@example("*a*_\\_")
 def test_a_comment_takes_the_bytes_that_the_codec_counts(comment: str) -> None:
     assert comment_bytes(comment) == len(_build_rtf_body(comment).encode("cp1252"))
 

@@ -30,22 +30,24 @@ _SUBSTITUTES = str.maketrans(
     }
 )
 _STYLES = (
-    (re.compile(r"\*\*(.+?)\*\*", re.DOTALL), 5 - 4),
-    (re.compile(r"(?<!\w)__(.+?)__(?!\w)", re.DOTALL), 6 - 4),
-    (re.compile(r"\*(.+?)\*", re.DOTALL), 5 - 2),
-    (re.compile(r"(?<!\w)_(.+?)_(?!\w)", re.DOTALL), 5 - 2),
+    (re.compile(r"\*\*(.+?)\*\*", re.DOTALL), "b"),
+    (re.compile(r"(?<!\w)__(.+?)__(?!\w)", re.DOTALL), "ul"),
+    (re.compile(r"\*(.+?)\*", re.DOTALL), "i"),
+    (re.compile(r"(?<!\w)_(.+?)_(?!\w)", re.DOTALL), "i"),
 )
-"""Marks that become bold, underlined or italic text, and what each pair adds in bytes."""
+"""Marks that become bold, underlined or italic text in turn, and RTF's word for each."""
+_LINE_BREAK = 5
+"""The bytes of a line break in RTF."""
 
 
 def comment_bytes(comment: str) -> int:
     """The length of a rung comment as CLICK stores it: a line break costs 5 bytes, each of ``\\ { }`` two."""
     text = "".join(map(_down_converted, comment.translate(_SUBSTITUTES)))
-    size = len(text) + 4 * text.count("\n") + sum(map(text.count, "\\{}"))
-    for pattern, extra in _STYLES:
-        text, count = pattern.subn(lambda match: match[1], text)
-        size += count * extra
-    return size
+    for character in "\\{}":
+        text = text.replace(character, "\\" + character)
+    for pattern, word in _STYLES:
+        text = pattern.sub(rf"{{\\{word} \1}}", text)
+    return len(text) + (_LINE_BREAK - 1) * text.count("\n")
 
 
 def _down_converted(character: str) -> str:
