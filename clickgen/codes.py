@@ -47,6 +47,9 @@ CODES: dict[str, Code] = {
     "CG118": Code(_E, "the program is nested too deeply"),
     "CG119": Code(_E, "a for loop is written for _ in range(n):"),
     "CG120": Code(_E, "this import cannot be read"),
+    "CG121": Code(_E, "the file of an import is missing"),
+    "CG122": Code(_E, "files import each other in a circle"),
+    "CG123": Code(_E, "the imported file has no such subroutine"),
     # -- names and addresses --------------------------------------------------------------------------------------
     "CG201": Code(_E, "the bank has no such address"),
     "CG202": Code(_E, "the range is empty, reversed or crosses a gap"),
@@ -77,6 +80,7 @@ CODES: dict[str, Code] = {
     "CG313": Code(_E, "oneshot has no place here"),
     "CG314": Code(_E, "this option has no place here"),
     "CG315": Code(_W, "a decimal number in a hexadecimal formula"),
+    "CG316": Code(_E, "the lists of a drum do not fit together"),
     # -- structure and limits -------------------------------------------------------------------------------------
     "CG401": Code(_E, "the program has no main"),
     "CG402": Code(_E, "two routines have the same name"),

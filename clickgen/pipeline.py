@@ -27,8 +27,8 @@ from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
 from clickgen.source import SourceFile
+from clickgen.syntax.files import read_program
 from clickgen.syntax.parse import decode
-from clickgen.syntax.read import read_program
 
 TABLE_NAME = "nicknames.csv"
 """The address table beside a program, when none is named."""
@@ -111,7 +111,7 @@ class _Build:
     table_must_exist: bool
     frozen: bool
     problems: Diagnostics = field(default_factory=Diagnostics)
-    source: SourceFile | None = None
+    sources: tuple[SourceFile, ...] = ()
     program: Program | None = None
     table: AddressTable = field(default_factory=lambda: AddressTable.empty(""))
     table_before: bytes | None = None
@@ -143,7 +143,7 @@ def build(
     ok = not state.problems.has_errors
     return BuildResult(
         program,
-        (state.source,) if state.source else (),
+        state.sources,
         state.problems.in_order(),
         state.files if ok else {},
         state.routines if ok else (),
@@ -177,8 +177,13 @@ def _read_source(state: _Build) -> None:
     except OSError as error:
         reason = "it is a folder" if state.path.is_dir() else error.strerror or str(error)
         raise CouldNotRun(f"{state.shown} cannot be read: {reason}") from None
-    state.source = decode(state.shown, data, state.problems)
-    state.program = read_program(state.source, state.problems) if state.source else None
+    source = decode(state.shown, data, state.problems)
+    if source is not None:
+        state.program, state.sources = read_program(source, _bytes_of, state.problems)
+
+
+def _bytes_of(path: str) -> bytes:
+    return Path(path).read_bytes()
 
 
 def _resolve(state: _Build) -> None:

@@ -29,6 +29,9 @@ FLOAT_MIN = 1.1754944e-38
 TEXT_WIDTHS = {Kind.INT16: 6, Kind.INT32: 11, Kind.HEX: 4, Kind.FLOAT: 15}
 """The most characters that a number becomes, its sign included (click-facts, section 8, "Numeric -> TXT")."""
 
+PADDED_DIGITS = {Kind.INT16: 5, Kind.INT32: 10, Kind.HEX: 4}
+"""The digits of a number in text that keeps its zeros (click-facts, section 8, "Numeric -> TXT")."""
+
 # Ten slots of 16 points; X017..X020 and the like do not exist.
 _SLOTS = ((1, 16), (21, 36), *((n * 100 + 1, n * 100 + 16) for n in range(1, 9)))
 

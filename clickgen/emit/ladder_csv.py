@@ -35,11 +35,14 @@ def _rows(grid: Grid) -> Iterator[tuple[str, ...]]:
 
 
 def _is_understood(grid: Grid, index: int) -> bool:
-    """True for a row that only gives a tall box its height: readers restore it, unless a bare row follows the box."""
+    """True for a row that only gives a tall box its height: readers restore it, unless a bare row follows the box.
+
+    Behind an unused input the box goes on: there it is the row below the whole box that counts.
+    """
     if not _is_padding(grid, index):
         return False
     below = index + 1
-    while below < len(grid) and _is_padding(grid, below):
+    while below < len(grid) and (_is_padding(grid, below) or (index in grid.unused and grid.boxed[below])):
         below += 1
     return below == len(grid) or grid.outputs[below] != ""
 

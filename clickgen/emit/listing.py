@@ -5,6 +5,7 @@ Nothing in it changes without the program changing: no dates, no source lines, r
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -17,11 +18,12 @@ from clickgen.ir.program import Action, Branch, Item
 from clickgen.ir.walk import condition_operands
 from clickgen.lower.effects import touches
 from clickgen.lower.split import ClickRoutine, ClickRung
-from clickgen.lower.tokens import NEVER_CONTACT, action_token, operand_token
+from clickgen.lower.tokens import NEVER_CONTACT, action_token, operand_token, pin_token
 from clickgen.lower.words import condition_words, term_words
 
+_KEYWORD = re.compile(r"[a-z_]+=")
 _WIDTH = 100
-"""A condition longer than this is broken at its terms."""
+"""A condition longer than this is broken at its terms, an instruction at its arguments."""
 
 
 class Names:
@@ -94,11 +96,51 @@ def _items(indent: str, items: tuple[Item, ...], names: Names) -> Iterator[str]:
             yield from _items(indent + "  ", item.items, names)
         else:
             assert isinstance(item, Action)
-            yield indent + action_token(item, names.show)
+            yield from _broken(indent, action_token(item, names.show))
             for param in item.spec.pins:
                 condition = item.pin(param.name)
+                if condition is None and not param.missing_pin:
+                    continue
                 words = condition_words(condition, names.show) if condition else f"never ({NEVER_CONTACT})"
-                yield f"{indent}  {param.pin} if {words}"
+                yield f"{indent}  {pin_token(item, param, names.show)} if {words}"
+
+
+def _broken(indent: str, token: str) -> Iterator[str]:
+    """An instruction; a long one that CLICK writes with keywords has each of them on a line of its own.
+
+    A pattern has a line for each of its rows.
+    """
+    head, opening, inner = token.partition("(")
+    parts = _parts(inner[:-1])
+    if len(token) <= _WIDTH or not all(_KEYWORD.match(part) for part in parts):
+        yield indent + token
+        return
+    yield indent + head + opening
+    for index, part in enumerate(parts):
+        comma = "," if index < len(parts) - 1 else ""
+        if part.startswith("pattern=["):
+            rows = _parts(part[len("pattern=[") : -1])
+            yield f"{indent}  pattern=["
+            yield from (f"{indent}    {row}{',' if row is not rows[-1] else ''}" for row in rows)
+            part = "]"
+        yield f"{indent}  {part}{comma}"
+    yield indent + ")"
+
+
+def _parts(inner: str) -> list[str]:
+    """The parts between the commas that stand in no bracket and no quotes."""
+    parts, depth, quoted, start = [], 0, False, 0
+    for index, character in enumerate(inner):
+        if character == '"':
+            quoted = not quoted
+        elif not quoted and character in "([":
+            depth += 1
+        elif not quoted and character in ")]":
+            depth -= 1
+        elif not quoted and character == "," and depth == 0:
+            parts.append(inner[start:index])
+            start = index + 1
+    return [*parts, inner[start:]]
 
 
 def _condition(indent: str, condition: Condition, names: Names) -> Iterator[str]:

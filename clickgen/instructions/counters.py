@@ -8,7 +8,7 @@ from clickgen.instructions.spec import INTEGER, Access, Param, ParamKind, Slot, 
 _COUNTER = Param("counter", slot=Slot(cells=("CT",), access=Access.OWN))
 _SETPOINT = Param("setpoint", slot=Slot(cells=("DS", "DD"), constants=(INTEGER,), limits=INTEGER_RANGES[Kind.INT32]))
 _RESET = Param("reset", ParamKind.PIN, default=None, pin=".reset()", missing_pin="CG418")
-_DOWN = Param("count_down", ParamKind.PIN, pin=".down()")
+_DOWN = Param("count_down", ParamKind.PIN, pin=".down()", chained="down")
 _ARGUMENTS = "({counter},{counter_value},preset={setpoint})"
 
 CTU = Spec(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from clickgen.instructions.spec import (
     CODE,
     HEX,
@@ -33,6 +35,13 @@ SHIFT = Spec(
 
 _SEARCHED = ("DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "SD", "TXT")
 
+_FINDINGS = (
+    Param("result", slot=Slot(cells=("DS", "DD"), access=Access.WRITE, disputed=("DD",)), aliases=("result_address",)),
+    Param("flag", slot=Slot(cells=("C",), access=Access.WRITE), aliases=("result_flag", "found")),
+    Param("continuous", ParamKind.FLAG, default=False),
+    ONESHOT,
+)
+
 SEARCH = Spec(
     name="search",
     params=(
@@ -45,15 +54,19 @@ SEARCH = Spec(
         ),
         Param("start", slot=Slot(cells=_SEARCHED), aliases=("start_address",), extends_to="end"),
         Param("end", slot=Slot(cells=_SEARCHED), aliases=("end_address",)),
-        Param("result", slot=Slot(cells=("DS", "DD"), access=Access.WRITE), aliases=("result_address",)),
-        Param("flag", slot=Slot(cells=("C",), access=Access.WRITE), aliases=("result_flag",)),
-        Param("continuous", ParamKind.FLAG, default=False),
-        ONESHOT,
+        *_FINDINGS,
     ),
     variants=(Variant("search({start}..{end} {condition} {value},result={result},found={flag}{continuous}{oneshot})"),),
     summary="Find the first register of a range that meets a condition; both ends are searched.",
     example='search("==", ds.Target, ds[100], ds[200], ds.FoundAt, c.Found)',
     height=2,
 )
+
+SEARCH_RANGE = replace(
+    SEARCH,
+    params=(Param("comparison", ParamKind.RANGE_COMPARISON), *_FINDINGS),
+    example="search(ds[100:201] == ds.Target, result=ds.FoundAt, found=c.Found)",
+)
+"""The same search by its other signature."""
 
 SPECS = (SHIFT, SEARCH)

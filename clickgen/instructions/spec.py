@@ -37,6 +37,8 @@ class Slot:
     constants: tuple[str, ...] = ()
     limits: tuple[int, int] | None = None
     """The least and greatest integer constant."""
+    disputed: tuple[str, ...] = ()
+    """Banks among these that are not known to work: they are taken with a warning."""
     access: Access = Access.READ
     reversible: bool = False
     """True where a reversed range means something (a shift register's direction)."""
@@ -69,12 +71,19 @@ class ParamKind(Enum):
     """How an argument is written; the value completes "… must be"."""
 
     OPERAND = "an address or a constant"
+    OPERANDS = "a list: [y[1], c.Lamp]"
+    PATTERN = "a list of rows of 0 and 1: [[1, 0], [0, 1]]"
+    TARGET = (
+        'ModbusTcpTarget(ip="192.168.1.10", port=502, device_id=1) or ModbusRtuTarget(com_port="cpu2", device_id=5)'
+    )
+    REMOTE = 'an address of the other device: "DS1" or ModbusAddress(address=400001)'
     FLAG = "True or False"
     UNIT = "Tms, Ts, Tm, Th or Td"
     PIN = "a condition, written as a lambda: reset=lambda: c.Reset"
     OPTIONS = "to_value, to_ascii, to_binary or to_text(...)"
     FORMULA = 'a formula in quotes: "ds.A * 2"'
     ROUTINE = "a subroutine, by its function or by its name in quotes"
+    RANGE_COMPARISON = "a comparison of a range with a value: ds[1:101] >= 100"
     COMPARISON = 'a comparison in quotes: "==", "!=", "<", "<=", ">" or ">="'
 
 
@@ -91,6 +100,9 @@ class Param:
 
     ``default`` is REQUIRED, or None (left out), or the value of a flag or unit. ``typed_by`` names the parameter whose
     kind decides the form of a constant here: ``copy(5, dh.X)`` emits ``0005h``.
+
+    A pin that is left out is an error (REQUIRED), or gets the never-contact and a warning (``missing_pin``), or is an
+    input that the box then does not have.
     """
 
     name: str
@@ -100,7 +112,11 @@ class Param:
     aliases: tuple[str, ...] = ()
     typed_by: str = ""
     pin: str = ""
-    """The token of a pin's row: ``.reset()``."""
+    """The token of a pin's row: ``.reset()``; a format string over the parameters' rendered texts."""
+    chained: str = ""
+    """In a chain: the method's name where it is not the pin's own, or a keyword of the method (``of_pin``)."""
+    of_pin: str = ""
+    """The pin that this parameter belongs to: both are given or neither."""
     missing_pin: str = ""
     """The problem code when this pin is left out and gets the never-contact."""
     extends_over: str = ""
@@ -158,6 +174,11 @@ class Spec:
     @property
     def pins(self) -> tuple[Param, ...]:
         return tuple(param for param in self.params if param.kind is ParamKind.PIN)
+
+    @property
+    def methods(self) -> dict[str, Param]:
+        """The pins by their names in a chain: ``ctud(...).down(...).reset(...)``."""
+        return {param.chained or param.name: param for param in self.pins}
 
     @property
     def signature(self) -> str:

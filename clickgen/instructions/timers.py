@@ -9,13 +9,13 @@ PRESET_MAX = 32767
 
 _TIMER = Param("timer", slot=Slot(cells=("T",), access=Access.OWN))
 _SETPOINT = Param("setpoint", slot=Slot(cells=("DS",), constants=(INTEGER,), limits=(0, PRESET_MAX)))
-_UNIT = Param("unit", ParamKind.UNIT, default="Tms")
+UNIT = Param("unit", ParamKind.UNIT, default="Tms")
 _RESET = Param("reset", ParamKind.PIN, pin=".reset()")
 _ARGUMENTS = "({timer},{timer_value},preset={setpoint},unit={unit})"
 
 TON = Spec(
     name="ton",
-    params=(_TIMER, _SETPOINT, _UNIT),
+    params=(_TIMER, _SETPOINT, UNIT),
     variants=(Variant("on_delay" + _ARGUMENTS),),
     summary="On-delay timer: its bit comes on when the rung has been true for the setpoint.",
     example="ton(t.StartDelay, setpoint=5, unit=Ts)",
@@ -23,7 +23,7 @@ TON = Spec(
 )
 TOF = Spec(
     name="tof",
-    params=(_TIMER, _SETPOINT, _UNIT),
+    params=(_TIMER, _SETPOINT, UNIT),
     variants=(Variant("off_delay" + _ARGUMENTS),),
     summary="Off-delay timer: its bit goes off when the rung has been false for the setpoint.",
     example="tof(t.RunOn, setpoint=3, unit=Ts)",
@@ -31,7 +31,7 @@ TOF = Spec(
 )
 RTON = Spec(
     name="rton",
-    params=(_TIMER, _SETPOINT, _UNIT, _RESET),
+    params=(_TIMER, _SETPOINT, UNIT, _RESET),
     variants=(Variant("on_delay" + _ARGUMENTS),),
     summary="Retentive on-delay timer: adds up the time the rung is true until it is reset.",
     example="rton(t.RunHours, setpoint=100, unit=Th, reset=lambda: c.Serviced)",
@@ -39,7 +39,7 @@ RTON = Spec(
 )
 RTOF = Spec(
     name="rtof",
-    params=(_TIMER, _SETPOINT, _UNIT, _RESET),
+    params=(_TIMER, _SETPOINT, UNIT, _RESET),
     variants=(Variant("on_delay" + _ARGUMENTS),),
     summary="Retentive off-delay timer: adds up the time the rung is false until it is reset.",
     example="rtof(t.Idle, setpoint=30, unit=Tm, reset=lambda: c.Awake)",

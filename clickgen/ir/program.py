@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from clickgen.instructions.spec import Spec, Variant
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
-from clickgen.ir.operands import Cell, Constant, Named, Operand, form_of
+from clickgen.ir.modbus import Remote, Target
+from clickgen.ir.operands import Cell, Constant, Named, Operand, Single, form_of
 from clickgen.source import SourceFile, Span
 
 if TYPE_CHECKING:
@@ -25,13 +26,15 @@ class FormulaText:
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """A copy's conversion: ``to_text(suppress_zero=False)``. The three settings belong to to_text alone."""
+    """A copy's conversion: ``to_text(suppress_zero=False)``. The settings belong to to_text alone."""
 
     name: str
     span: Span
     suppress_zero: bool = True
     exponential: bool = False
     termination_code: int | None = None
+    pad: int | None = None
+    """The digits that the person asked for; without zeros suppressed CLICK writes as many as the type has."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +45,23 @@ class Word:
     span: Span
 
 
-Value = Operand | Condition | FormulaText | Options | Word
+@dataclass(frozen=True, slots=True)
+class Operands:
+    """A list of operands: the outputs of a drum."""
+
+    items: tuple[Single, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Pattern:
+    """What a drum drives: a row for each step, in it one bit for each output."""
+
+    rows: tuple[tuple[bool, ...], ...]
+    span: Span
+
+
+Value = Operand | Condition | FormulaText | Options | Word | Operands | Pattern | Target | Remote
 CONDITION_TYPES = (Contact, Compare, All, Any, Always)
 
 

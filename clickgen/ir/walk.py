@@ -10,7 +10,7 @@ from clickgen.formula.nodes import Operand as FormulaOperand
 from clickgen.formula.refs import map_refs
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Named, Operand, Pointer, Range, Single
-from clickgen.ir.program import Action, Branch, FormulaText, Item, Loop, Program, Rung, Value
+from clickgen.ir.program import Action, Branch, FormulaText, Item, Loop, Operands, Program, Rung, Value
 
 # -- walking ----------------------------------------------------------------------------------------------------------
 
@@ -48,6 +48,9 @@ def value_operands(value: Value) -> Iterator[Operand]:
     elif isinstance(value, FormulaText):
         for node in references(value.formula):
             yield from _with_register(node.ref if isinstance(node, FormulaOperand) else node.range)
+    elif isinstance(value, Operands):
+        for item in value.items:
+            yield from _with_register(item)
     elif isinstance(value, Operand):
         yield from _with_register(value)
 
@@ -148,6 +151,8 @@ class Rewriter:
             return self.condition(value)
         if isinstance(value, FormulaText):
             return FormulaText(self.formula(value.formula), value.span)
+        if isinstance(value, Operands):
+            return Operands(tuple(map(self.single, value.items)), value.span)
         if isinstance(value, Operand):
             return self.operand(value)
         return value

@@ -10,7 +10,7 @@ from clickgen.instructions.control import CALL
 from clickgen.instructions.spec import COPY_FLAGS, Access
 from clickgen.ir.conditions import Condition
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
-from clickgen.ir.program import Action, Routine, actions_in, rungs_in
+from clickgen.ir.program import Action, Operands, Routine, actions_in, rungs_in
 from clickgen.ir.reach import reached
 from clickgen.ir.walk import condition_operands, leaves, value_operands
 from clickgen.lower.expand import OffDelays, copied_first
@@ -89,7 +89,9 @@ def touches(action: Action) -> Iterator[tuple[Operand, bool]]:
             if param.slot.access is Access.OWN and isinstance(operand, Cell):
                 yield Cell(current_value(operand.address), operand.span), True
         elif param.name in action.args:
-            yield from ((read, False) for read in value_operands(action.args[param.name]))
+            value = action.args[param.name]
+            is_written = is_written and isinstance(value, Operands)
+            yield from ((touched, is_written) for touched in value_operands(value))
 
 
 class Effects:

@@ -1,8 +1,8 @@
-"""What CLICK has no word for, in the words it has: pointers in formulas, one-shot ranges, the retentive off-delay."""
+"""What CLICK has no word for, in the words it has: pointers in formulas, one-shot ranges, jumps, rtof."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from clickgen.device.banks import BANKS, Address, Kind
@@ -12,8 +12,8 @@ from clickgen.formula.refs import Ref, map_refs
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.copies import COPY
 from clickgen.instructions.timers import RTOF, RTON
-from clickgen.ir.conditions import All, Any, Condition, Contact
-from clickgen.ir.operands import Cell, Immediate, Named, Pointer, Range
+from clickgen.ir.conditions import All, Always, Any, Condition, Contact
+from clickgen.ir.operands import Cell, Immediate, Integer, Named, Pointer, Range
 from clickgen.ir.program import Action, FormulaText, Value
 from clickgen.ir.walk import Rewriter
 from clickgen.lower.tokens import operand_token
@@ -37,6 +37,14 @@ class Own:
 Expanded = Action | Own
 
 
+def expand(action: Action, take: TakeScratch, delays: OffDelays) -> Iterator[Expanded]:
+    """An action in instructions that CLICK has, most often itself."""
+    for coil in _range(action):
+        for plain in _formula(coil, take):
+            for expanded in delays.expand(plain):
+                yield from (expanded,) if isinstance(expanded, Own) else _jump(expanded, take)
+
+
 def copied_first(action: Action) -> list[Ref]:
     """The operands that CLICK's formulas cannot read: pointers and XD/YD words (click-facts, section 4)."""
     text = action.args.get("formula")
@@ -46,7 +54,7 @@ def copied_first(action: Action) -> list[Ref]:
     return [ref for ref in refs if isinstance(ref, Pointer) or ref.bank in ("XD", "YD")]
 
 
-def expand_formula(action: Action, take: TakeScratch) -> list[Action]:
+def _formula(action: Action, take: TakeScratch) -> list[Action]:
     """A formula that reads a pointer or an XD/YD word: each is copied to a scratch register first, in the same rung."""
     text = action.args.get("formula")
     wanted = {operand_token(ref): ref for ref in copied_first(action)}
@@ -70,7 +78,7 @@ def expand_formula(action: Action, take: TakeScratch) -> list[Action]:
     return [*copies, Action(action.spec, {**action.args, "formula": formula}, action.span)]
 
 
-def expand_range(action: Action) -> list[Action]:
+def _range(action: Action) -> list[Action]:
     """A coil on a range of one bit, and a one-shot coil on any range: one coil for each bit (click-facts, 3)."""
     target = action.args.get("address")
     bits = target.target if isinstance(target, Immediate) else target
@@ -79,6 +87,19 @@ def expand_range(action: Action) -> list[Action]:
     cells = [Cell(address, bits.span) for address in bits.addresses()]
     coils = [Immediate(cell, bits.span) for cell in cells] if isinstance(target, Immediate) else cells
     return [Action(action.spec, {**action.args, "address": coil}, action.span) for coil in coils]
+
+
+def _jump(action: Action, take: TakeScratch) -> list[Expanded]:
+    """A drum that jumps to a constant step: CLICK jumps to the step that a DS register holds (click-facts, 3)."""
+    step = action.args.get("jump_step")
+    if not isinstance(step, Integer):
+        return [action]
+    register = take("DS", f"step {step.value} of the drum's jump", step.span)
+    copy = Action(COPY, {"source": step, "destination": register}, action.span)
+    return [
+        Own(Always(step.span), copy),
+        Action(action.spec, {**action.args, "jump_step": register}, action.span),
+    ]
 
 
 class OffDelays(Rewriter):
@@ -122,6 +143,7 @@ class OffDelays(Rewriter):
         return changed if timer is None else Action(action.spec, {**changed.args, "timer": timer}, action.span)
 
     def expand(self, action: Action) -> list[Expanded]:
+        """The instructions that stand for an rtof; any other instruction as it is."""
         bits = self.bits_of(action)
         timer = action.args.get("timer")
         if not bits or not isinstance(timer, Cell):

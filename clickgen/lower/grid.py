@@ -15,7 +15,7 @@ from clickgen.instructions.spec import Param
 from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.program import Action, Branch, Item
 from clickgen.lower.network import Leaf, Net, Parallel, Series, network
-from clickgen.lower.tokens import ALWAYS_CONTACT, NEVER_CONTACT, action_token, pin_row
+from clickgen.lower.tokens import ALWAYS_CONTACT, NEVER_CONTACT, action_token, pin_row, pin_token
 
 COLUMNS = 31
 """Condition columns A to AE."""
@@ -27,12 +27,14 @@ MAX_ROWS = 32
 class Grid:
     """A drawn rung, every row of tall boxes written out: 31 cells and the output cell of each row.
 
-    ``boxed`` tells of each row whether it continues the box above it.
+    ``boxed`` tells of each row whether it continues the box above it, ``unused`` names the rows among them that are
+    inputs which the program does not use.
     """
 
     cells: tuple[tuple[str, ...], ...]
     outputs: tuple[str, ...]
     boxed: tuple[bool, ...]
+    unused: frozenset[int] = frozenset()
 
     def __len__(self) -> int:
         return len(self.outputs)
@@ -61,6 +63,7 @@ class _Canvas:
         self.downs: set[tuple[int, int]] = set()
         self.outputs: dict[int, str] = {}
         self.boxed: set[int] = set()
+        self.unused: set[int] = set()
 
     # -- contacts -----------------------------------------------------------------------------------------------------
 
@@ -135,8 +138,11 @@ class _Canvas:
         self.box(row, action)
         for param in spec.pins:
             at = row + pin_row(spec, param)
+            if param.name not in action.args and not param.missing_pin:
+                self.unused.add(at)
+                continue
             self._input(pin_network(action, param), at)
-            self.outputs[at] = param.pin
+            self.outputs[at] = pin_token(action, param)
 
     def _input(self, net: Net, row: int, step: int = 1) -> None:
         _, exits = self.net(net, row, 0, step)
@@ -187,6 +193,7 @@ class _Canvas:
             tuple(map(tuple, self.rows)),
             tuple(self.outputs.get(row, "") for row in rows),
             tuple(row in self.boxed for row in rows),
+            frozenset(self.unused),
         )
 
 

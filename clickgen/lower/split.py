@@ -19,7 +19,7 @@ from clickgen.ir.conditions import All, Always, Any, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Rung, Value, actions_in, rungs_in
 from clickgen.lower.effects import Cells, Effects, has_edge, is_volatile, reads
-from clickgen.lower.expand import OffDelays, Own, expand_formula, expand_range
+from clickgen.lower.expand import OffDelays, Own, expand
 from clickgen.lower.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw
 from clickgen.lower.network import bits, network
 from clickgen.lower.scratch import Scratch, shown_in_reason
@@ -176,13 +176,11 @@ class _RungSplit:
             elif isinstance(item, Loop):
                 yield _Step(node, item.action, item.body)
             else:
-                for action in expand_range(item):
-                    for plain in expand_formula(action, self._take):
-                        for expanded in self._home.delays.expand(plain):
-                            if isinstance(expanded, Own):
-                                yield _Step(_Node(expanded.condition, is_own=True), expanded.action)
-                            else:
-                                yield _Step(node, expanded)
+                for expanded in expand(item, self._take, self._home.delays):
+                    if isinstance(expanded, Own):
+                        yield _Step(_Node(expanded.condition, is_own=True), expanded.action)
+                    else:
+                        yield _Step(node, expanded)
 
     def _fitting(self, part: _Part) -> Iterator[_Part]:
         """A part in as few pieces as fit CLICK's rows, each as long as can be."""

@@ -10,6 +10,7 @@ from clickgen.device.system import ALWAYS_ON
 from clickgen.formula import print_formula
 from clickgen.instructions.spec import Param, ParamKind, Spec
 from clickgen.ir.conditions import Compare, Contact
+from clickgen.ir.modbus import Remote, RemoteCell, RtuTarget, Target, TcpTarget
 from clickgen.ir.operands import (
     Cell,
     CharCode,
@@ -23,7 +24,7 @@ from clickgen.ir.operands import (
     Real,
     Text,
 )
-from clickgen.ir.program import Action, FormulaText, Options, Word
+from clickgen.ir.program import Action, FormulaText, Operands, Options, Pattern, Word
 from clickgen.ir.reach import reached
 
 Namer = Callable[[Operand], str]
@@ -94,12 +95,22 @@ def formula_text(formula: FormulaText, name: Namer = operand_token) -> str:
 
 def action_token(action: Action, name: Namer = operand_token) -> str:
     """The token of an instruction, its pins aside."""
+    return action.variant.token.format_map(_texts(action, name))
+
+
+def pin_token(action: Action, param: Param, name: Namer = operand_token) -> str:
+    """The token of a pin's row: ``.reset()``, ``.jump(DS1)``."""
+    return param.pin.format_map(_texts(action, name))
+
+
+def _texts(action: Action, name: Namer) -> dict[str, str]:
+    """What each argument is in a token; nothing for what was left out."""
     texts = {param.name: _argument(action, param, name) for param in action.spec.params}
     for owner_name in ("timer", "counter"):
         owner = action.args.get(owner_name)
         if isinstance(owner, Cell):
             texts[f"{owner_name}_value"] = name(Cell(current_value(owner.address), owner.span))
-    return action.variant.token.format_map(texts)
+    return texts
 
 
 def _argument(action: Action, param: Param, name: Namer) -> str:
@@ -114,7 +125,34 @@ def _argument(action: Action, param: Param, name: Namer) -> str:
         return formula_text(value, name)
     if param.kind is ParamKind.UNIT:
         return str(param.default)
-    return name(value) if isinstance(value, Operand) else ""
+    if isinstance(value, Operands):
+        return ",".join(map(name, value.items))
+    if isinstance(value, Pattern):
+        return ",".join(f"[{','.join(str(int(bit)) for bit in row)}]" for row in value.rows)
+    if isinstance(value, Target):
+        return _target(value)
+    if isinstance(value, Remote):
+        return _remote(value)
+    if not isinstance(value, Operand):
+        return ""
+    is_keyword = param.default is None and not param.of_pin
+    return f",{param.name}={name(value)}" if is_keyword else name(value)
+
+
+def _target(target: Target) -> str:
+    if isinstance(target, TcpTarget):
+        place = f'ip="{target.ip}",port={target.port}'
+        return f'ModbusTcpTarget(name="{target.name}",{place},device_id={target.device_id})'
+    assert isinstance(target, RtuTarget)
+    return f'ModbusRtuTarget(name="{target.name}",com_port="{target.com_port}",device_id={target.device_id})'
+
+
+def _remote(remote: Remote) -> str:
+    if isinstance(remote, RemoteCell):
+        return f'"{remote.address}"'
+    if not remote.register_type:
+        return f"ModbusAddress(address={remote.number})"
+    return f"ModbusAddress(address={remote.number:X}h,register_type={remote.register_type})"
 
 
 def _options(options: Options) -> str:
@@ -128,7 +166,7 @@ def _options(options: Options) -> str:
 
 def current_value(bit: Address) -> Address:
     """The current value of a timer or counter: the same number in TD or CTD (click-facts, section 3)."""
-    return Address(VALUE_BANK[bit.bank], bit.number)
+    return Address(VALUE_BANK.get(bit.bank, bit.bank), bit.number)
 
 
 def pin_row(spec: Spec, param: Param) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
@@ -10,9 +10,10 @@ from clickgen.device.nicknames import nickname_fault
 from clickgen.device.system import find_system_name, system_nicknames
 from clickgen.diagnostics import Diagnostics, Label, did_you_mean
 from clickgen.formula.printer import source_reference
+from clickgen.instructions.spec import Access
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Constant, Immediate, Named, Operand, Range
-from clickgen.ir.program import Action, Program
+from clickgen.ir.program import Action, Program, actions_in, rungs_in
 from clickgen.ir.reach import reaching
 from clickgen.ir.walk import Rewriter, program_operands
 from clickgen.resolve.allocate import Allocator
@@ -100,11 +101,14 @@ class _Resolver:
         """(bank, lowercase name) to the address; a name with a problem has none."""
         self.allocated: list[Row] = []
         self.allocator = Allocator((*table.by_address, *declared.addresses))
+        self.owned: set[tuple[str, str]] = set()
+        """(bank, lowercase name) of what an instruction keeps for itself, such as a drum's accumulator."""
 
     # -- names --------------------------------------------------------------------------------------------------------
 
     def name(self, program: Program, uses: list[Named]) -> None:
         """Give every name of the program its address; those without one in order of first use."""
+        self.owned = set(_owned(program))
         first_uses: dict[tuple[str, str], Named] = {}
         for use in uses:
             first_uses.setdefault((use.bank, use.name.lower()), use)
@@ -187,7 +191,7 @@ class _Resolver:
         bank = BANKS[use.bank]
         add = self.problems.add
         fault = nickname_fault(use.name)
-        if use.bank in CURRENT_VALUE_OF:
+        if use.bank in CURRENT_VALUE_OF and (use.bank, use.name.lower()) not in self.owned:
             kind, bit = ("timer", "t") if use.bank == "TD" else ("counter", "ct")
             add(
                 "CG207",
@@ -196,7 +200,7 @@ class _Resolver:
                 did_you_mean(use.name, self.meanings)
                 or f"use {bit}.{use.name} in the program, or give the name to an address with nickname(...)",
             )
-        elif not bank.allocatable:
+        elif not bank.allocatable and use.bank not in CURRENT_VALUE_OF:
             add(
                 "CG206",
                 use.span,
@@ -226,6 +230,16 @@ def _named(operands: Iterable[Operand]) -> Iterable[Named]:
             operand = operand.target
         if isinstance(operand, Named):
             yield operand
+
+
+def _owned(program: Program) -> Iterator[tuple[str, str]]:
+    for routine in program.routines:
+        for rung in rungs_in(routine.rungs):
+            for action in actions_in(rung.items):
+                for param in action.spec.params:
+                    operand = action.args.get(param.name)
+                    if param.slot.access is Access.OWN and isinstance(operand, Named):
+                        yield operand.bank, operand.name.lower()
 
 
 class _Names(Rewriter):

@@ -1,66 +1,19 @@
-"""Instruction calls: arguments bound to the Spec's parameters and read by their kind."""
+"""Instruction calls: arguments, and what is chained behind them, bound to the Spec's parameters."""
 
 from __future__ import annotations
 
 import ast
-import re
 
 from clickgen.diagnostics import did_you_mean
 from clickgen.instructions import INSTRUCTIONS
-from clickgen.instructions.copies import CONVERSIONS
-from clickgen.instructions.maths import MATH_HEX
+from clickgen.instructions.data import SEARCH, SEARCH_RANGE
 from clickgen.instructions.spec import REQUIRED, Param, ParamKind, Spec
-from clickgen.instructions.timers import UNITS
-from clickgen.ir.program import Action, FormulaText, Options, Value, Word
-from clickgen.syntax.conditions import read_condition
+from clickgen.ir.program import Action, Value
+from clickgen.syntax.arguments import read_argument
+from clickgen.syntax.conditions import read_series
 from clickgen.syntax.context import Context
-from clickgen.syntax.operands import read_operand, shorten
-
-_COMPARISONS = {
-    "==": "==",
-    "!=": "!=",
-    "<": "<",
-    "<=": "<=",
-    ">": ">",
-    ">=": ">=",
-    "eq": "==",
-    "ne": "!=",
-    "lt": "<",
-    "le": "<=",
-    "gt": ">",
-    "ge": ">=",
-}
-
-_SETTINGS = ("suppress_zero", "exponential", "termination_code")
-"""Of to_text (click-facts, section 3)."""
-_CHARACTER_CODE = re.compile(r"\$([0-7][0-9A-Fa-f])")
-
-
-def read_call(context: Context, node: ast.Call) -> Action | None:
-    """The instruction that a call statement writes; None with problems."""
-    name = node.func.id if isinstance(node.func, ast.Name) else ""
-    spec = INSTRUCTIONS.get(name)
-    if spec is None:
-        shown = name or context.text(node.func)
-        known = _elsewhere(name) or did_you_mean(name, INSTRUCTIONS) if name else ""
-        context.problem("CG108", node.func, f"there is no instruction {shown!r}", known or "see the language reference")
-        return None
-    bound = _bind(context, spec, node)
-    if bound is None:
-        return None
-    args: dict[str, Value] = {}
-    complete = True
-    for param in spec.params:
-        expression = bound.get(param.name)
-        if expression is None or _is_none(expression, param):
-            continue
-        value = _read_argument(context, spec, param, expression)
-        if value is None:
-            complete = False
-        else:
-            args[param.name] = value
-    return Action(spec, args, context.span(node)) if complete else None
-
+from clickgen.syntax.options import modifier_of, read_modifier
+from clickgen.syntax.searches import read_range_comparison
 
 _ELSEWHERE = {
     "latch": "set",
@@ -80,155 +33,180 @@ _ELSEWHERE = {
 }
 """What CLICK's ladder files and other dialects call an instruction."""
 
+_RELATIVES = {
+    ("ton", "reset"): "rton",
+    ("tof", "reset"): "rtof",
+    ("ctu", "count_down"): "ctud",
+    ("ctu", "down"): "ctud",
+    ("ctd", "count_down"): "ctud",
+    ("ctd", "down"): "ctud",
+}
+"""The instruction that has the input which this one lacks."""
+
+
+def read_call(context: Context, node: ast.Call) -> Action | None:
+    """The instruction that a call statement writes, with what is chained behind it; None with problems."""
+    links: list[ast.Call] = []
+    base = node
+    while isinstance(base.func, ast.Attribute) and isinstance(base.func.value, ast.Call):
+        links.insert(0, base)
+        base = base.func.value
+    name = base.func.id if isinstance(base.func, ast.Name) else ""
+    spec = INSTRUCTIONS.get(name)
+    if spec is None:
+        shown = name or context.text(base.func)
+        known = _elsewhere(name) or did_you_mean(name, INSTRUCTIONS) if name else ""
+        context.problem("CG108", base.func, f"there is no instruction {shown!r}", known or "see the language reference")
+        return None
+    if spec is SEARCH and any(isinstance(argument, ast.Compare) for argument in base.args[:1]):
+        spec = SEARCH_RANGE
+    args = _Call(context, spec, base, links).read()
+    return Action(SEARCH if spec is SEARCH_RANGE else spec, args, context.span(node)) if args is not None else None
+
 
 def _elsewhere(name: str) -> str:
     own = _ELSEWHERE.get(name)
     return f"here it is called {INSTRUCTIONS[own].signature}" if own else ""
 
 
-def _is_none(expression: ast.expr, param: Param) -> bool:
-    return param.default is None and isinstance(expression, ast.Constant) and expression.value is None
+class _Call:
+    """One call: its arguments by parameter, every fault reported."""
 
+    def __init__(self, context: Context, spec: Spec, node: ast.Call, links: list[ast.Call]) -> None:
+        self._context = context
+        self._spec = spec
+        self._node = node
+        self._links = links
+        self._bound: dict[str, ast.expr] = {}
+        self._args: dict[str, Value] = {}
+        self._faults = 0
 
-def _bind(context: Context, spec: Spec, node: ast.Call) -> dict[str, ast.expr] | None:
-    """Arguments by parameter name, every fault of the call reported; None when there was one."""
-    names = {alias: param.name for param in spec.params for alias in (param.name, *param.aliases)}
-    bound: dict[str, ast.expr] = {}
-    faults = 0
-    for index, argument in enumerate(node.args):
-        if isinstance(argument, ast.Starred):
-            context.problem("CG115", argument, "arguments are written one by one", spec.signature)
-            faults += 1
-        elif index >= len(spec.params):
-            context.problem(
-                "CG109", argument, f"{spec.name} takes no more than {len(spec.params)} arguments", spec.signature
-            )
-            faults += 1
-        else:
-            bound[spec.params[index].name] = argument
-    for keyword in node.keywords:
-        name = names.get(keyword.arg or "")
-        if keyword.arg is None:
-            context.problem("CG115", keyword, "arguments are written one by one", spec.signature)
-            faults += 1
-        elif name is None:
-            help = " ".join(filter(None, (did_you_mean(keyword.arg, names), spec.signature)))
-            context.problem("CG109", keyword, f"{spec.name} has no argument {keyword.arg!r}", help)
-            faults += 1
-        elif name in bound:
-            context.problem("CG111", keyword, f"{spec.name} is given {name!r} twice", spec.signature)
-            faults += 1
-        else:
-            bound[name] = keyword.value
-    for param in spec.params:
-        if param.default is REQUIRED and param.name not in bound and not faults:
-            context.problem("CG110", node, f"{spec.name} needs {param.name!r}", spec.signature)
-            faults += 1
-    return None if faults else bound
-
-
-def _read_argument(context: Context, spec: Spec, param: Param, node: ast.expr) -> Value | None:
-    kind = param.kind
-    if kind is ParamKind.OPERAND:
-        return read_operand(context, node)
-    if kind is ParamKind.PIN:
-        return _read_pin(context, param, node)
-    if kind is ParamKind.FORMULA:
-        return _read_formula(context, spec, node)
-    if kind is ParamKind.OPTIONS:
-        return _read_options(context, node)
-    value: str | bool | None = None
-    if kind is ParamKind.FLAG and isinstance(node, ast.Constant) and isinstance(node.value, bool):
-        value = node.value
-    elif kind is ParamKind.UNIT and isinstance(node, ast.Name) and node.id in UNITS:
-        value = node.id
-    elif kind is ParamKind.COMPARISON and isinstance(node, ast.Constant):
-        value = _COMPARISONS.get(str(node.value))
-    elif kind is ParamKind.ROUTINE:
-        if isinstance(node, ast.Name):
-            value = node.id
-        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
-            value = node.value
-    if value is None:
-        _wrong_kind(context, spec, param, node)
-        return None
-    return Word(value, context.span(node))
-
-
-def _wrong_kind(context: Context, spec: Spec, param: Param, node: ast.expr) -> None:
-    help = spec.signature
-    if param.kind is ParamKind.ROUTINE and isinstance(node, ast.Call):
-        help = f"write {spec.name}({shorten(context.text(node.func))})"
-    if param.kind is ParamKind.UNIT:
-        word = str(node.value) if isinstance(node, ast.Constant) else context.text(node)
-        help = did_you_mean(word, UNITS) or help
-        exact = next((unit for unit in UNITS if word.lower() in (unit.lower(), unit[1:].lower())), None)
-        help = f"write unit={exact}" if exact else help
-    context.problem("CG115", node, f"{param.name!r} of {spec.name} must be {param.kind.value}", help)
-
-
-def _read_pin(context: Context, param: Param, node: ast.expr) -> Value | None:
-    if isinstance(node, ast.Lambda) and not ast.unparse(node.args):
-        return read_condition(context, node.body)
-    condition = node.body if isinstance(node, ast.Lambda) else node
-    is_nothing = isinstance(condition, ast.Constant) and condition.value is None
-    shown = "c.Name" if is_nothing else shorten(context.text(condition))
-    fault = f"{param.name!r} must be a condition behind lambda:"
-    context.problem("CG115", node, fault, f"{param.name}=lambda: {shown}")
-    return None
-
-
-def _read_formula(context: Context, spec: Spec, node: ast.expr) -> Value | None:
-    if not (isinstance(node, ast.Constant) and isinstance(node.value, str)):
-        context.problem("CG115", node, f"the formula of {spec.name} must be a text in quotes", spec.example)
-        return None
-    from clickgen.formula import parse_formula
-
-    formula = parse_formula(context.embedded(node), "hex" if spec is MATH_HEX else "decimal", context.problems)
-    return FormulaText(formula, context.span(node)) if formula is not None else None
-
-
-def _read_options(context: Context, node: ast.expr) -> Value | None:
-    """``to_value`` or ``to_text(suppress_zero=True, exponential=False, termination_code=None)``."""
-    call = node if isinstance(node, ast.Call) else None
-    head = call.func if call else node
-    name = head.id if isinstance(head, ast.Name) else str(head.value) if isinstance(head, ast.Constant) else ""
-    if name not in CONVERSIONS:
-        help = did_you_mean(name, CONVERSIONS) or ParamKind.OPTIONS.value
-        context.problem("CG115", node, f"options must be {ParamKind.OPTIONS.value}", help)
-        return None
-    settings: dict[str, bool] = {}
-    code: int | None = None
-    for argument in call.args if call else ():
-        context.problem("CG109", argument, f"{name} takes its settings by name", "to_text(suppress_zero=True)")
-        return None
-    for keyword in call.keywords if call else ():
-        value = keyword.value.value if isinstance(keyword.value, ast.Constant) else ...
-        if name != "to_text" or keyword.arg not in _SETTINGS:
-            known = did_you_mean(keyword.arg or "", _SETTINGS) if name == "to_text" else ""
-            help = known or f"to_text alone has settings: {', '.join(_SETTINGS)}"
-            context.problem("CG109", keyword, f"{name} has no setting {keyword.arg!r}", help)
+    def read(self) -> dict[str, Value] | None:
+        """The arguments in the order of the parameters; None with problems."""
+        self._bind_positional()
+        self._bind_keywords()
+        chained = {name for link in self._links if (name := self._bind_link(link))}
+        for param in self._spec.params:
+            is_given = param.name in self._bound or param.name in chained
+            if param.default is REQUIRED and not is_given and not self._faults:
+                self._fault("CG110", self._node, f"{self._spec.name} needs {param.name!r}")
+        for param in self._spec.params:
+            if param.name in self._bound:
+                self._read(param, self._bound[param.name])
+        if self._faults:
             return None
-        if keyword.arg == "termination_code":
-            code = _character_code(value)
-            if code is None and value is not None:
-                context.problem(
-                    "CG115", keyword.value, "termination_code must be a character code", 'termination_code="$0D"'
-                )
-                return None
-        elif isinstance(value, bool):
-            settings[keyword.arg] = value
+        order = [param.name for param in self._spec.params]
+        return dict(sorted(self._args.items(), key=lambda item: order.index(item[0]) if item[0] in order else -1))
+
+    def _fault(self, code: str, node: ast.expr | ast.keyword, message: str, hint: str = "") -> None:
+        self._context.problem(code, node, message, " ".join(filter(None, (hint, self._spec.signature))))
+        self._faults += 1
+
+    # -- binding ------------------------------------------------------------------------------------------------------
+
+    def _bind_positional(self) -> None:
+        params = self._spec.params
+        for index, argument in enumerate(self._node.args):
+            if isinstance(argument, ast.Starred):
+                self._fault("CG115", argument, "arguments are written one by one")
+            elif index >= len(params):
+                self._fault("CG109", argument, f"{self._spec.name} takes no more than {len(params)} arguments")
+            else:
+                self._bound[params[index].name] = argument
+
+    def _bind_keywords(self) -> None:
+        names = {alias: param.name for param in self._spec.params for alias in (param.name, *param.aliases)}
+        for keyword in self._node.keywords:
+            name = names.get(keyword.arg or "")
+            if keyword.arg is None:
+                self._fault("CG115", keyword, "arguments are written one by one")
+            elif name is None:
+                hint = self._relative(keyword.arg) or did_you_mean(keyword.arg, names)
+                self._fault("CG109", keyword, f"{self._spec.name} has no argument {keyword.arg!r}", hint)
+            elif name in self._bound:
+                self._fault("CG111", keyword, f"{self._spec.name} is given {name!r} twice")
+            else:
+                self._bound[name] = keyword.value
+
+    def _relative(self, word: str) -> str:
+        relative = _RELATIVES.get((self._spec.name, word))
+        return f"{relative} has it: {INSTRUCTIONS[relative].signature};" if relative else ""
+
+    # -- chains -------------------------------------------------------------------------------------------------------
+
+    def _bind_link(self, link: ast.Call) -> str:
+        """Read one ``.reset(c.A, c.B)``; the name of the pin, or "" with problems."""
+        assert isinstance(link.func, ast.Attribute)
+        method = link.func.attr
+        pin = self._spec.methods.get(method)
+        if pin is None:
+            hint = self._relative(method) or did_you_mean(method, self._spec.methods)
+            if not self._spec.methods:
+                hint = "nothing is chained behind it:"
+            self._fault("CG109", link, f"{self._spec.name} has no .{method}(...)", hint)
+            return ""
+        if pin.name in self._bound or pin.name in self._args:
+            self._fault("CG111", link, f"{self._spec.name} is given {method!r} twice")
+            return ""
+        nodes = list(_flat(link.args))
+        condition = None
+        if not nodes:
+            self._fault("CG110", link, f".{method}() needs a condition", f"write .{method}(c.Name) behind")
+        elif any(isinstance(node, ast.Lambda | ast.Starred) for node in nodes):
+            self._fault("CG115", link, f"the conditions of .{method}(...) stand one by one, without lambda")
         else:
-            context.problem("CG115", keyword.value, f"{keyword.arg} must be True or False", f"{keyword.arg}=True")
-            return None
-    return Options(name, context.span(node), **settings, termination_code=code)
+            condition = read_series(self._context, nodes)
+            self._faults += condition is None
+        own = {param.chained: param for param in self._spec.params if param.of_pin == pin.name}
+        for keyword in link.keywords:
+            param = own.get(keyword.arg or "")
+            if param is None:
+                hint = did_you_mean(keyword.arg or "", own)
+                self._fault("CG109", keyword, f".{method}() has no argument {keyword.arg or '**'!r}", hint)
+            elif param.name in self._bound:
+                self._fault("CG111", keyword, f"{self._spec.name} is given {param.name!r} twice")
+            else:
+                self._bound[param.name] = keyword.value
+        if condition is None:
+            return ""
+        self._args[pin.name] = condition
+        return pin.name
+
+    # -- reading ------------------------------------------------------------------------------------------------------
+
+    def _read(self, param: Param, node: ast.expr) -> None:
+        if param.default is None and isinstance(node, ast.Constant) and node.value is None:
+            return
+        if param.kind is ParamKind.RANGE_COMPARISON:
+            found = read_range_comparison(self._context, node)
+            self._args.update(found or {})
+            self._faults += found is None
+            return
+        modifier = modifier_of(node)
+        if modifier and param.name == self._spec.matrix[0]:
+            self._read_modified(param, *modifier)
+            return
+        value = read_argument(self._context, self._spec, param, node)
+        if value is None:
+            self._faults += 1
+        else:
+            self._args[param.name] = value
+
+    def _read_modified(self, source: Param, call: ast.Call, attribute: ast.Attribute) -> None:
+        """``copy(txt[1].as_value(), ds[1])``: the option stands behind the source."""
+        options = read_modifier(self._context, call, attribute)
+        if "options" in self._bound:
+            self._fault("CG111", self._bound["options"], f"{self._spec.name} is given its option twice")
+        if options is None:
+            self._faults += 1
+        else:
+            self._args["options"] = options
+        self._read(source, attribute.value)
 
 
-def _character_code(value: object) -> int | None:
-    """``13``, ``"$0D"`` or a single character as a code 0..127 (TXT holds 7-bit ASCII)."""
-    if type(value) is int and 0 <= value <= 127:
-        return value
-    if isinstance(value, str) and len(value) == 1 and value.isascii():
-        return ord(value)
-    code = _CHARACTER_CODE.fullmatch(value) if isinstance(value, str) else None
-    return int(code[1], 16) if code else None
+def _flat(nodes: list[ast.expr]) -> list[ast.expr]:
+    """Conditions one by one, those of tuples and lists included."""
+    flat: list[ast.expr] = []
+    for node in nodes:
+        flat += _flat(node.elts) if isinstance(node, ast.Tuple | ast.List) else [node]
+    return flat

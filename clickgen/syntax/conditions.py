@@ -11,7 +11,7 @@ from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, 
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import address_hint, looks_like_address, read_address, read_operand, shorten
 
-_COMPARISONS: dict[type[ast.cmpop], str] = {
+COMPARISONS: dict[type[ast.cmpop], str] = {
     ast.Eq: "==",
     ast.NotEq: "!=",
     ast.Lt: "<",
@@ -29,6 +29,18 @@ def read_condition(context: Context, node: ast.expr) -> Condition | None:
     if isinstance(node, ast.Constant) and node.value is True:
         return Always(context.span(node))
     return _read_term(context, node)
+
+
+def read_series(context: Context, nodes: list[ast.expr]) -> Condition | None:
+    """Conditions one behind the other, all of which must hold; None with problems."""
+    if len(nodes) == 1:
+        return read_condition(context, nodes[0])
+    terms = [_read_term(context, node) for node in nodes]
+    kept = tuple(term for term in terms if term is not None)
+    if len(kept) < len(terms):
+        return None
+    first, last = context.span(nodes[0]), context.span(nodes[-1])
+    return All(kept, first._replace(end_line=last.end_line, end_col=last.end_col))
 
 
 def _read_term(context: Context, node: ast.expr) -> Condition | None:
@@ -108,7 +120,7 @@ def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
     if len(node.ops) > 1:
         context.problem("CG106", node, "comparisons do not chain", "write all(1 < ds.A, ds.A < 5)")
         return None
-    operator = _COMPARISONS.get(type(node.ops[0]))
+    operator = COMPARISONS.get(type(node.ops[0]))
     if operator is None:
         context.problem("CG107", node, "CLICK has no such comparison", "the comparisons: == != < <= > >=")
         return None

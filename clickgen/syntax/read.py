@@ -1,17 +1,19 @@
-"""A source file to a Program: routines, rungs, branches, loops, declarations."""
+"""A source file to what it holds: routines with rungs, branches and loops, declarations, imports."""
 
 from __future__ import annotations
 
 import ast
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.ir.conditions import Always
+from clickgen.ir.imports import Import
 from clickgen.ir.operands import Cell, Constant, Integer, Named
-from clickgen.ir.program import Action, Branch, Declaration, Item, Loop, Program, Routine, Rung, Value, Word
+from clickgen.ir.program import Action, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
 from clickgen.source import SourceFile, Span
 from clickgen.syntax.calls import read_call
 from clickgen.syntax.comments import rung_comment
@@ -26,33 +28,38 @@ if TYPE_CHECKING:
 _DSL_MODULE = "clickgen.dsl"
 
 
-def read_program(source: SourceFile, problems: Diagnostics) -> Program | None:
+@dataclass(frozen=True)
+class FileContent:
+    """What one file holds at its top level, in the order of its text."""
+
+    path: str
+    items: tuple[Routine | Declaration | Import, ...]
+
+
+def read_file(source: SourceFile, problems: Diagnostics) -> FileContent | None:
     """Read one program file; None when it is not Python. Everything else that is wrong is in ``problems``."""
     trees = parse_trees(source, problems)
     if trees is None:
         return None
     module, tree = trees
     context = Context(source, problems)
-    routines: list[Routine] = []
-    declarations: list[Declaration] = []
+    items: list[Routine | Declaration | Import | None] = []
     for cst_node, node in _in_step(module.body, tree.body):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
-            routines.append(_read_routine(context, cst_node, node))
+            items.append(_read_routine(context, cst_node, node))
         elif isinstance(node, ast.Expr) and _is_call_of(node.value, "nickname"):
             assert isinstance(node.value, ast.Call)
-            declaration = _read_declaration(context, node.value)
-            if declaration is not None:
-                declarations.append(declaration)
+            items.append(_read_declaration(context, node.value))
         elif isinstance(node, ast.Import | ast.ImportFrom):
-            _read_import(context, node)
+            items += _read_imports(context, node)
         elif not _is_docstring(node):
             context.problem(
                 "CG102",
                 node,
-                "only nickname(...), def main(): and @sub routines stand at the top level",
+                "only imports, nickname(...), def main(): and @sub routines stand at the top level",
                 "move logic into a rung of main or of a subroutine",
             )
-    return Program(source, tuple(routines), tuple(declarations))
+    return FileContent(source.path, tuple(item for item in items if item is not None))
 
 
 def _in_step(body: Sequence[libcst.CSTNode], nodes: Sequence[ast.stmt]) -> Iterator[tuple[libcst.CSTNode, ast.stmt]]:
@@ -73,14 +80,33 @@ def _is_docstring(node: ast.stmt) -> bool:
     return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
 
 
-def _read_import(context: Context, node: ast.Import | ast.ImportFrom) -> None:
-    if isinstance(node, ast.ImportFrom) and node.module == _DSL_MODULE and node.level == 0:
-        return
-    context.problem(
-        "CG120",
-        node,
-        "a program is one file: only the editor's import is read past",
-        f"from {_DSL_MODULE} import ...",
+def _read_imports(context: Context, node: ast.Import | ast.ImportFrom) -> list[Import]:
+    """``from auto import auto_mode`` or ``import wiring``; the editor's own import is read past."""
+    modules: list[tuple[str, tuple[tuple[str, Span], ...]]]
+    if isinstance(node, ast.Import):
+        modules = [(alias.name, ()) for alias in node.names]
+    elif node.module == _DSL_MODULE and node.level == 0:
+        return []
+    else:
+        names = tuple((alias.name, _alias_span(context, alias)) for alias in node.names)
+        modules = [("" if node.level > 1 else node.module or "", names)]
+    help = ""
+    if any(alias.asname for alias in node.names):
+        help = "a subroutine keeps its name: leave out as"
+    elif any(name == "*" for _, names in modules for name, _ in names):
+        help = "name the subroutines one by one"
+    elif not all(module.isidentifier() for module, _ in modules):
+        help = "the file stands beside this one: from auto import auto_mode reads auto.py"
+    if help:
+        context.problem("CG120", node, "an import names the subroutines of a file beside this one", help)
+        return []
+    return [Import(module, names, context.span(node)) for module, names in modules]
+
+
+def _alias_span(context: Context, alias: ast.alias) -> Span:
+    source, line = context.source, alias.lineno
+    return source.span(
+        line, source.column(line, alias.col_offset), line, source.column(line, alias.end_col_offset or alias.col_offset)
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
-from clickgen.device.banks import BANKS, Address
+from clickgen.device.banks import BANKS, PADDED_DIGITS, Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.copies import CONVERSIONS, COPY, COPY_FILL
 from clickgen.instructions.spec import Pair, ParamKind
@@ -70,6 +70,14 @@ def _check_options(action: Action, problems: Diagnostics) -> None:
             options.span,
             "exponential text with leading zeros cannot be put into CLICK",
             "leave out suppress_zero=False",
+        )
+    elif options.pad is not None and options.pad != PADDED_DIGITS.get(BANKS[source].kind):
+        digits = PADDED_DIGITS.get(BANKS[source].kind)
+        problems.add(
+            "CG314",
+            options.span,
+            f"CLICK cannot pad {source} to {options.pad} characters",
+            f"write pad={digits}: all digits of the type" if digits else "leave out pad",
         )
 
 

@@ -9,7 +9,7 @@ from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.spec import Access, Param, ParamKind, Slot
 from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Operand, Pointer, Range, form_of
-from clickgen.ir.program import Action
+from clickgen.ir.program import Action, Operands
 from clickgen.resolve.constants import kind_of
 
 _WRITABLE = {"SC": WRITABLE_SC, "SD": WRITABLE_SD}
@@ -18,10 +18,11 @@ _WRITABLE = {"SC": WRITABLE_SC, "SD": WRITABLE_SD}
 def check(facts: Facts, problems: Diagnostics) -> None:
     for placed in facts.actions:
         for param in placed.spec.params:
-            operand = placed.action.args.get(param.name)
-            # A name without an address is a problem already.
-            if param.kind is ParamKind.OPERAND and isinstance(operand, Operand) and not isinstance(operand, Named):
-                _check(placed, param, operand, problems)
+            value = placed.action.args.get(param.name)
+            for operand in value.items if isinstance(value, Operands) else (value,):
+                # A name without an address is a problem already.
+                if isinstance(operand, Operand) and not isinstance(operand, Named):
+                    _check(placed, param, operand, problems)
         _check_oneshot(placed.action, problems)
 
 
@@ -53,6 +54,13 @@ def _check(placed: Placed, param: Param, operand: Operand, problems: Diagnostics
     elif isinstance(operand, Range) and operand.is_reversed and not slot.reversible:
         problems.add(
             "CG202", operand.span, f"{placed.spec.name} takes its range forwards", "write the slice without :-1"
+        )
+    elif operand.bank in slot.disputed:
+        problems.add(
+            "CG312",
+            operand.span,
+            f"no source shows {placed.spec.name} with {operand.bank} as {param.name!r}",
+            "try it on the machine before you rely on it",
         )
 
 

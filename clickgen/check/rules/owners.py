@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
-from clickgen.device.banks import Address
+from clickgen.device.banks import CURRENT_VALUE_OF, Address
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions.spec import Access
 from clickgen.ir.operands import Cell
@@ -17,13 +17,14 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             operand = placed.action.args.get(param.name)
             if param.slot.access is not Access.OWN or not isinstance(operand, Cell):
                 continue
-            earlier = owners.setdefault(operand.address, placed.action)
+            number = Address(CURRENT_VALUE_OF.get(operand.bank, operand.bank), operand.address.number)
+            earlier = owners.setdefault(number, placed.action)
             if earlier is not placed.action:
-                kind = "timer" if operand.bank == "T" else "counter"
+                kind = "counter" if number.bank == "CT" else "timer"
                 problems.add(
                     "CG412",
                     operand.span,
-                    f"{operand.address} belongs to the {kind} of line {earlier.span.line} already",
+                    f"{operand.address} belongs to the {earlier.spec.name} of line {earlier.span.line} already",
                     f"give this {kind} another name",
                     (Label(earlier.span, "its first owner"),),
                 )

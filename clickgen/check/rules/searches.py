@@ -30,14 +30,6 @@ def _check(action: Action, problems: Diagnostics) -> None:
         problems.add(
             "CG306", end.span, f"the search ends at {end.address}, before it begins at {start.address}", "swap them"
         )
-    result = action.args.get("result")
-    if isinstance(result, Cell) and result.bank == "DD":
-        problems.add(
-            "CG312",
-            result.span,
-            "that a search stores its result in DD is not confirmed",
-            "store it in a DS register, or try it on the machine before you rely on it",
-        )
     searched, sought = value_class(start), value_class(value)
     if searched != sought:
         problems.add(

@@ -1,0 +1,111 @@
+"""What a send or receive moves fits both ends: bits to bits, registers to registers, within Modbus' limits."""
+
+from __future__ import annotations
+
+from clickgen.check.facts import Facts
+from clickgen.device.banks import BANKS, READ_ONLY, Kind
+from clickgen.diagnostics import Diagnostics
+from clickgen.instructions.communication import SEND, SPECS
+from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget
+from clickgen.ir.operands import Cell, Range
+from clickgen.ir.program import Action
+
+_COILS, _DISCRETE_INPUTS, _HOLDING, _INPUTS = "coil", "discrete_input", "holding", "input"
+_TYPES_984 = ((100000, _COILS), (200000, _DISCRETE_INPUTS), (400000, _INPUTS))
+"""The last number of each stretch of 984 addresses, as laddercodec divides them; above are holding registers."""
+
+_BITS_MAX = {True: 1968, False: 2000}
+_WORDS_MAX = {True: 123, False: 125}
+"""The most that one Modbus request writes (True) or reads: function codes 15, 1, 16 and 3 of the Modbus protocol."""
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    for placed in facts.actions:
+        if placed.spec in SPECS:
+            _check(placed.action, problems)
+
+
+def _check(action: Action, problems: Diagnostics) -> None:
+    is_send = action.spec is SEND
+    own, remote = action.args["source" if is_send else "dest"], action.args["remote_start"]
+    assert isinstance(remote, Remote)
+    if isinstance(action.args["target"], RtuTarget) and action.args["target"].device_id == 0 and not is_send:
+        problems.add(
+            "CG302", action.args["target"].span, "no device answers to number 0: it is for sending to all", "name one"
+        )
+    _check_writable(remote, is_send, problems)
+    if not isinstance(own, Cell | Range):
+        return
+    is_bits = BANKS[own.bank].is_bit
+    if action.flag("word_swap") and is_bits:
+        problems.add("CG314", action.args["word_swap"].span, "bits have no words to swap", "leave out word_swap")
+    if _is_bits(remote) != is_bits:
+        there, here = ("bits", "registers") if _is_bits(remote) else ("registers", "bits")
+        problems.add(
+            "CG305",
+            remote.span,
+            f"{_shown(remote)} holds {there} and {own.bank} holds {here}",
+            "name an address of the same kind on both ends",
+        )
+        return
+    _check_length(own, remote, is_send, problems)
+
+
+def _check_writable(remote: Remote, is_send: bool, problems: Diagnostics) -> None:
+    if not is_send:
+        return
+    if isinstance(remote, RemoteModbus) and _register_type(remote) in (_DISCRETE_INPUTS, _INPUTS):
+        problems.add("CG304", remote.span, f"{_shown(remote)} is an input: Modbus only reads it", "receive it")
+    elif isinstance(remote, RemoteCell) and remote.address.bank in (*READ_ONLY, "SC", "SD"):
+        problems.add(
+            "CG304",
+            remote.span,
+            f"{remote.address} of the other CLICK cannot be written from here",
+            "send to Y, C, or a register",
+        )
+
+
+def _check_length(own: Cell | Range, remote: Remote, is_send: bool, problems: Diagnostics) -> None:
+    length = len(own) if isinstance(own, Range) else 1
+    kind = BANKS[own.bank].kind
+    if kind is Kind.BIT:
+        size, most, what = length, _BITS_MAX[is_send], "bits"
+    else:
+        words = 2 if kind in (Kind.INT32, Kind.FLOAT) else 1
+        size, most, what = length * words, _WORDS_MAX[is_send], "words"
+    if size > most:
+        problems.add(
+            "CG306",
+            own.span,
+            f"this range is {size} {what} and one Modbus request takes {most}",
+            "divide it over several",
+        )
+    if isinstance(remote, RemoteCell) and length > 1:
+        address = remote.address
+        bank = BANKS[address.bank]
+        last = address.number + length - 1
+        if not any(low <= address.number and last <= high for low, high in bank.ranges):
+            problems.add(
+                "CG306",
+                remote.span,
+                f"{length} addresses from {address} on leave the bank: {bank.name} has {bank.describe_range()}",
+                "begin earlier, or move fewer",
+            )
+
+
+def _register_type(remote: RemoteModbus) -> str:
+    if remote.register_type:
+        return remote.register_type
+    return next((name for last, name in _TYPES_984 if remote.number <= last), _HOLDING)
+
+
+def _is_bits(remote: Remote) -> bool:
+    if isinstance(remote, RemoteCell):
+        return BANKS[remote.address.bank].is_bit
+    return _register_type(remote) in (_COILS, _DISCRETE_INPUTS)
+
+
+def _shown(remote: Remote) -> str:
+    if isinstance(remote, RemoteCell):
+        return str(remote.address)
+    return f"{remote.number:X}h ({remote.register_type})" if remote.register_type else str(remote.number)

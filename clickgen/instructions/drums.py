@@ -1,0 +1,74 @@
+"""Drum sequencers: event_drum, time_drum (click-facts, section 3, "Drums")."""
+
+from __future__ import annotations
+
+from clickgen.instructions.spec import BITS, INTEGER, Access, Param, ParamKind, Slot, Spec, Variant
+from clickgen.instructions.timers import PRESET_MAX, UNIT
+
+STEPS_MAX = 16
+OUTPUTS_MAX = 16
+
+_OUTPUTS = Param("outputs", ParamKind.OPERANDS, slot=Slot(cells=("Y", "C"), access=Access.WRITE))
+_EVENTS = Param("events", ParamKind.OPERANDS, slot=Slot(cells=BITS))
+_PRESETS = Param(
+    "presets",
+    ParamKind.OPERANDS,
+    slot=Slot(cells=("DS",), constants=(INTEGER,), limits=(0, PRESET_MAX), disputed=("DS",)),
+)
+_PATTERN = Param("pattern", ParamKind.PATTERN)
+_CURRENT_STEP = Param("current_step", slot=Slot(cells=("DS",), access=Access.WRITE))
+_ACCUMULATOR = Param("accumulator", slot=Slot(cells=("TD",), access=Access.OWN))
+_COMPLETION_FLAG = Param("completion_flag", slot=Slot(cells=("C",), access=Access.WRITE))
+_RESET = Param("reset", ParamKind.PIN, pin=".reset()")
+_JUMP = Param("jump", ParamKind.PIN, default=None, pin=".jump({jump_step})")
+_JUMP_STEP = Param(
+    "jump_step",
+    slot=Slot(cells=("DS",), constants=(INTEGER,), limits=(1, STEPS_MAX)),
+    default=None,
+    chained="step",
+    of_pin="jump",
+)
+_JOG = Param("jog", ParamKind.PIN, default=None, pin=".jog()")
+_PINS = (_RESET, _JUMP, _JUMP_STEP, _JOG)
+
+_NOTES = (
+    "`pattern` has one row for each step and in it one 0 or 1 for each output.",
+    "An output or an event is one bit; a slice in the list stands for its bits: `outputs=[y[1:5], c.Lamp]`.",
+    "CLICK jumps to the step that a DS register holds: a constant step is copied to a scratch register before.",
+)
+
+EVENT_DRUM = Spec(
+    name="event_drum",
+    params=(_OUTPUTS, _EVENTS, _PATTERN, _CURRENT_STEP, _COMPLETION_FLAG, *_PINS),
+    variants=(
+        Variant(
+            "event_drum(outputs=[{outputs}],events=[{events}],pattern=[{pattern}],"
+            "current_step={current_step},completion_flag={completion_flag})"
+        ),
+    ),
+    summary="Drum sequencer: each step drives its row of the pattern until its event comes.",
+    example="event_drum(outputs=[y.Fill, y.Mix], events=[x.Full, x.Mixed], pattern=[[1, 0], [0, 1]], "
+    "current_step=ds.Step, completion_flag=c.Done, reset=lambda: c.Restart)",
+    height=4,
+    notes=_NOTES,
+)
+TIME_DRUM = Spec(
+    name="time_drum",
+    params=(_OUTPUTS, _PRESETS, UNIT, _PATTERN, _CURRENT_STEP, _ACCUMULATOR, _COMPLETION_FLAG, *_PINS),
+    variants=(
+        Variant(
+            "time_drum(outputs=[{outputs}],presets=[{presets}],unit={unit},pattern=[{pattern}],"
+            "current_step={current_step},accumulator={accumulator},completion_flag={completion_flag})"
+        ),
+    ),
+    summary="Drum sequencer: each step drives its row of the pattern for its time.",
+    example="time_drum(outputs=[y.Fill, y.Mix], presets=[20, 45], unit=Ts, pattern=[[1, 0], [0, 1]], "
+    "current_step=ds.Step, accumulator=td.Elapsed, completion_flag=c.Done, reset=lambda: c.Restart)",
+    height=4,
+    notes=(
+        *_NOTES,
+        "The accumulator belongs to the drum alone: no timer may have its number.",
+    ),
+)
+
+SPECS = (EVENT_DRUM, TIME_DRUM)

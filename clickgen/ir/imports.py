@@ -1,0 +1,16 @@
+"""What a program file takes from a sibling file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from clickgen.source import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Import:
+    """``from auto import auto_mode``; without names, ``import wiring``, it brings the file's declarations alone."""
+
+    module: str
+    names: tuple[tuple[str, Span], ...]
+    span: Span

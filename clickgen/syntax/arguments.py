@@ -1,0 +1,158 @@
+"""Arguments of instructions, each read by the kind of its parameter."""
+
+from __future__ import annotations
+
+import ast
+
+from clickgen.diagnostics import did_you_mean
+from clickgen.instructions.maths import MATH_HEX
+from clickgen.instructions.spec import Param, ParamKind, Spec
+from clickgen.instructions.timers import UNITS
+from clickgen.ir.operands import Cell, Immediate, Range, Single
+from clickgen.ir.program import FormulaText, Operands, Pattern, Value, Word
+from clickgen.syntax.conditions import read_condition
+from clickgen.syntax.context import Context
+from clickgen.syntax.modbus import read_remote, read_target
+from clickgen.syntax.operands import read_operand, shorten
+from clickgen.syntax.options import read_options
+
+_COMPARISONS = {
+    "==": "==",
+    "!=": "!=",
+    "<": "<",
+    "<=": "<=",
+    ">": ">",
+    ">=": ">=",
+    "eq": "==",
+    "ne": "!=",
+    "lt": "<",
+    "le": "<=",
+    "gt": ">",
+    "ge": ">=",
+}
+
+
+def read_argument(context: Context, spec: Spec, param: Param, node: ast.expr) -> Value | None:
+    """The value of one argument; None with problems."""
+    kind = param.kind
+    if kind is ParamKind.OPERAND:
+        return read_operand(context, node)
+    if kind is ParamKind.OPERANDS:
+        return _read_operands(context, spec, param, node)
+    if kind is ParamKind.PATTERN:
+        return _read_pattern(context, spec, param, node)
+    if kind is ParamKind.PIN:
+        return _read_pin(context, spec, param, node)
+    if kind is ParamKind.FORMULA:
+        return _read_formula(context, spec, param, node)
+    if kind is ParamKind.OPTIONS:
+        return read_options(context, node, spec.signature)
+    if kind is ParamKind.TARGET:
+        return read_target(context, node)
+    if kind is ParamKind.REMOTE:
+        return read_remote(context, node)
+    return _read_word(context, spec, param, node)
+
+
+def _refuse(context: Context, spec: Spec, param: Param, node: ast.expr, hint: str = "") -> None:
+    help = " ".join(filter(None, (hint, spec.signature)))
+    context.problem("CG115", node, f"{param.name!r} of {spec.name} must be {param.kind.value}", help)
+
+
+def _read_word(context: Context, spec: Spec, param: Param, node: ast.expr) -> Value | None:
+    kind = param.kind
+    value: str | bool | None = None
+    if kind is ParamKind.FLAG and isinstance(node, ast.Constant) and isinstance(node.value, bool):
+        value = node.value
+    elif kind is ParamKind.UNIT and isinstance(node, ast.Name) and node.id in UNITS:
+        value = node.id
+    elif kind is ParamKind.COMPARISON and isinstance(node, ast.Constant):
+        value = _COMPARISONS.get(str(node.value))
+    elif kind is ParamKind.ROUTINE:
+        if isinstance(node, ast.Name):
+            value = node.id
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            value = node.value
+    if value is None:
+        _refuse(context, spec, param, node, _word_hint(context, spec, param, node))
+        return None
+    return Word(value, context.span(node))
+
+
+def _word_hint(context: Context, spec: Spec, param: Param, node: ast.expr) -> str:
+    if param.kind is ParamKind.ROUTINE and isinstance(node, ast.Call):
+        return f"write {spec.name}({shorten(context.text(node.func))}):"
+    if param.kind is not ParamKind.UNIT:
+        return ""
+    word = str(node.value) if isinstance(node, ast.Constant) else context.text(node)
+    exact = next((unit for unit in UNITS if word.lower() in (unit.lower(), unit[1:].lower())), None)
+    return f"write unit={exact}:" if exact else did_you_mean(word, UNITS)
+
+
+def _read_pin(context: Context, spec: Spec, param: Param, node: ast.expr) -> Value | None:
+    if isinstance(node, ast.Lambda) and not ast.unparse(node.args):
+        return read_condition(context, node.body)
+    condition = node.body if isinstance(node, ast.Lambda) else node
+    is_nothing = isinstance(condition, ast.Constant) and condition.value is None
+    shown = "c.Name" if is_nothing else shorten(context.text(condition))
+    fault = f"{param.name!r} of {spec.name} must be a condition behind lambda:"
+    context.problem("CG115", node, fault, f"write {param.name}=lambda: {shown} in {spec.signature}")
+    return None
+
+
+def _read_formula(context: Context, spec: Spec, param: Param, node: ast.expr) -> Value | None:
+    if not (isinstance(node, ast.Constant) and isinstance(node.value, str)):
+        _refuse(context, spec, param, node)
+        return None
+    from clickgen.formula import parse_formula
+
+    formula = parse_formula(context.embedded(node), "hex" if spec is MATH_HEX else "decimal", context.problems)
+    return FormulaText(formula, context.span(node)) if formula is not None else None
+
+
+# -- lists ------------------------------------------------------------------------------------------------------------
+
+
+def _read_operands(context: Context, spec: Spec, param: Param, node: ast.expr) -> Value | None:
+    """A list of addresses and constants; a slice, alone or in the list, stands for each of its addresses."""
+    if isinstance(node, ast.List | ast.Tuple):
+        elements = node.elts
+    elif isinstance(node, ast.Subscript):
+        elements = [node]
+    else:
+        _refuse(context, spec, param, node)
+        return None
+    items: list[Single] = []
+    is_whole = True
+    for element in elements:
+        operand = read_operand(context, element)
+        if isinstance(operand, Range):
+            items += [Cell(address, operand.span) for address in operand.addresses()]
+        elif isinstance(operand, Immediate):
+            context.problem("CG308", element, f"{spec.name} takes no immediate address here", "leave out .immediate")
+            is_whole = False
+        elif operand is None:
+            is_whole = False
+        else:
+            items.append(operand)
+    return Operands(tuple(items), context.span(node)) if is_whole else None
+
+
+def _read_pattern(context: Context, spec: Spec, param: Param, node: ast.expr) -> Value | None:
+    if not isinstance(node, ast.List | ast.Tuple):
+        _refuse(context, spec, param, node)
+        return None
+    rows: list[tuple[bool, ...]] = []
+    is_whole = True
+    for row in node.elts:
+        cells = row.elts if isinstance(row, ast.List | ast.Tuple) else [row]
+        wrong = next((cell for cell in cells if not _is_bit(cell)), None)
+        if not isinstance(row, ast.List | ast.Tuple) or wrong is not None:
+            _refuse(context, spec, param, wrong or row)
+            is_whole = False
+        rows.append(tuple(isinstance(cell, ast.Constant) and cell.value == 1 for cell in cells))
+    return Pattern(tuple(rows), context.span(node)) if is_whole else None
+
+
+def _is_bit(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and type(node.value) in (int, bool) and node.value in (0, 1)

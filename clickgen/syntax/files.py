@@ -1,0 +1,135 @@
+"""A program in several files: what is imported from sibling files, read as text and never run."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+
+from clickgen.diagnostics import Diagnostics, did_you_mean
+from clickgen.ir.imports import Import
+from clickgen.ir.program import Declaration, Program, Routine
+from clickgen.source import SourceFile, Span
+from clickgen.syntax.parse import decode
+from clickgen.syntax.read import FileContent, read_file
+
+ReadBytes = Callable[[str], bytes]
+"""The bytes of a file by its path as shown; raises OSError."""
+
+
+def read_program(
+    source: SourceFile, read_bytes: ReadBytes, problems: Diagnostics
+) -> tuple[Program | None, tuple[SourceFile, ...]]:
+    """The program that begins in this file, and every file it is made of.
+
+    None when this file is not Python. Everything else that is wrong is in ``problems``.
+    """
+    files = _Files(read_bytes, problems, [source])
+    content = read_file(source, problems)
+    if content is None:
+        return None, tuple(files.sources)
+    files.enter(source.path, content)
+    # A routine that two files import is one routine.
+    routines = {id(routine): routine for routine in files.routines(content)}
+    program = Program(source, tuple(routines.values()), tuple(files.declarations))
+    return program, tuple(files.sources)
+
+
+@dataclass
+class _Files:
+    """Every file that was read, each once, and the path from the program to the one being read."""
+
+    read_bytes: ReadBytes
+    problems: Diagnostics
+    sources: list[SourceFile]
+    declarations: list[Declaration] = field(default_factory=list)
+    _contents: dict[str, FileContent | None] = field(default_factory=dict)
+    _open: list[str] = field(default_factory=list)
+
+    def enter(self, path: str, content: FileContent) -> None:
+        """Take in a file and, before it, what it imports."""
+        key = _key(path)
+        self._contents[key] = content
+        self._open.append(key)
+        for item in content.items:
+            if isinstance(item, Import):
+                self._import(path, item)
+        self._open.pop()
+        self.declarations += (item for item in content.items if isinstance(item, Declaration))
+
+    def routines(self, content: FileContent) -> Iterator[Routine]:
+        """The routines of the program: those of its own file, then those that it imports, in the order of the text."""
+        yield from (item for item in content.items if isinstance(item, Routine))
+        for item in content.items:
+            if isinstance(item, Import):
+                subroutines = self._subroutines(_sibling(content.path, item.module))
+                yield from (subroutines[name] for name, _ in item.names if name in subroutines)
+
+    def _import(self, importer: str, item: Import) -> None:
+        path = _sibling(importer, item.module)
+        key = _key(path)
+        if key in self._open:
+            chain = [os.path.basename(file) for file in (*self._open[self._open.index(key) :], key)]
+            self.problems.add(
+                "CG122",
+                item.span,
+                f"files import each other in a circle: {' -> '.join(chain)}",
+                "put what both need into a third file",
+            )
+        else:
+            if key not in self._contents:
+                self._read(path, key, item.span)
+            self._check_names(path, item)
+
+    def _read(self, path: str, key: str, span: Span) -> None:
+        self._contents[key] = None
+        try:
+            data = self.read_bytes(path)
+        except OSError as error:
+            missing = isinstance(error, FileNotFoundError)
+            fault = f"there is no file {path}" if missing else f"{path} cannot be read: {error.strerror or error}"
+            help = did_you_mean(os.path.basename(path), _siblings(path)) if missing else ""
+            self.problems.add("CG121", span, fault, help or "an imported file stands beside the file that imports it")
+            return
+        source = decode(path, data, self.problems)
+        if source is None:
+            return
+        self.sources.append(source)
+        content = read_file(source, self.problems)
+        if content is not None:
+            self.enter(path, content)
+
+    def _check_names(self, path: str, item: Import) -> None:
+        content = self._contents[_key(path)]
+        if content is None:
+            return
+        subroutines = self._subroutines(path)
+        mains = {other.name for other in content.items if isinstance(other, Routine) and other.is_main}
+        for name, span in item.names:
+            if name in mains:
+                fault, help = f"{name} of {path} is a main program, not a subroutine", "import its subroutines"
+            elif name not in subroutines:
+                fault, help = f"{path} has no subroutine {name!r}", did_you_mean(name, subroutines)
+            else:
+                continue
+            self.problems.add("CG123", span, fault, help or f"it has {', '.join(subroutines) or 'none'}")
+
+    def _subroutines(self, path: str) -> dict[str, Routine]:
+        content = self._contents.get(_key(path))
+        routines = (item for item in content.items if isinstance(item, Routine)) if content else ()
+        return {routine.name: routine for routine in routines if not routine.is_main}
+
+
+def _sibling(importer: str, module: str) -> str:
+    return os.path.join(os.path.dirname(importer), f"{module}.py")
+
+
+def _siblings(path: str) -> list[str]:
+    try:
+        return sorted(name for name in os.listdir(os.path.dirname(path) or ".") if name.endswith(".py"))
+    except OSError:
+        return []
+
+
+def _key(path: str) -> str:
+    return os.path.realpath(path)

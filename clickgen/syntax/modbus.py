@@ -1,0 +1,199 @@
+"""The target and the remote address of a send or receive."""
+
+from __future__ import annotations
+
+import ast
+import ipaddress
+import re
+from collections.abc import Mapping
+
+from clickgen.device.banks import parse_address
+from clickgen.diagnostics import did_you_mean
+from clickgen.instructions.communication import COM_PORTS
+from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget, Target, TcpTarget
+from clickgen.syntax.context import Context
+
+_TCP = 'ModbusTcpTarget(ip="192.168.1.10", port=502, device_id=1)'
+_RTU = 'ModbusRtuTarget(com_port="cpu2", device_id=5)'
+_TARGETS = {
+    "ModbusTcpTarget": ("name", "ip", "port", "device_id"),
+    "ModbusRtuTarget": ("name", "com_port", "device_id"),
+}
+_EXAMPLES = {"ModbusTcpTarget": _TCP, "ModbusRtuTarget": _RTU}
+_LABEL = re.compile(r"[A-Za-z0-9 _-]{1,24}")
+_DEVICE_IDS = {"ModbusTcpTarget": 255, "ModbusRtuTarget": 247}
+"""The greatest device number: one byte in the network, 247 devices on a serial line (Modbus)."""
+
+REGISTER_TYPES = ("coil", "discrete_input", "holding", "input")
+_HEX = re.compile(r"([0-9A-Fa-f]{1,4})h")
+_REMOTE = 'remote_start="DS1", or ModbusAddress(address=400001)'
+
+
+def read_target(context: Context, node: ast.expr) -> Target | None:
+    """``ModbusTcpTarget(...)`` or ``ModbusRtuTarget(...)``; None with problems."""
+    name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
+    if not isinstance(node, ast.Call) or name not in _TARGETS:
+        help = did_you_mean(name, _TARGETS) or f"{_TCP} or {_RTU}"
+        context.problem("CG115", node, "the target is a ModbusTcpTarget or a ModbusRtuTarget", help)
+        return None
+    given = _given(context, node, name, _TARGETS[name], _EXAMPLES[name])
+    if given is None:
+        return None
+    reader = _Settings(context, node, name, given)
+    label = reader.label()
+    device_id = reader.number("device_id", 1 if name == "ModbusTcpTarget" else None, 0, _DEVICE_IDS[name])
+    if name == "ModbusRtuTarget":
+        com_port = reader.com_port()
+        if label is None or com_port is None or device_id is None:
+            return None
+        return RtuTarget(label, com_port, device_id, context.span(node))
+    ip, port = reader.ip(), reader.number("port", 502, 1, 65535)
+    if label is None or ip is None or port is None or device_id is None:
+        return None
+    return TcpTarget(label, ip, port, device_id, context.span(node))
+
+
+def _given(
+    context: Context, node: ast.Call, name: str, known: tuple[str, ...], example: str
+) -> dict[str, ast.expr] | None:
+    """The arguments by name; None with problems."""
+    given: dict[str, ast.expr] = {}
+    faults = 0
+    for argument in node.args:
+        context.problem("CG115", argument, f"{name} takes its arguments by name", example)
+        faults += 1
+    for keyword in node.keywords:
+        if keyword.arg not in known:
+            help = did_you_mean(keyword.arg or "", known) or example
+            context.problem("CG109", keyword, f"{name} has no argument {keyword.arg or '**'!r}", help)
+            faults += 1
+        else:
+            given[keyword.arg] = keyword.value
+    return None if faults else given
+
+
+class _Settings:
+    """The settings of one target, each with its problem."""
+
+    def __init__(self, context: Context, node: ast.Call, name: str, given: Mapping[str, ast.expr]) -> None:
+        self._context = context
+        self._node = node
+        self._name = name
+        self._given = given
+
+    def label(self) -> str | None:
+        default = "tcp" if self._name == "ModbusTcpTarget" else "rtu"
+        value = self._value("name", default)
+        if isinstance(value, str) and _LABEL.fullmatch(value):
+            return value
+        self._refuse("name", "a short label of letters and digits")
+        return None
+
+    def ip(self) -> str | None:
+        value = self._value("ip", None)
+        if value is None:
+            return None
+        if isinstance(value, str):
+            try:
+                return str(ipaddress.IPv4Address(value))
+            except ValueError:
+                pass
+        self._refuse("ip", 'an IPv4 address: "192.168.1.10"')
+        return None
+
+    def com_port(self) -> str | None:
+        value = self._value("com_port", None)
+        if value is None or value in COM_PORTS:
+            return str(value) if value else None
+        near = did_you_mean(str(value), COM_PORTS)
+        self._refuse("com_port", f"one of {', '.join(COM_PORTS)}", near)
+        return None
+
+    def number(self, name: str, default: int | None, low: int, high: int) -> int | None:
+        value = self._value(name, default)
+        if type(value) is int and low <= value <= high:
+            return value
+        if value is not None:
+            self._refuse(name, f"a number {low}..{high}")
+        return None
+
+    def _value(self, name: str, default: object) -> object:
+        """What is written; None with a problem when it is missing and has no default."""
+        node = self._given.get(name)
+        if node is None:
+            if default is None:
+                self._context.problem("CG110", self._node, f"{self._name} needs {name!r}", _EXAMPLES[self._name])
+            return default
+        return node.value if isinstance(node, ast.Constant) and node.value is not None else ...
+
+    def _refuse(self, name: str, what: str, help: str = "") -> None:
+        node = self._given[name]
+        self._context.problem("CG115", node, f"{name!r} must be {what}", help or _EXAMPLES[self._name])
+
+
+# -- the remote address -----------------------------------------------------------------------------------------------
+
+
+def read_remote(context: Context, node: ast.expr) -> Remote | None:
+    """``"DS1"``, ``ModbusAddress(address=400001)`` or a hexadecimal one with its register type."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        address = parse_address(node.value)
+        if address is None:
+            context.problem("CG201", node, f"a CLICK has no address {node.value!r}", _REMOTE)
+            return None
+        return RemoteCell(address, context.span(node))
+    name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
+    if not isinstance(node, ast.Call) or name != "ModbusAddress":
+        way = "it is an address of the other device, in quotes: " if isinstance(node, ast.Subscript) else ""
+        help = did_you_mean(name, ["ModbusAddress"]) or way + _REMOTE
+        context.problem("CG115", node, "this is not an address of another device", help)
+        return None
+    example = "ModbusAddress(address=400001)"
+    given = _given(context, node, name, ("address", "register_type"), example)
+    if given is None:
+        return None
+    if "address" not in given:
+        context.problem("CG110", node, "ModbusAddress needs 'address'", example)
+        return None
+    number, is_hex = _modbus_number(context, given["address"])
+    type_node = given.get("register_type")
+    register_type = type_node.value if isinstance(type_node, ast.Constant) else None
+    if number is None:
+        return None
+    if not is_hex:
+        if type_node is not None and register_type is not None:
+            context.problem("CG314", type_node, f"{number} says its register type itself", "leave out register_type")
+            return None
+        return RemoteModbus(number, context.span(node))
+    if register_type not in REGISTER_TYPES:
+        near = did_you_mean(str(register_type), REGISTER_TYPES) if register_type else ""
+        help = near or f"a hexadecimal address needs one of {', '.join(REGISTER_TYPES)}"
+        code, place = ("CG110", node) if type_node is None else ("CG115", type_node)
+        context.problem(code, place, "register_type is missing or none that Modbus has", help)
+        return None
+    return RemoteModbus(number, context.span(node), str(register_type))
+
+
+def _modbus_number(context: Context, node: ast.expr) -> tuple[int | None, bool]:
+    """The number of a Modbus address, and whether it is hexadecimal."""
+    value = node.value if isinstance(node, ast.Constant) else ...
+    match = _HEX.fullmatch(value) if isinstance(value, str) else None
+    if match:
+        return int(match[1], 16), True
+    if type(value) is int and context.text(node)[:2].lower() == "0x" and value <= 0xFFFF:
+        return value, True
+    if isinstance(value, str) and value.isascii() and value.isdigit():
+        value = int(value)
+    if type(value) is int and any(low <= value <= high for low, high in _RANGES_984):
+        return value, False
+    context.problem(
+        "CG115",
+        node,
+        "this is no Modbus address",
+        "1..65536 coils, 100001..165536 inputs, 300001..365536 input registers, 400001..465536 holding registers; "
+        'or in hexadecimal "0h".."FFFFh" with a register_type',
+    )
+    return None, False
+
+
+_RANGES_984 = ((1, 65536), (100001, 165536), (300001, 365536), (400001, 465536))
