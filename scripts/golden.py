@@ -15,8 +15,6 @@ from clickgen.diagnostics import Diagnostic
 
 CASES = Path(__file__).parents[1] / "fixtures" / "cases"
 PROGRAM, TABLE, EXPECTED = "prog.py", "nicknames.csv", "expected"
-INPUTS = (PROGRAM, TABLE)
-"""What a case gives a build: its program and, where it ships one, its address table."""
 
 
 def names() -> list[str]:
@@ -25,10 +23,10 @@ def names() -> list[str]:
 
 
 def lay_out(case: Path, folder: Path) -> Path:
-    """Copy the inputs of a case, and nothing else, into ``folder``; returns the program there."""
-    for name in INPUTS:
-        if (case / name).is_file():
-            shutil.copyfile(case / name, folder / name)
+    """Copy a program, its sibling files and its address table into ``folder``; returns the program there."""
+    for path in case.iterdir():
+        if path.is_file():
+            shutil.copyfile(path, folder / path.name)
     return folder / PROGRAM
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 PACKAGE = Path(__file__).parents[1] / "clickgen"
-BELOW = ("codes", "source", "diagnostics", "device", "instructions")
+BELOW = ("wording", "codes", "source", "diagnostics", "device", "instructions")
 ROAD = ("ir", "formula", "syntax", "resolve", "check", "lower", "emit", "pipeline", "cli")
 """syntax and formula make what ir declares; so ir comes first, and only its walkers look into formulas."""
 EXCEPTIONS = {("ir", "formula")}

@@ -17,12 +17,13 @@ from clickgen.diagnostics import Diagnostic
 REJECT = Path(__file__).parents[1] / "fixtures" / "reject"
 PROGRAM, TABLE = "prog.py", "nicknames.csv"
 
-_EXPECT = re.compile(r"# expect: ((?:CG\d{3} \d+:\d+(?:, )?)+)\n")
+_EXPECT = re.compile(r"# expect: ((?:CG\d{3} (?:\w+\.py:)?\d+:\d+(?:, )?)+)\n")
 _FLAGS = re.compile(r"^# flags: (\w+)$", re.MULTILINE)
 
 
 class Place(NamedTuple):
     code: str
+    file: str
     line: int
     col: int
 
@@ -52,9 +53,14 @@ def _lay_out(name: str, folder: Path) -> Path:
 
 def _expected(text: str) -> list[Place]:
     match = _EXPECT.match(text)
-    assert match, "the first line reads # expect: CG101 3:12, CG102 5:1"
-    places = (entry.split() for entry in match[1].split(", "))
-    return sorted(Place(code, *map(int, at.split(":"))) for code, at in places)
+    assert match, "the first line reads # expect: CG101 3:12, CG102 5:1, CG103 sibling.py:3:5"
+    return sorted(_place(*entry.split()) for entry in match[1].split(", "))
+
+
+def _place(code: str, at: str) -> Place:
+    *file, line, col = at.split(":")
+    usual = TABLE if code.startswith("CG6") else PROGRAM
+    return Place(code, file[0] if file else usual, int(line), int(col))
 
 
 def _is_frozen(text: str) -> bool:
@@ -76,23 +82,22 @@ def test_exactly_the_expected_problems_come_out(name: str, tmp_path: Path) -> No
     text = program.read_text("utf-8")
     expected = _expected(text)
     result = clickgen.build(program, frozen=_is_frozen(text))
-    found = [Place(problem.code, *_start(problem)) for problem in result.diagnostics]
-    assert sorted(found) == expected
+    assert sorted(map(_found, result.diagnostics)) == expected
     assert _code(name) in {place.code for place in expected}
     for problem in result.diagnostics:
-        _check(problem, program)
+        _check(problem)
     has_errors = any(CODES[place.code].severity is Severity.ERROR for place in expected)
     assert result.ok is not has_errors
     assert bool(result.files) is not has_errors
 
 
-def _start(problem: Diagnostic) -> tuple[int, int]:
+def _found(problem: Diagnostic) -> Place:
     assert problem.span is not None
-    return problem.span.line, problem.span.col
+    return Place(problem.code, Path(problem.span.path).name, problem.span.line, problem.span.col)
 
 
-def _check(problem: Diagnostic, program: Path) -> None:
-    """It offers a way out, and points at something that is there, in the file where a person would look."""
+def _check(problem: Diagnostic) -> None:
+    """It offers a way out, and points at something that is there."""
     assert problem.message
     assert problem.help, f"{problem.code} has no way out: {problem.message}"
     spans = [problem.span, *(label.span for label in problem.labels)]
@@ -103,9 +108,6 @@ def _check(problem: Diagnostic, program: Path) -> None:
         assert 1 <= span.col <= len(lines[span.line - 1]) + 1
         assert 1 <= span.end_col <= len(lines[span.end_line - 1]) + 2
         assert (span.line, span.col) < (span.end_line, span.end_col)
-    in_table = problem.code.startswith("CG6")
-    assert problem.span is not None
-    assert Path(problem.span.path) == (program.parent / TABLE if in_table else program)
 
 
 @each_fixture

@@ -9,6 +9,7 @@ from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
 from clickgen.cli.render import printable, summary, write_problems
 from clickgen.emit.write import ChangedMeanwhile
 from clickgen.pipeline import BuildResult, CouldNotRun, build
+from clickgen.wording import counted
 
 
 def run(program: str, output: str | None, nicknames: str | None, frozen: bool) -> int:
@@ -36,14 +37,14 @@ def run(program: str, output: str | None, nicknames: str | None, frozen: bool) -
 
 def _report(result: BuildResult, folder: Path) -> str:
     main, subroutines = result.main, result.subroutines
-    counts = [f"{_count(len(main.rungs), 'rung')} in main"]
+    counts = [f"{counted(len(main.rungs), 'rung')} in main"]
     if subroutines:
         rungs = sum(len(routine.rungs) for routine in subroutines)
-        counts.append(f"{_count(rungs, 'rung')} in {_count(len(subroutines), 'subroutine')}")
+        counts.append(f"{counted(rungs, 'rung')} in {counted(len(subroutines), 'subroutine')}")
     new = result.new_rows
     lines = [f"Built {result.program.name}: {', '.join(counts)}."]
     if new:
-        lines.append(f"{_count(len(new), 'new address', 'new addresses')} in {result.table_path}: commit it.")
+        lines.append(f"{counted(len(new), 'new address', 'new addresses')} in {result.table_path}: commit it.")
     noted = summary(result.diagnostics)
     if noted:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
@@ -51,11 +52,7 @@ def _report(result: BuildResult, folder: Path) -> str:
     steps = [f"in CLICK: File > Import > Nicknames, {folder / 'nicknames.csv'}"]
     if subroutines:
         names = ", ".join(routine.name for routine in subroutines)
-        steps.append(f"in CLICK: create {_count(len(subroutines), 'subroutine')} by hand, named {names}")
+        steps.append(f"in CLICK: create {counted(len(subroutines), 'subroutine')} by hand, named {names}")
     steps.append(f"in ClickNick: Ladder > Open in Guided Paste, {folder}")
     lines += [f"  {number}. {step}" for number, step in enumerate(steps, 1)]
     return "\n".join(lines)
-
-
-def _count(number: int, noun: str, plural: str = "") -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {plural or noun + 's'}"

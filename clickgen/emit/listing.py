@@ -20,6 +20,7 @@ from clickgen.lower.effects import touches
 from clickgen.lower.split import ClickRoutine, ClickRung
 from clickgen.lower.tokens import NEVER_CONTACT, action_token, operand_token, pin_token
 from clickgen.lower.words import condition_words, term_words
+from clickgen.wording import counted
 
 _KEYWORD = re.compile(r"[a-z_]+=")
 _WIDTH = 100
@@ -64,7 +65,7 @@ def listing(title: str, routines: Iterable[ClickRoutine], nicknames: Mapping[Add
     width = max(len(routine.name) for routine in routines)
     for routine in routines:
         rows = sum(len(rung.grid) for rung in routine.rungs)
-        lines.append(f"  {routine.name:<{width}}  {_count(len(routine.rungs), 'rung')}, {_count(rows, 'row')}")
+        lines.append(f"  {routine.name:<{width}}  {counted(len(routine.rungs), 'rung')}, {counted(rows, 'row')}")
     for routine in routines:
         lines += ["", "", routine.name, "=" * len(routine.name)]
         for number, rung in enumerate(routine.rungs, 1):
@@ -72,10 +73,6 @@ def listing(title: str, routines: Iterable[ClickRoutine], nicknames: Mapping[Add
     lines += ["", "", "Cross-reference", "===============", ""]
     lines += _cross_reference(routines, names)
     return "\n".join(lines) + "\n"
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
 # -- rungs ------------------------------------------------------------------------------------------------------------

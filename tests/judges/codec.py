@@ -55,6 +55,7 @@ TOKEN_DIFFERENCES: tuple[Difference, ...] = (
     Difference(
         r"^unpack_to_words\((\w+),(?=[XY]\d)", r"unpack_to_bits(\1,", "the same guess from the destination's letter"
     ),
+    Difference(r"\.\.([XY])0+(?=\d)", r"..\1", "it computes the end of a sent or received range without its zeros"),
     Difference(
         r'Modbus(Tcp|Rtu)Target\(name="(?:[^"]|"")*"', r'Modbus\1Target(name=""', "the target's name is not stored"
     ),

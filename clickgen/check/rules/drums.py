@@ -7,6 +7,7 @@ from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions.drums import OUTPUTS_MAX, SPECS, STEPS_MAX
 from clickgen.ir.operands import Cell, Integer
 from clickgen.ir.program import Action, Operands, Pattern
+from clickgen.wording import counted
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
@@ -29,12 +30,12 @@ def _check_lists(action: Action, problems: Diagnostics) -> None:
     assert isinstance(outputs, Operands)
     assert isinstance(pattern, Pattern)
     before = len(problems.found)
-    for items, most, what in ((outputs, OUTPUTS_MAX, "outputs"), (steps, STEPS_MAX, "steps")):
+    for items, most, what in ((outputs, OUTPUTS_MAX, "output"), (steps, STEPS_MAX, "step")):
         if not 1 <= len(items.items) <= most:
             problems.add(
                 "CG316",
                 items.span,
-                f"this {action.spec.name} has {len(items.items)} {what}; CLICK takes 1 to {most}",
+                f"this {action.spec.name} has {counted(len(items.items), what)}; CLICK takes 1 to {most}",
                 "divide it over two drums" if items.items else "write them into the list",
             )
     if len(problems.found) > before:
@@ -43,15 +44,16 @@ def _check_lists(action: Action, problems: Diagnostics) -> None:
         problems.add(
             "CG316",
             pattern.span,
-            f"the pattern has {len(pattern.rows)} rows for {len(steps.items)} steps",
+            f"the pattern has {counted(len(pattern.rows), 'row')} for {counted(len(steps.items), 'step')}",
             "write one row for each step",
         )
     wrong = next((n for n, row in enumerate(pattern.rows, 1) if len(row) != len(outputs.items)), None)
     if wrong is not None:
+        places = counted(len(pattern.rows[wrong - 1]), "place")
         problems.add(
             "CG316",
             pattern.span,
-            f"row {wrong} of the pattern has {len(pattern.rows[wrong - 1])} places for {len(outputs.items)} outputs",
+            f"row {wrong} of the pattern has {places} for {counted(len(outputs.items), 'output')}",
             "write one 0 or 1 for each output into every row",
         )
 
