@@ -35,12 +35,11 @@ SHIFT = Spec(
 
 _SEARCHED = ("DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "SD", "TXT")
 
-_FINDINGS = (
-    Param("result", slot=Slot(cells=("DS", "DD"), access=Access.WRITE, disputed=("DD",)), aliases=("result_address",)),
-    Param("flag", slot=Slot(cells=("C",), access=Access.WRITE), aliases=("result_flag", "found")),
-    Param("continuous", ParamKind.FLAG, default=False),
-    ONESHOT,
+_RESULT = Param(
+    "result", slot=Slot(cells=("DS", "DD"), access=Access.WRITE, disputed=("DD",)), aliases=("result_address",)
 )
+_FLAG = Param("flag", slot=Slot(cells=("C",), access=Access.WRITE), aliases=("result_flag", "found"))
+_HOW = (Param("continuous", ParamKind.FLAG, default=False), ONESHOT)
 
 SEARCH = Spec(
     name="search",
@@ -54,7 +53,9 @@ SEARCH = Spec(
         ),
         Param("start", slot=Slot(cells=_SEARCHED), aliases=("start_address",), extends_to="end"),
         Param("end", slot=Slot(cells=_SEARCHED), aliases=("end_address",)),
-        *_FINDINGS,
+        _RESULT,
+        _FLAG,
+        *_HOW,
     ),
     variants=(Variant("search({start}..{end} {condition} {value},result={result},found={flag}{continuous}{oneshot})"),),
     summary="Find the first register of a range that meets a condition; both ends are searched.",
@@ -64,7 +65,12 @@ SEARCH = Spec(
 
 SEARCH_RANGE = replace(
     SEARCH,
-    params=(Param("comparison", ParamKind.RANGE_COMPARISON), *_FINDINGS),
+    params=(
+        Param("comparison", ParamKind.RANGE_COMPARISON),
+        _RESULT,
+        replace(_FLAG, name="found", aliases=("flag", "result_flag")),
+        *_HOW,
+    ),
     example="search(ds[100:201] == ds.Target, result=ds.FoundAt, found=c.Found)",
 )
 """The same search by its other signature."""

@@ -170,6 +170,8 @@ class Program:
     source: SourceFile
     routines: tuple[Routine, ...]
     declarations: tuple[Declaration, ...]
+    misimported: frozenset[str] = frozenset()
+    """Names that an import should bring and does not: they have their problem there."""
 
     @property
     def main(self) -> Routine | None:

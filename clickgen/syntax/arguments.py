@@ -10,7 +10,7 @@ from clickgen.instructions.spec import Param, ParamKind, Spec
 from clickgen.instructions.timers import UNITS
 from clickgen.ir.operands import Cell, Immediate, Range, Single
 from clickgen.ir.program import FormulaText, Operands, Pattern, Value, Word
-from clickgen.syntax.conditions import read_condition
+from clickgen.syntax.conditions import FUNCTIONS, read_condition
 from clickgen.syntax.context import Context
 from clickgen.syntax.modbus import read_remote, read_target
 from clickgen.syntax.operands import read_operand, shorten
@@ -125,6 +125,11 @@ def _read_operands(context: Context, spec: Spec, param: Param, node: ast.expr) -
     items: list[Single] = []
     is_whole = True
     for element in elements:
+        if _is_condition(element):
+            help = "put the condition on a C bit in a rung before, and name that bit here"
+            context.problem("CG115", element, f"{param.name!r} of {spec.name} takes plain addresses", help)
+            is_whole = False
+            continue
         operand = read_operand(context, element)
         if isinstance(operand, Range):
             items += [Cell(address, operand.span) for address in operand.addresses()]
@@ -136,6 +141,12 @@ def _read_operands(context: Context, spec: Spec, param: Param, node: ast.expr) -
         else:
             items.append(operand)
     return Operands(tuple(items), context.span(node)) if is_whole else None
+
+
+def _is_condition(node: ast.expr) -> bool:
+    """True for a comparison or one of the functions of conditions."""
+    is_function = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in FUNCTIONS
+    return is_function or isinstance(node, ast.Compare | ast.BoolOp)
 
 
 def _read_pattern(context: Context, spec: Spec, param: Param, node: ast.expr) -> Value | None:

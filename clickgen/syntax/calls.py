@@ -9,6 +9,7 @@ from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.data import SEARCH, SEARCH_RANGE
 from clickgen.instructions.spec import REQUIRED, Param, ParamKind, Spec
 from clickgen.ir.program import Action, Value
+from clickgen.source import Span
 from clickgen.syntax.arguments import read_argument
 from clickgen.syntax.conditions import read_series
 from clickgen.syntax.context import Context
@@ -61,7 +62,16 @@ def read_call(context: Context, node: ast.Call) -> Action | None:
     if spec is SEARCH and any(isinstance(argument, ast.Compare) for argument in base.args[:1]):
         spec = SEARCH_RANGE
     args = _Call(context, spec, base, links).read()
-    return Action(SEARCH if spec is SEARCH_RANGE else spec, args, context.span(node)) if args is not None else None
+    if args is None:
+        return None
+    if spec is SEARCH_RANGE:
+        spec, args["flag"] = SEARCH, args.pop("found")
+    return Action(spec, _in_order(spec, args), context.span(node))
+
+
+def _in_order(spec: Spec, args: dict[str, Value]) -> dict[str, Value]:
+    """Arguments in the order of the parameters, however they were written: names get their addresses in it."""
+    return {param.name: args[param.name] for param in spec.params if param.name in args}
 
 
 def _elsewhere(name: str) -> str:
@@ -82,7 +92,7 @@ class _Call:
         self._faults = 0
 
     def read(self) -> dict[str, Value] | None:
-        """The arguments in the order of the parameters; None with problems."""
+        """The arguments; None with problems."""
         self._bind_positional()
         self._bind_keywords()
         chained = {name for link in self._links if (name := self._bind_link(link))}
@@ -95,11 +105,12 @@ class _Call:
                 self._read(param, self._bound[param.name])
         if self._faults:
             return None
-        order = [param.name for param in self._spec.params]
-        return dict(sorted(self._args.items(), key=lambda item: order.index(item[0]) if item[0] in order else -1))
+        return self._args
 
-    def _fault(self, code: str, node: ast.expr | ast.keyword, message: str, hint: str = "") -> None:
-        self._context.problem(code, node, message, " ".join(filter(None, (hint, self._spec.signature))))
+    def _fault(self, code: str, place: ast.expr | ast.keyword | Span, message: str, hint: str = "") -> None:
+        span = place if isinstance(place, Span) else self._context.span(place)
+        help = " ".join(filter(None, (hint, self._spec.signature)))
+        self._context.problems.add(code, span, message, help)
         self._faults += 1
 
     # -- binding ------------------------------------------------------------------------------------------------------
@@ -138,22 +149,22 @@ class _Call:
         """Read one ``.reset(c.A, c.B)``; the name of the pin, or "" with problems."""
         assert isinstance(link.func, ast.Attribute)
         method = link.func.attr
+        end = self._context.span(link.func)
+        place = Span(end.path, end.end_line, end.end_col - len(method), end.end_line, end.end_col)
         pin = self._spec.methods.get(method)
         if pin is None:
-            hint = self._relative(method) or did_you_mean(method, self._spec.methods)
-            if not self._spec.methods:
-                hint = "nothing is chained behind it:"
-            self._fault("CG109", link, f"{self._spec.name} has no .{method}(...)", hint)
+            hint = did_you_mean(method, self._spec.methods) if self._spec.methods else "nothing is chained behind it:"
+            self._fault("CG109", place, f"{self._spec.name} has no .{method}(...)", self._relative(method) or hint)
             return ""
         if pin.name in self._bound or pin.name in self._args:
-            self._fault("CG111", link, f"{self._spec.name} is given {method!r} twice")
+            self._fault("CG111", place, f"{self._spec.name} is given {method!r} twice")
             return ""
         nodes = list(_flat(link.args))
         condition = None
         if not nodes:
-            self._fault("CG110", link, f".{method}() needs a condition", f"write .{method}(c.Name) behind")
+            self._fault("CG110", place, f".{method}() needs a condition", f"write .{method}(c.Name) behind")
         elif any(isinstance(node, ast.Lambda | ast.Starred) for node in nodes):
-            self._fault("CG115", link, f"the conditions of .{method}(...) stand one by one, without lambda")
+            self._fault("CG115", nodes[0], f"the conditions of .{method}(...) stand one by one, without lambda")
         else:
             condition = read_series(self._context, nodes)
             self._faults += condition is None

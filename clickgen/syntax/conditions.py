@@ -19,7 +19,7 @@ COMPARISONS: dict[type[ast.cmpop], str] = {
     ast.Gt: ">",
     ast.GtE: ">=",
 }
-_FUNCTIONS = ("all", "any", "nc", "re", "fe")
+FUNCTIONS = ("all", "any", "nc", "re", "fe")
 _EDGES = {"re": "rise", "fe": "fall"}
 _WAY_OUT = "a condition is a bit, a comparison, all(...), any(...), nc(...), re(...) or fe(...)"
 
@@ -48,14 +48,14 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
         return _read_contact(context, node)
     if isinstance(node, ast.Compare):
         return _read_comparison(context, node)
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS:
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in FUNCTIONS:
         return _read_function(context, node, node.func.id)
     logic = _python_logic(node)
     if logic:
         context.problem("CG105", node, f"{logic[0]} is not part of the language", f"write {_in_dialect(context, node)}")
     elif isinstance(node, ast.Call):
         name = node.func.id if isinstance(node.func, ast.Name) else ""
-        context.problem("CG107", node, "this call is not a condition", did_you_mean(name, _FUNCTIONS) or _WAY_OUT)
+        context.problem("CG107", node, "this call is not a condition", did_you_mean(name, FUNCTIONS) or _WAY_OUT)
     elif isinstance(node, ast.Constant) and node.value is True:
         context.problem(
             "CG107",

@@ -31,7 +31,9 @@ def read_program(
     files.enter(source.path, content)
     # A routine that two files import is one routine.
     routines = {id(routine): routine for routine in files.routines(content)}
-    program = Program(source, tuple(routines.values()), tuple(files.declarations))
+    wanted = {name for item in content.items if isinstance(item, Import) for name, _ in item.names}
+    misimported = wanted - {routine.name for routine in routines.values()}
+    program = Program(source, tuple(routines.values()), tuple(files.declarations), frozenset(misimported))
     return program, tuple(files.sources)
 
 

@@ -36,40 +36,34 @@ def read_target(context: Context, node: ast.expr) -> Target | None:
         help = did_you_mean(name, _TARGETS) or f"{_TCP} or {_RTU}"
         context.problem("CG115", node, "the target is a ModbusTcpTarget or a ModbusRtuTarget", help)
         return None
+    before = len(context.problems.found)
     given = _given(context, node, name, _TARGETS[name], _EXAMPLES[name])
-    if given is None:
-        return None
     reader = _Settings(context, node, name, given)
     label = reader.label()
     device_id = reader.number("device_id", 1 if name == "ModbusTcpTarget" else None, 0, _DEVICE_IDS[name])
     if name == "ModbusRtuTarget":
         com_port = reader.com_port()
-        if label is None or com_port is None or device_id is None:
+        if label is None or com_port is None or device_id is None or len(context.problems.found) > before:
             return None
         return RtuTarget(label, com_port, device_id, context.span(node))
     ip, port = reader.ip(), reader.number("port", 502, 1, 65535)
-    if label is None or ip is None or port is None or device_id is None:
+    if label is None or ip is None or port is None or device_id is None or len(context.problems.found) > before:
         return None
     return TcpTarget(label, ip, port, device_id, context.span(node))
 
 
-def _given(
-    context: Context, node: ast.Call, name: str, known: tuple[str, ...], example: str
-) -> dict[str, ast.expr] | None:
-    """The arguments by name; None with problems."""
+def _given(context: Context, node: ast.Call, name: str, known: tuple[str, ...], example: str) -> dict[str, ast.expr]:
+    """The arguments by name; any other is a problem."""
     given: dict[str, ast.expr] = {}
-    faults = 0
     for argument in node.args:
         context.problem("CG115", argument, f"{name} takes its arguments by name", example)
-        faults += 1
     for keyword in node.keywords:
         if keyword.arg not in known:
             help = did_you_mean(keyword.arg or "", known) or example
             context.problem("CG109", keyword, f"{name} has no argument {keyword.arg or '**'!r}", help)
-            faults += 1
         else:
             given[keyword.arg] = keyword.value
-    return None if faults else given
+    return given
 
 
 class _Settings:
@@ -149,8 +143,9 @@ def read_remote(context: Context, node: ast.expr) -> Remote | None:
         context.problem("CG115", node, "this is not an address of another device", help)
         return None
     example = "ModbusAddress(address=400001)"
+    before = len(context.problems.found)
     given = _given(context, node, name, ("address", "register_type"), example)
-    if given is None:
+    if len(context.problems.found) > before:
         return None
     if "address" not in given:
         context.problem("CG110", node, "ModbusAddress needs 'address'", example)

@@ -23,6 +23,7 @@ from clickgen.ir.operands import (
 )
 from clickgen.source import Span
 from clickgen.syntax.context import Context
+from clickgen.syntax.options import modifier_hint
 
 BANK_NAMES = {bank.dsl: bank for bank in BANKS.values()}
 _CHAR_CODE = re.compile(r"\$[0-9A-Fa-f]{2}")
@@ -61,7 +62,7 @@ def read_constant(context: Context, node: ast.expr) -> Constant | None:
             return Integer(sign * inner.value, context.span(node))
         if isinstance(inner, Real):
             return Real(sign * inner.value, ("-" if sign < 0 else "") + inner.text, context.span(node))
-    hint = address_hint(node) or _ADDRESS_FORMS
+    hint = address_hint(node) or modifier_hint(node) or _ADDRESS_FORMS
     context.problem("CG113", node, f"{shorten(context.text(node))} is not an address or a constant", hint)
     return None
 

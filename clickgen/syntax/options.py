@@ -39,6 +39,15 @@ def modifier_of(node: ast.expr) -> tuple[ast.Call, ast.Attribute] | None:
     return None
 
 
+def modifier_hint(node: ast.expr) -> str:
+    """What to say where a modifier has no place or is misspelled; "" for anything else."""
+    if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)):
+        return ""
+    if node.func.attr in MODIFIERS:
+        return f".{node.func.attr}() belongs behind the source of a copy or copy_block"
+    return did_you_mean(node.func.attr, MODIFIERS)
+
+
 def read_modifier(context: Context, call: ast.Call, attribute: ast.Attribute) -> Options | None:
     """What a modifier means as an option; ``pad=5`` is text with all its zeros."""
     name = MODIFIERS[attribute.attr]

@@ -9,7 +9,7 @@ from clickgen.ir.program import Word
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
-    names = {routine.name for routine in facts.program.subroutines}
+    names = {routine.name for routine in facts.program.subroutines} | facts.program.misimported
     for placed in facts.actions:
         word = placed.action.args.get("subroutine")
         if placed.spec is not CALL or not isinstance(word, Word):

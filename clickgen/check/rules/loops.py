@@ -6,6 +6,7 @@ from clickgen.check.facts import Facts, Placed
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions import timers
 from clickgen.instructions.control import FOR, NEXT
+from clickgen.instructions.drums import TIME_DRUM
 from clickgen.ir.program import Loop, Routine, actions_in, loops_in
 
 
@@ -33,11 +34,11 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         elif placed.spec is NEXT:
             _check_next(placed, open_loop, problems)
             open_loop = None
-        elif outer is not None and placed.spec in timers.SPECS:
+        elif outer is not None and placed.spec in (*timers.SPECS, TIME_DRUM):
             problems.add(
                 "CG423",
                 placed.action.span,
-                "this timer stands inside a loop and would run several times in a scan (C1004)",
+                f"this {placed.spec.name} stands inside a loop and would run several times in a scan (C1004)",
                 "move it out of the loop",
             )
     _refuse_open(open_loop, problems)
