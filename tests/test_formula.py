@@ -115,11 +115,11 @@ def test_decimal(source: str, printed: str) -> None:
     [
         ("dh.In AND 0x00FF", "In AND 00FFh"),
         ("dh.In and 00ffh", "In AND 00FFh"),
-        ("dh.In OR FFh OR 0XfF", "In OR FFh OR FFh"),
+        ("dh.In OR FFh OR 0XfF", "In OR 00FFh OR 00FFh"),
         ("dh.FFh XOR dh.And", "FFh XOR And"),
         ("dh.A + 5", "A + 5h"),
         ("1E5h + 0x00000A", "1E5h + 000Ah"),
-        ("Dh + 0Dh", "Dh + 0Dh"),
+        ("Dh + 0Dh", "000Dh + 0Dh"),
         ("SHL(dh.A, 4)", "LSH ( A , 4h )"),
         ("dh.A shl 4", "LSH ( A , 4h )"),
         ("dh.A SHR 4 + 1", "RSH ( A , 4h ) + 1h"),
@@ -151,9 +151,9 @@ def test_decimal_number_in_hex_warns() -> None:
     formula, found = read("dh[10] + 10 + 9", "hex")
     assert formula is not None
     assert [(problem.code, shown("dh[10] + 10 + 9", problem)) for problem in found] == [("CG315", "10")]
-    assert "Ah" in found[0].message
+    assert "000Ah" in found[0].message
     assert "0xA" in found[0].help
-    assert print_formula(formula, native) == "DH10 + Ah + 9h"
+    assert print_formula(formula, native) == "DH10 + 000Ah + 9h"
 
 
 @pytest.mark.parametrize(

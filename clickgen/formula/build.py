@@ -202,11 +202,12 @@ class Builder:
         if value > 0xFFFF:
             self._too_large(text, start, end)
             return Told(start, end)
+        number = HexNumber(value, start, end, len(f"{value:X}"))
         if value > 9:
-            message = f"{text} is a decimal number, and CLICK will show {value:X}h"
+            message = f"{text} is a decimal number, and CLICK will show {number.text}"
             help = f"write 0x{value:X} to say so; 0x{text} is {int(text, 16)}" if len(text) <= 4 else ""
             self.report.add("CG315", start, end, message, help or f"write 0x{value:X} to say so")
-        return HexNumber(value, start, end, len(f"{value:X}"))
+        return number
 
     def hexadecimal(self, parts: Sequence[Any]) -> Part:
         text = parts[0].value

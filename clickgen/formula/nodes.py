@@ -27,12 +27,18 @@ class Number:
 
 @dataclass(frozen=True, slots=True)
 class HexNumber:
-    """A number of a hexadecimal formula, 0..FFFFh; ``digits`` is how many CLICK shows, at most 4."""
+    """A number of a hexadecimal formula, 0..FFFFh; ``digits`` is how many were written, at most 4."""
 
     value: int
     start: int
     end: int
     digits: int = 1
+
+    @property
+    def text(self) -> str:
+        """As CLICK shows it: what is seen there begins with a digit or has all four (click-facts, 3 and 4)."""
+        text = f"{self.value:0{self.digits}X}"
+        return f"{text if text[0].isdigit() else text.zfill(4)}h"
 
 
 @dataclass(frozen=True, slots=True)

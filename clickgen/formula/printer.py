@@ -57,7 +57,7 @@ def _print(node: Node, mode: Mode, operand_text: OperandText) -> str:
     if isinstance(node, Number):
         return number_text(node)
     if isinstance(node, HexNumber):
-        return f"{node.value:0{node.digits}X}h"
+        return node.text
     if isinstance(node, Pi):
         return "PI"
     if isinstance(node, Group):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import ipaddress
 import re
 from collections.abc import Mapping
 
@@ -88,6 +87,8 @@ class _Settings:
         if value is None:
             return None
         if isinstance(value, str):
+            import ipaddress
+
             try:
                 return str(ipaddress.IPv4Address(value))
             except ValueError:
