@@ -145,6 +145,11 @@ class Address(NamedTuple):
         return (ORDER[self.bank], self.number, self.upper)
 
 
+def current_value(bit: Address) -> Address:
+    """The current value of a timer or counter: the same number in TD or CTD; any other address is its own value."""
+    return Address(VALUE_BANK.get(bit.bank, bit.bank), bit.number, bit.upper)
+
+
 def parse_address(text: str) -> Address | None:
     """Read an address as CLICK writes it (``X001``, ``DS17``, ``XD0u``; any case), or None if it is none."""
     text = text.strip()

@@ -15,8 +15,8 @@ from clickgen.device.system import system_name_of
 from clickgen.ir.conditions import All, Always, Any, Condition
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
 from clickgen.ir.program import Action, Branch, Item
+from clickgen.ir.reach import touches
 from clickgen.ir.walk import condition_operands
-from clickgen.lower.effects import touches
 from clickgen.lower.split import ClickRoutine, ClickRung
 from clickgen.lower.tokens import NEVER_CONTACT, action_token, operand_token, pin_token
 from clickgen.lower.words import condition_words, term_words

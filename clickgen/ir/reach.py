@@ -1,4 +1,4 @@
-"""How far an operand reaches behind its own address: block copies, texts, searched ranges.
+"""What an action touches, and how far an operand reaches behind its own address: block copies, texts, searches.
 
 Addresses in such a reach belong to the program as much as those that it names.
 """
@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from clickgen.device.banks import BANKS, TEXT_WIDTHS, Address
-from clickgen.instructions.spec import Param
+from clickgen.device.banks import BANKS, TEXT_WIDTHS, Address, current_value
+from clickgen.instructions.spec import Access, Param
 from clickgen.ir.operands import Cell, Named, Operand, Pointer, Range, Text
-from clickgen.ir.program import Action, Options, Program, actions_in, rungs_in
+from clickgen.ir.program import Action, Operands, Options, Program, actions_in, rungs_in
+from clickgen.ir.walk import value_operands
 
 AddressOf = Callable[[object], Address | None]
 
@@ -54,6 +55,29 @@ def _characters(action: Action) -> int:
         end = 0 if options.termination_code is None else 1
         return TEXT_WIDTHS.get(BANKS[source.bank].kind, 1) + end
     return 1
+
+
+def touches(action: Action) -> Iterator[tuple[Operand, bool]]:
+    """Every operand of an instruction with all the addresses it stands for, and whether it is written.
+
+    What is owned is written, its current value too.
+    """
+    ends = {param.extends_to for param in action.spec.params}
+    for param in action.spec.params:
+        if param.name in ends:
+            continue
+        operand = reached(action, param)
+        is_written = param.slot.access is not Access.READ
+        if operand is not None:
+            yield operand, is_written
+            if isinstance(operand, Pointer):
+                yield operand.register, False
+            if param.slot.access is Access.OWN and isinstance(operand, Cell):
+                yield Cell(current_value(operand.address), operand.span), True
+        elif param.name in action.args:
+            value = action.args[param.name]
+            is_written = is_written and isinstance(value, Operands)
+            yield from ((touched, is_written) for touched in value_operands(value))
 
 
 def reaching(program: Program, address_of: AddressOf = cell_address) -> Iterator[tuple[Operand, int]]:

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from clickgen.device.banks import Address, parse_address
 from clickgen.instructions.control import CALL
-from clickgen.instructions.spec import COPY_FLAGS, Access
+from clickgen.instructions.spec import COPY_FLAGS
 from clickgen.ir.conditions import Condition
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
-from clickgen.ir.program import Action, Operands, Routine, actions_in, rungs_in
-from clickgen.ir.reach import reached
-from clickgen.ir.walk import condition_operands, leaves, value_operands
+from clickgen.ir.program import Action, Routine, actions_in, rungs_in
+from clickgen.ir.reach import touches
+from clickgen.ir.walk import condition_operands, leaves
 from clickgen.lower.expand import OffDelays, copied_first
-from clickgen.lower.tokens import current_value
 
 _TWIN_BANKS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
 """Bits and the words that hold the same points: changing either changes the other."""
@@ -69,29 +68,6 @@ def has_edge(condition: Condition) -> bool:
 def is_volatile(condition: Condition) -> bool:
     """True when looking twice in one scan may differ though no instruction wrote between: immediate contacts."""
     return any(isinstance(operand, Immediate) for operand in condition_operands(condition))
-
-
-def touches(action: Action) -> Iterator[tuple[Operand, bool]]:
-    """Every operand of an instruction with all the addresses it stands for, and whether it is written.
-
-    What is owned is written, its current value too.
-    """
-    ends = {param.extends_to for param in action.spec.params}
-    for param in action.spec.params:
-        if param.name in ends:
-            continue
-        operand = reached(action, param)
-        is_written = param.slot.access is not Access.READ
-        if operand is not None:
-            yield operand, is_written
-            if isinstance(operand, Pointer):
-                yield operand.register, False
-            if param.slot.access is Access.OWN and isinstance(operand, Cell):
-                yield Cell(current_value(operand.address), operand.span), True
-        elif param.name in action.args:
-            value = action.args[param.name]
-            is_written = is_written and isinstance(value, Operands)
-            yield from ((touched, is_written) for touched in value_operands(value))
 
 
 class Effects:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from decimal import Decimal
 
-from clickgen.device.banks import VALUE_BANK, Address
+from clickgen.device.banks import Address, current_value
 from clickgen.device.system import ALWAYS_ON
 from clickgen.formula import print_formula
 from clickgen.instructions.spec import Param, ParamKind, Spec
@@ -162,11 +162,6 @@ def _options(options: Options) -> str:
     code = "none" if options.termination_code is None else f"${options.termination_code:02X}"
     suppress, exponential = int(options.suppress_zero), int(options.exponential)
     return f",convert=to_text(suppress_zero={suppress},exponential={exponential},termination_code={code})"
-
-
-def current_value(bit: Address) -> Address:
-    """The current value of a timer or counter: the same number in TD or CTD (click-facts, section 3)."""
-    return Address(VALUE_BANK.get(bit.bank, bit.bank), bit.number)
 
 
 def pin_row(spec: Spec, param: Param) -> int:
