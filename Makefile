@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 DEMO := fixtures/cases/demo/prog.py
 
-.PHONY: demo test lint types golden bench clean
+.PHONY: demo test lint types golden docs bench clean
 
 $(VENV)/ready: pyproject.toml scripts/dev_requirements.py
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
@@ -34,6 +34,9 @@ types: $(VENV)/ready
 
 golden: $(VENV)/ready  ## write the golden files anew; read the diff before you commit it
 	$(BIN)/python scripts/golden.py
+
+docs: $(VENV)/ready  ## write what the documentation has from the code
+	$(BIN)/python scripts/docs.py
 
 bench: $(VENV)/ready  ## ratios and growth, measured in one run
 	$(BIN)/python scripts/bench.py

@@ -10,12 +10,14 @@ What a fenced block is, an HTML comment on the line above it says, in words sepa
     example: api          Python that uses clickgen, run in the page's folder
     example: spec         an instruction's Spec, which the next examples of the page may use
     file: NAME            a file of the page's folder, and a program
+    ..., part             no program but a file that the next programs of the page import
     output: PATH          lines that stand in this file of the page's folder
+    tokens                the ladder of the example above, in a page that is made from the code
     ..., gives CG104      the problems that an example has; without it it has none
     ..., frozen           built without choosing addresses
     exit N                on a console block: the exit code of its last command, 0 when nothing is said
 
-``python tests/test_docs.py`` writes the parts that are made from the code anew.
+What is made from the code is written by ``scripts/docs.py``.
 """
 
 from __future__ import annotations
@@ -35,14 +37,17 @@ import pytest
 import clickgen
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
 from clickgen.codes import CODES, Severity
-from clickgen.device.banks import BANKS
-from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
-from clickgen.instructions import FAMILIES, INSTRUCTIONS, control, timers
-from clickgen.instructions.spec import REQUIRED, Param, ParamKind, Spec
+from clickgen.instructions import INSTRUCTIONS
+from clickgen.instructions.spec import Spec
 
-ROOT = Path(__file__).parents[1]
-PAGES = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]
-LANGUAGE = ROOT / "docs" / "language.md"
+sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
+from docs_examples import KINDS, program_of
+from docs_markdown import anchor
+
+import docs
+
+ROOT = docs.ROOT
+PAGES = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").rglob("*.md"))]
 PROBLEMS_PAGE = ROOT / "docs" / "problems.md"
 
 # -- reading a page ---------------------------------------------------------------------------------------------------
@@ -64,7 +69,7 @@ class Block:
     @property
     def kind(self) -> str:
         if self.note("file"):
-            return "program"
+            return "part" if self.note("part") else "program"
         return self.note("example") or ("program" if self.language == "python" and "def main" in self.text else "")
 
     @property
@@ -72,12 +77,12 @@ class Block:
         return sorted(self.note("gives").split())
 
     def __str__(self) -> str:
-        return f"{self.page.name}:{self.line}"
+        return f"{self.page.relative_to(ROOT).as_posix()}:{self.line}"
 
 
 _FENCE = re.compile(r"^( *)```(\w*)$")
 _NOTES = re.compile(r"^ *<!-- (.*) -->$")
-_WORDS = ("example", "file", "output", "gives", "exit", "frozen")
+_WORDS = ("example", "file", "part", "output", "tokens", "gives", "exit", "frozen")
 
 
 def blocks_of(page: Path) -> Iterator[Block]:
@@ -103,23 +108,9 @@ def _notes(text: str) -> Iterator[tuple[str, str]]:
 
 
 BLOCKS = [block for page in PAGES for block in blocks_of(page)]
-EXAMPLES = [block for block in BLOCKS if block.kind in ("program", "rung", "actions", "top", "table")]
+EXAMPLES = [block for block in BLOCKS if block.kind in KINDS]
 
 # -- examples ---------------------------------------------------------------------------------------------------------
-
-_END = "    if True:\n        end()\n"
-_WRAPPERS = {
-    "program": "{}",
-    "rung": "def main():\n{}\n" + _END,
-    "actions": "def main():\n    if c.Rung:\n{}\n" + _END,
-    "top": "{}\n\ndef main():\n" + _END,
-    "table": "def main():\n" + _END,
-}
-_INDENTS = {"rung": 4, "actions": 8}
-
-
-def program_of(block: Block) -> str:
-    return _WRAPPERS[block.kind].format(textwrap.indent(block.text, " " * _INDENTS.get(block.kind, 0)))
 
 
 @pytest.mark.parametrize("block", EXAMPLES, ids=str)
@@ -127,11 +118,15 @@ def test_an_example_builds_or_has_the_problems_that_are_said(
     block: Block, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for earlier in blocks_of(block.page):
-        if earlier.kind == "spec" and earlier.line < block.line:
+        if earlier.line > block.line:
+            break
+        if earlier.kind == "spec":
             for spec in _specs_of(earlier):
                 monkeypatch.setitem(INSTRUCTIONS, spec.name, spec)
+        elif earlier.kind == "part":
+            (tmp_path / Path(earlier.note("file")).name).write_text(earlier.text, "utf-8")
     program = tmp_path / "prog.py"
-    program.write_text(program_of(block), "utf-8")
+    program.write_text(program_of(block.kind, block.text), "utf-8")
     if block.kind == "table":
         (tmp_path / "nicknames.csv").write_text(block.text, "utf-8")
     result = clickgen.build(program, frozen=block.note("frozen") == "yes")
@@ -146,12 +141,14 @@ def _specs_of(block: Block) -> list[Spec]:
 
 
 def test_every_python_block_is_tested() -> None:
-    known = ("program", "rung", "actions", "top", "api", "spec")
+    known = (*KINDS, "part", "api", "spec")
     assert [str(block) for block in BLOCKS if block.language == "python" and block.kind not in known] == []
 
 
 def test_every_shown_output_is_compared() -> None:
-    assert [str(b) for b in BLOCKS if b.language in ("text", "csv") and not b.note("output") and not b.kind] == []
+    known = ("output", "tokens")
+    shown = [block for block in BLOCKS if block.language in ("text", "csv") and not block.kind]
+    assert [str(block) for block in shown if not any(map(block.note, known))] == []
     assert [str(b) for b in BLOCKS if b.language not in ("python", "console", "text", "csv")] == []
 
 
@@ -163,7 +160,9 @@ def test_what_a_page_does_gives_what_it_shows(page: Path, tmp_path: Path, monkey
     monkeypatch.chdir(tmp_path)
     for block in blocks_of(page):
         if block.note("file"):
-            (tmp_path / block.note("file")).write_text(block.text, "utf-8")
+            path = tmp_path / block.note("file")
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(block.text, "utf-8")
         elif block.language == "console":
             _run_commands(block, tmp_path)
         elif block.note("output"):
@@ -233,7 +232,7 @@ def _prose(page: Path) -> str:
 
 
 def _anchors(page: Path) -> set[str]:
-    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in _HEADING.findall(_prose(page))}
+    return set(map(anchor, _HEADING.findall(_prose(page))))
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
@@ -271,121 +270,21 @@ def test_an_example_in_the_problems_page_gives_the_problem_of_its_heading() -> N
         assert not block.codes or heading[4:9] in block.codes, str(block)
 
 
-# -- parts made from the code -----------------------------------------------------------------------------------------
+# -- what is made from the code ---------------------------------------------------------------------------------------
 
 
-def _listed(words: list[str], joiner: str = "or") -> str:
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} {joiner} {words[-1]}"
+def test_what_is_made_from_the_code_is_up_to_date() -> None:
+    assert [str(path.relative_to(ROOT)) for path in docs.stale()] == [], "run: make docs"
 
 
-def banks_table() -> str:
-    rows = ["| Bank | Addresses | Holds | Retentive | clickgen chooses |", "|---|---|---|---|---|"]
-    for bank in BANKS.values():
-        numbers = bank.describe_range() + (" and `0u`" if bank.name in ("XD", "YD") else "")
-        retentive = ("yes" if bank.retentive else "no") + (", fixed" if bank.settings_fixed else "")
-        held = f"{bank.title}, {bank.kind.value}"
-        rows.append(f"| `{bank.dsl}` | {numbers} | {held} | {retentive} | {'yes' if bank.allocatable else 'no'} |")
-    return "\n".join(rows)
+def test_a_page_that_is_changed_missing_or_left_over_is_stale(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(docs, "made", lambda: {tmp_path / name: name for name in ("a.md", "b.md", "c.md")})
+    monkeypatch.setattr(docs, "INSTRUCTIONS", tmp_path)
+    for name, text in (("a.md", "a.md"), ("b.md", "changed"), ("d.md", "d.md")):
+        (tmp_path / name).write_text(text, "utf-8")
+    assert docs.stale() == {tmp_path / "b.md": "b.md", tmp_path / "c.md": "c.md", tmp_path / "d.md": None}
 
 
-def writable_points() -> str:
-    def numbers(some: frozenset[int]) -> str:
-        return ", ".join(map(str, sorted(some)))
-
-    return f"- SC: {numbers(WRITABLE_SC)}\n- SD: {numbers(WRITABLE_SD)}"
-
-
-def instruction_reference() -> str:
-    parts: list[str] = []
-    for family in FAMILIES:
-        title = re.split(r"[:(]", family.__doc__ or "")[0].strip()
-        parts.append(f"### {title}")
-        parts += [_instruction(spec) for spec in family.SPECS]
-    return "\n\n".join(parts)
-
-
-def _instruction(spec: Spec) -> str:
-    lines = [f"#### `{spec.signature}`", "", spec.summary, ""]
-    if spec.params:
-        lines += ["| Argument | Takes |", "|---|---|", *(_argument(spec, param) for param in spec.params), ""]
-    lines += _matrix(spec)
-    lines += [f"{note}\n" for note in spec.notes]
-    lines.append(f"Takes {spec.height} grid row{'s' * (spec.height > 1)}.{_own_rung(spec)}")
-    if spec not in control.SPECS:
-        codes = ["CG420"] * (spec is timers.RTOF) + ["CG210"] * bool(re.search(r"\b[xy]\.", spec.example))
-        gives = f", gives {' '.join(codes)}" if codes else ""
-        lines += ["", f"<!-- example: actions{gives} -->", "```python", spec.example, "```"]
-    return "\n".join(lines)
-
-
-_FORMS = {"integer": "integer", "hex": "hexadecimal word", "real": "floating-point number", "code": "character code"}
-
-
-def _matrix(spec: Spec) -> list[str]:
-    """The pairs that a copy copies between."""
-    pairs = [pair for variant in spec.variants for pair in variant.pairs]
-    if not pairs:
-        return []
-    has_lengths = any(pair.lengths for pair in pairs)
-    lines = ["| From | To |", "|---|---|"] if not has_lengths else ["| From | To | Addresses |", "|---|---|---|"]
-    for pair in pairs:
-        sources, targets = (", ".join(_FORMS.get(form, form) for form in some) for some in (pair.sources, pair.targets))
-        row = f"| {sources} | {targets}{' (sources disagree: CG312)' if pair.disputed else ''} |"
-        low, high = pair.lengths or (0, 0)
-        length = "any" if not high else str(low) if low == high else f"{low} to {high}"
-        lines.append(f"{row} {length} |" if has_lengths else row)
-    return [*lines, ""]
-
-
-def _own_rung(spec: Spec) -> str:
-    return " It gets a CLICK rung of its own." if spec.pins or spec.alone else ""
-
-
-def _argument(spec: Spec, param: Param) -> str:
-    takes = param.slot.describe() if param.kind is ParamKind.OPERAND else param.kind.value
-    if param.name in spec.matrix:
-        slot = param.slot
-        forms = {
-            "an address": slot.cells,
-            "a range": slot.ranges,
-            "a pointer": slot.pointers,
-            "a constant": slot.constants,
-        }
-        takes = _listed([form for form, banks in forms.items() if banks]) + ", see below"
-    if param.kind is ParamKind.FORMULA:
-        takes = "a formula in quotes"
-    if param.kind is ParamKind.OPTIONS:
-        takes = _listed([f"`{name}`" for name in spec.conversions]) if spec.conversions else "nothing: it converts none"
-    if param.kind is ParamKind.PIN:
-        takes = "a condition behind `lambda:`"
-    if param.missing_pin:
-        takes += f"; left out, the input gets `~SC1`, with the warning {param.missing_pin}"
-    elif param.default is not REQUIRED and param.kind is not ParamKind.OPTIONS:
-        takes += f"; {param.default} when left out"
-    if param.extends_over:
-        takes += f"; one address is enough, the length comes from `{param.extends_over}`"
-    names = " or ".join(f"`{name}`" for name in (param.name, *param.aliases))
-    return f"| {names} | {takes} |"
-
-
-MADE = {"banks": banks_table, "writable": writable_points, "instructions": instruction_reference}
-_MADE = re.compile(r"(<!-- made from the code: (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
-
-
-def _remade(text: str) -> str:
-    return _MADE.sub(lambda match: f"{match[1]}\n{MADE[match[2]]()}\n\n{match[3]}", text)
-
-
-def test_the_parts_made_from_the_code_are_up_to_date() -> None:
-    text = LANGUAGE.read_text("utf-8")
-    assert {match[1] for match in _MADE.findall(text)} == set(MADE)
-    assert text == _remade(text), "run: python tests/test_docs.py"
-
-
-def test_the_language_page_shows_every_signature() -> None:
-    shown = re.findall(r"^#### `(.+)`$", LANGUAGE.read_text("utf-8"), re.MULTILINE)
-    assert shown == [spec.signature for spec in INSTRUCTIONS.values()]
-
-
-if __name__ == "__main__":
-    LANGUAGE.write_text(_remade(LANGUAGE.read_text("utf-8")), "utf-8")
+def test_the_language_page_has_every_made_part() -> None:
+    shown = re.findall(r"<!-- made from the code: (\w+) -->", docs.LANGUAGE.read_text("utf-8"))
+    assert sorted(shown) == sorted(docs.PARTS)

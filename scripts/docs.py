@@ -1,0 +1,113 @@
+"""Write what the documentation has from the code: a page for each instruction, and tables of the language page.
+
+The tests fail while one of them is stale, missing or left over.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from docs_instruction import MADE, instruction_page
+from docs_markdown import bullets, quoted, table
+
+from clickgen.device.banks import BANKS, UPPER_BYTE_BANKS
+from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
+from clickgen.instructions import FAMILIES, control
+from clickgen.instructions.spec import Spec
+
+ROOT = Path(__file__).parents[1]
+LANGUAGE = ROOT / "docs" / "language.md"
+INSTRUCTIONS = ROOT / "docs" / "instructions"
+
+_PART = re.compile(r"(<!-- made from the code: (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
+
+
+def made() -> dict[Path, str]:
+    """Every page that is made from the code or has a part that is, with the text that it should have."""
+    pages = {INSTRUCTIONS / f"{spec.name}.md": instruction_page(spec) for _, specs in families() for spec in specs}
+    pages[INSTRUCTIONS / "README.md"] = index()
+    language = LANGUAGE.read_text("utf-8")
+    pages[LANGUAGE] = _PART.sub(lambda match: f"{match[1]}\n{PARTS[match[2]]()}\n\n{match[3]}", language)
+    return pages
+
+
+def stale() -> dict[Path, str | None]:
+    """The pages that are not as the code says, with the text that each should have; None where none should be."""
+    pages = made()
+    changed = {path: text for path, text in pages.items() if not path.is_file() or path.read_text("utf-8") != text}
+    return {**changed, **{path: None for path in INSTRUCTIONS.glob("*") if path not in pages}}
+
+
+def main() -> None:
+    INSTRUCTIONS.mkdir(exist_ok=True)
+    for path, text in sorted(stale().items()):
+        print(path.relative_to(ROOT))
+        if text is None:
+            path.unlink()
+        else:
+            path.write_text(text, "utf-8")
+
+
+def families() -> Iterator[tuple[str, tuple[Spec, ...]]]:
+    """Each family of instructions by its title; return, for and pass are among them, though nothing calls these."""
+    for family in FAMILIES:
+        title = re.split("[:(]", family.__doc__ or "")[0].strip()
+        yield title, (*family.SPECS, control.RETURN, control.FOR, control.NOP) if family is control else family.SPECS
+
+
+_READING = """\
+A page for each instruction. How they work together is in [the language](../language.md#instructions).
+
+Arguments are given by their position or by name; where a table names two words for one, both work. In the column
+*Access*, *read* and *written* say what happens to an address. *Owned* says that its number belongs to this instruction
+alone, the bit and the current value. Of SC and SD only [some](../language.md#instructions) can be written.
+
+The examples stand in a rung that is always on, and their names have the addresses that a first build chooses. *In
+ladder CSV* shows the output column of `main.csv`: the instruction, and below it the inputs of its box."""
+
+
+def index() -> str:
+    parts = ["# Instructions", MADE, _READING]
+    for title, specs in families():
+        rows = [(f"[{spec.name}]({spec.name}.md)", spec.summary) for spec in specs]
+        parts += [f"## {title}", table(("Instruction", "What it does"), *rows)]
+    return "\n\n".join(parts) + "\n"
+
+
+# -- parts of the language page ---------------------------------------------------------------------------------------
+
+
+def families_table() -> str:
+    rows = [
+        (title, ", ".join(f"[`{spec.name}`](instructions/{spec.name}.md)" for spec in specs))
+        for title, specs in families()
+    ]
+    return table(("Family", "Instructions"), *rows)
+
+
+def banks_table() -> str:
+    rows = []
+    for bank in BANKS.values():
+        numbers = bank.describe_range() + (" and `0u`" if bank.name in UPPER_BYTE_BANKS else "")
+        retentive = ("yes" if bank.retentive else "no") + (", fixed" if bank.settings_fixed else "")
+        chosen = "yes" if bank.allocatable else "no"
+        rows.append((quoted(bank.dsl), numbers, f"{bank.title}, {bank.kind.value}", retentive, chosen))
+    return table(("Bank", "Addresses", "Holds", "Retentive", "clickgen chooses"), *rows)
+
+
+def writable_points() -> str:
+    points = {"SC": WRITABLE_SC, "SD": WRITABLE_SD}
+    return bullets(f"{bank}: {', '.join(map(str, sorted(numbers)))}" for bank, numbers in points.items())
+
+
+PARTS: dict[str, Callable[[], str]] = {
+    "banks": banks_table,
+    "writable": writable_points,
+    "instructions": families_table,
+}
+"""The parts of the language page by the words in their comments."""
+
+if __name__ == "__main__":
+    main()
