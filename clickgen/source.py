@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
+FORM_FEED = re.compile(r"(?m)^[ \t]*\f")
+"""What Python does not count at the beginning of a line."""
+
 
 class Span(NamedTuple):
     """A stretch of one source file. Lines and columns count from 1, in characters; the end is exclusive."""
@@ -19,6 +22,10 @@ class Span(NamedTuple):
 
     def __str__(self) -> str:
         return f"{self.path}:{self.line}:{self.col}"
+
+    def seen_from(self, other: Span) -> str:
+        """``line 5``, or with its file where that is another one."""
+        return f"line {self.line}" if self.path == other.path else str(self)
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from clickgen.device.banks import FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, Kind
+from clickgen.diagnostics import Diagnostics
 from clickgen.ir.operands import CharCode, Hex, Integer, Operand, Real, Text
 from clickgen.resolve.constants import kind_of
+from clickgen.source import Span
 
 _CLASSES = {
     Kind.INT16: "decimal",
@@ -14,6 +16,14 @@ _CLASSES = {
     Kind.TEXT: "text",
     Kind.BIT: "bit",
 }
+
+
+_REFUSALS = ("CG301", "CG304", "CG307", "CG308")
+
+
+def refused_operands(problems: Diagnostics) -> set[Span | None]:
+    """The places of operands that their instruction does not take: nothing more is to be said of them."""
+    return {problem.span for problem in problems.found if problem.code in _REFUSALS}
 
 
 def value_class(operand: Operand) -> str:

@@ -232,7 +232,7 @@ def _touched(items: tuple[Item, ...]) -> Iterator[tuple[Operand, bool]]:
             yield from _touched(item.items)
         else:
             assert isinstance(item, Action)
-            yield from touches(item)
+            yield from ((touch.operand, touch.is_written) for touch in touches(item))
 
 
 def _places(uses: Mapping[str, list[int]]) -> str:

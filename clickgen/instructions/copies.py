@@ -63,7 +63,7 @@ COPY = Spec(
     height=2,
     matrix=("source", "destination"),
     sets_flags=COPY_FLAGS,
-    notes=("Either side may be a pointer: copy(ds[ds.Index], ds.Value).",),
+    notes=("Either side may be a pointer: `copy(ds[ds.Index], ds.Value)`.",),
 )
 
 COPY_BLOCK = Spec(

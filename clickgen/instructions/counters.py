@@ -9,6 +9,7 @@ _COUNTER = Param("counter", slot=Slot(cells=("CT",), access=Access.OWN))
 _SETPOINT = Param("setpoint", slot=Slot(cells=("DS", "DD"), constants=(INTEGER,), limits=INTEGER_RANGES[Kind.INT32]))
 _RESET = Param("reset", ParamKind.PIN, default=None, pin=".reset()", missing_pin="CG418")
 _DOWN = Param("count_down", ParamKind.PIN, pin=".down()", chained="down")
+_EDGE = "Sources disagree whether a counter counts every scan in which its rung is true, or edges: count `re(...)`."
 _ARGUMENTS = "({counter},{counter_value},preset={setpoint})"
 
 CTU = Spec(
@@ -18,6 +19,7 @@ CTU = Spec(
     summary="Count up; the counter bit is on from the setpoint upward.",
     example="ctu(ct.Parts, setpoint=100, reset=lambda: c.NewBatch)",
     height=3,
+    notes=(_EDGE,),
 )
 CTD = Spec(
     name="ctd",
@@ -26,6 +28,10 @@ CTD = Spec(
     summary="Count down.",
     example="ctd(ct.Left, setpoint=50, reset=lambda: c.Refilled)",
     height=3,
+    notes=(
+        _EDGE,
+        "Sources disagree about counting down: from a preloaded value to the setpoint, or from 0 to its negative.",
+    ),
 )
 CTUD = Spec(
     name="ctud",
@@ -34,6 +40,7 @@ CTUD = Spec(
     summary="Count up on the rung and down on a second input.",
     example="ctud(ct.Level, setpoint=50, count_down=lambda: re(c.Taken), reset=lambda: c.Empty)",
     height=3,
+    notes=(_EDGE,),
 )
 
 SPECS = (CTU, CTD, CTUD)

@@ -30,7 +30,7 @@ SHIFT = Spec(
     summary="Shift register: the rung is the data bit, which moves in on each rising edge of the clock.",
     example="shift(c[1:9], clock=lambda: c.Clock, reset=lambda: c.Clear)",
     height=3,
-    notes=("A reversed slice, c[8:0:-1], shifts the other way.",),
+    notes=("A reversed slice, `c[8:0:-1]`, shifts the other way.",),
 )
 
 _SEARCHED = ("DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "SD", "TXT")
@@ -61,6 +61,11 @@ SEARCH = Spec(
     summary="Find the first register of a range that meets a condition; both ends are searched.",
     example='search("==", ds.Target, ds[100], ds[200], ds.FoundAt, c.Found)',
     height=2,
+    notes=(
+        "The result is the number of the address that was found, or -1; then the flag is off.",
+        "With `continuous=True` each search goes on behind the last find; 0 in the result begins anew.",
+        "Texts are searched with `==` or `!=`; a text of several characters is found where it begins.",
+    ),
 )
 
 SEARCH_RANGE = replace(

@@ -32,6 +32,7 @@ _JOG = Param("jog", ParamKind.PIN, default=None, pin=".jog()")
 _PINS = (_RESET, _JUMP, _JUMP_STEP, _JOG)
 
 _NOTES = (
+    f"A drum has 1 to {STEPS_MAX} steps and 1 to {OUTPUTS_MAX} outputs.",
     "`pattern` has one row for each step and in it one 0 or 1 for each output.",
     "An output or an event is one bit; a slice in the list stands for its bits: `outputs=[y[1:5], c.Lamp]`.",
     "CLICK jumps to the step that a DS register holds: a constant step is copied to a scratch register before.",
@@ -48,7 +49,8 @@ EVENT_DRUM = Spec(
     ),
     summary="Drum sequencer: each step drives its row of the pattern until its event comes.",
     example="event_drum(outputs=[y.Fill, y.Mix], events=[x.Full, x.Mixed], pattern=[[1, 0], [0, 1]], "
-    "current_step=ds.Step, completion_flag=c.Done, reset=lambda: c.Restart)",
+    "current_step=ds.Step, completion_flag=c.Done, reset=lambda: c.Restart, "
+    "jump=lambda: c.Skip, jump_step=2, jog=lambda: c.Next)",
     height=4,
     notes=_NOTES,
 )
@@ -63,7 +65,8 @@ TIME_DRUM = Spec(
     ),
     summary="Drum sequencer: each step drives its row of the pattern for its time.",
     example="time_drum(outputs=[y.Fill, y.Mix], presets=[20, 45], unit=Ts, pattern=[[1, 0], [0, 1]], "
-    "current_step=ds.Step, accumulator=td.Elapsed, completion_flag=c.Done, reset=lambda: c.Restart)",
+    "current_step=ds.Step, accumulator=td.Elapsed, completion_flag=c.Done, "
+    "reset=lambda: c.Restart, jump=lambda: c.Skip, jump_step=2, jog=lambda: c.Next)",
     height=4,
     notes=(
         *_NOTES,

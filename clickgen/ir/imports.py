@@ -9,7 +9,10 @@ from clickgen.source import Span
 
 @dataclass(frozen=True, slots=True)
 class Import:
-    """``from auto import auto_mode``; without names, ``import wiring``, it brings the file's declarations alone."""
+    """``from auto import auto_mode``; without names, ``import wiring``, it brings the file's declarations alone.
+
+    An empty ``module`` is an import that could not be read.
+    """
 
     module: str
     names: tuple[tuple[str, Span], ...]

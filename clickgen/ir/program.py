@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from clickgen.instructions.spec import Spec, Variant
@@ -172,6 +172,8 @@ class Program:
     declarations: tuple[Declaration, ...]
     misimported: frozenset[str] = frozenset()
     """Names that an import should bring and does not: they have their problem there."""
+    offered: Mapping[str, str] = field(default_factory=dict)
+    """Subroutines that could be imported, each with its module."""
 
     @property
     def main(self) -> Routine | None:

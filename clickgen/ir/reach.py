@@ -6,6 +6,7 @@ Addresses in such a reach belong to the program as much as those that it names.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, TEXT_WIDTHS, Address, current_value
 from clickgen.instructions.spec import Access, Param
@@ -57,11 +58,16 @@ def _characters(action: Action) -> int:
     return 1
 
 
-def touches(action: Action) -> Iterator[tuple[Operand, bool]]:
-    """Every operand of an instruction with all the addresses it stands for, and whether it is written.
+class Touch(NamedTuple):
+    """One operand of an action with all the addresses it stands for. What is owned is written."""
 
-    What is owned is written, its current value too.
-    """
+    operand: Operand
+    is_written: bool
+    param: Param
+
+
+def touches(action: Action) -> Iterator[Touch]:
+    """Every operand of an action, those of its pins and formulas and the registers of its pointers included."""
     ends = {param.extends_to for param in action.spec.params}
     for param in action.spec.params:
         if param.name in ends:
@@ -69,15 +75,15 @@ def touches(action: Action) -> Iterator[tuple[Operand, bool]]:
         operand = reached(action, param)
         is_written = param.slot.access is not Access.READ
         if operand is not None:
-            yield operand, is_written
+            yield Touch(operand, is_written, param)
             if isinstance(operand, Pointer):
-                yield operand.register, False
+                yield Touch(operand.register, False, param)
             if param.slot.access is Access.OWN and isinstance(operand, Cell):
-                yield Cell(current_value(operand.address), operand.span), True
+                yield Touch(Cell(current_value(operand.address), operand.span), True, param)
         elif param.name in action.args:
             value = action.args[param.name]
             is_written = is_written and isinstance(value, Operands)
-            yield from ((touched, is_written) for touched in value_operands(value))
+            yield from (Touch(operand, is_written, param) for operand in value_operands(value))
 
 
 def reaching(program: Program, address_of: AddressOf = cell_address) -> Iterator[tuple[Operand, int]]:

@@ -91,9 +91,9 @@ class Effects:
             cells.addresses.add(address)
         for bit in self._delays.bits_of(action):
             cells.add(bit)
-        for operand, is_written in touches(action):
-            if is_written:
-                cells.add(operand)
+        for touch in touches(action):
+            if touch.is_written:
+                cells.add(touch.operand)
         return cells
 
     def _writes_of(self, name: str) -> Cells:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from clickgen.device.banks import BANKS, Kind
-from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Single, Text
+from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real, Single, Text
 
 _HEX_TEXT = re.compile(r"([0-9A-Fa-f]{1,8})[hH]")
 
@@ -25,4 +25,14 @@ def typed(constant: Single, kind: Kind | None) -> Single:
             return Hex(int(match[1], 16), constant.span)
     if isinstance(constant, Integer) and kind is Kind.HEX and constant.value >= 0:
         return Hex(constant.value, constant.span)
+    return constant
+
+
+def stored(constant: Single, kind: Kind | None) -> Single:
+    """A constant in the form in which a register of this kind holds it (click-facts, section 6)."""
+    if isinstance(constant, Real) and kind in (Kind.INT16, Kind.INT32, Kind.HEX) and constant.value.is_integer():
+        constant = Integer(int(constant.value), constant.span)
+    constant = typed(constant, kind)
+    if isinstance(constant, Hex) and kind in (Kind.INT16, Kind.INT32, Kind.FLOAT):
+        return Integer(constant.value, constant.span)
     return constant

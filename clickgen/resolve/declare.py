@@ -18,7 +18,7 @@ from clickgen.source import Span
 
 
 class Meaning(NamedTuple):
-    """What a nickname stands for and who says so."""
+    """What a nickname stands for and who says so; without words it is the place."""
 
     address: Address
     said_by: str

@@ -17,7 +17,7 @@ from clickgen.ir.program import Action, Program, actions_in, rungs_in
 from clickgen.ir.reach import reaching
 from clickgen.ir.walk import Rewriter, program_operands
 from clickgen.resolve.allocate import Allocator
-from clickgen.resolve.constants import kind_of, typed
+from clickgen.resolve.constants import kind_of, stored, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
 from clickgen.resolve.rows import Row, is_scratch, looks_like_scratch
 from clickgen.resolve.table import AddressTable
@@ -154,10 +154,11 @@ class _Resolver:
             return Address(use.bank, address.number)
         dotted = f"{address.bank.lower()}.{use.name}"
         labels = (Label(meaning.span, f"{dotted} is here"),) if meaning.span else ()
+        said_by = meaning.said_by or (meaning.span.seen_from(use.span) if meaning.span else "")
         self.problems.add(
             "CG204",
             use.span,
-            f"{use.name} is {dotted} ({meaning.said_by}), so it cannot be {use.bank.lower()}.{use.name}",
+            f"{use.name} is {dotted} ({said_by}), so it cannot be {use.bank.lower()}.{use.name}",
             f"write {dotted}, or choose another name here",
             labels,
         )
@@ -183,7 +184,7 @@ class _Resolver:
                 f"{use.name} was given {address}: is it wired there?",
                 f"pin it: nickname({source_reference(use)}, {use.bank.lower()}[{address.number}])",
             )
-        self.meanings[use.name.lower()] = Meaning(address, f"line {use.span.line}", use.span)
+        self.meanings[use.name.lower()] = Meaning(address, "", use.span)
         self.addresses[use.bank, use.name.lower()] = address
         self.allocated.append(self.table.named(address, use.name))
 
@@ -261,10 +262,13 @@ class _Names(Rewriter):
     def action(self, action: Action) -> Action:
         resolved = super().action(action)
         changes = {}
+        params = {param.name: param for param in action.spec.params}
         for param in action.spec.params:
             value = resolved.args.get(param.name)
             if param.typed_by and isinstance(value, Constant):
-                changes[param.name] = typed(value, kind_of(resolved.args.get(param.typed_by)))
+                kind = kind_of(resolved.args.get(param.typed_by))
+                is_stored = params[param.typed_by].slot.access is Access.WRITE
+                changes[param.name] = stored(value, kind) if is_stored else typed(value, kind)
         if not changes:
             return resolved
         return Action(resolved.spec, {**resolved.args, **changes}, resolved.span)

@@ -36,7 +36,7 @@ def read_argument(context: Context, spec: Spec, param: Param, node: ast.expr) ->
     """The value of one argument; None with problems."""
     kind = param.kind
     if kind is ParamKind.OPERAND:
-        return read_operand(context, node)
+        return read_operand(context, node, spec.signature)
     if kind is ParamKind.OPERANDS:
         return _read_operands(context, spec, param, node)
     if kind is ParamKind.PATTERN:
@@ -48,9 +48,9 @@ def read_argument(context: Context, spec: Spec, param: Param, node: ast.expr) ->
     if kind is ParamKind.OPTIONS:
         return read_options(context, node, spec.signature)
     if kind is ParamKind.TARGET:
-        return read_target(context, node)
+        return read_target(context, node, spec.signature)
     if kind is ParamKind.REMOTE:
-        return read_remote(context, node)
+        return read_remote(context, node, spec.signature)
     return _read_word(context, spec, param, node)
 
 
@@ -130,7 +130,7 @@ def _read_operands(context: Context, spec: Spec, param: Param, node: ast.expr) -
             context.problem("CG115", element, f"{param.name!r} of {spec.name} takes plain addresses", help)
             is_whole = False
             continue
-        operand = read_operand(context, element)
+        operand = read_operand(context, element, spec.signature)
         if isinstance(operand, Range):
             items += [Cell(address, operand.span) for address in operand.addresses()]
         elif isinstance(operand, Immediate):
@@ -154,15 +154,14 @@ def _read_pattern(context: Context, spec: Spec, param: Param, node: ast.expr) ->
         _refuse(context, spec, param, node)
         return None
     rows: list[tuple[bool, ...]] = []
-    is_whole = True
     for row in node.elts:
-        cells = row.elts if isinstance(row, ast.List | ast.Tuple) else [row]
-        wrong = next((cell for cell in cells if not _is_bit(cell)), None)
-        if not isinstance(row, ast.List | ast.Tuple) or wrong is not None:
+        cells = row.elts if isinstance(row, ast.List | ast.Tuple) else None
+        wrong = row if cells is None else next((cell for cell in cells if not _is_bit(cell)), None)
+        if cells is None or wrong is not None:
             _refuse(context, spec, param, wrong or row)
-            is_whole = False
+            return None
         rows.append(tuple(isinstance(cell, ast.Constant) and cell.value == 1 for cell in cells))
-    return Pattern(tuple(rows), context.span(node)) if is_whole else None
+    return Pattern(tuple(rows), context.span(node))
 
 
 def _is_bit(node: ast.expr) -> bool:

@@ -34,6 +34,8 @@ _ELSEWHERE = {
 }
 """What CLICK's ladder files and other dialects call an instruction."""
 
+_NOTHING_CHAINED = "nothing is chained behind it:"
+
 _RELATIVES = {
     ("ton", "reset"): "rton",
     ("tof", "reset"): "rtof",
@@ -59,7 +61,7 @@ def read_call(context: Context, node: ast.Call) -> Action | None:
         known = _elsewhere(name) or did_you_mean(name, INSTRUCTIONS) if name else ""
         context.problem("CG108", base.func, f"there is no instruction {shown!r}", known or "see the language reference")
         return None
-    if spec is SEARCH and any(isinstance(argument, ast.Compare) for argument in base.args[:1]):
+    if spec is SEARCH and _is_range_form(base):
         spec = SEARCH_RANGE
     args = _Call(context, spec, base, links).read()
     if args is None:
@@ -72,6 +74,13 @@ def read_call(context: Context, node: ast.Call) -> Action | None:
 def _in_order(spec: Spec, args: dict[str, Value]) -> dict[str, Value]:
     """Arguments in the order of the parameters, however they were written: names get their addresses in it."""
     return {param.name: args[param.name] for param in spec.params if param.name in args}
+
+
+def _is_range_form(node: ast.Call) -> bool:
+    """True for ``search(ds[1:101] >= 100, ...)``."""
+    return any(isinstance(argument, ast.Compare) for argument in node.args[:1]) or any(
+        keyword.arg == "comparison" for keyword in node.keywords
+    )
 
 
 def _elsewhere(name: str) -> str:
@@ -109,7 +118,8 @@ class _Call:
 
     def _fault(self, code: str, place: ast.expr | ast.keyword | Span, message: str, hint: str = "") -> None:
         span = place if isinstance(place, Span) else self._context.span(place)
-        help = " ".join(filter(None, (hint, self._spec.signature)))
+        signatures = (SEARCH, SEARCH_RANGE) if self._spec in (SEARCH, SEARCH_RANGE) else (self._spec,)
+        help = " ".join(filter(None, (hint, " or ".join(spec.signature for spec in signatures))))
         self._context.problems.add(code, span, message, help)
         self._faults += 1
 
@@ -153,22 +163,26 @@ class _Call:
         place = Span(end.path, end.end_line, end.end_col - len(method), end.end_line, end.end_col)
         pin = self._spec.methods.get(method)
         if pin is None:
-            hint = did_you_mean(method, self._spec.methods) if self._spec.methods else "nothing is chained behind it:"
+            known = " and ".join(f".{name}" for name in self._spec.methods)
+            hint = did_you_mean(method, self._spec.methods) or (f"it has {known}:" if known else _NOTHING_CHAINED)
             self._fault("CG109", place, f"{self._spec.name} has no .{method}(...)", self._relative(method) or hint)
             return ""
         if pin.name in self._bound or pin.name in self._args:
             self._fault("CG111", place, f"{self._spec.name} is given {method!r} twice")
             return ""
-        nodes = list(_flat(link.args))
+        nodes = _flat(link.args)
+        own = {param.chained: param for param in self._spec.params if param.of_pin == pin.name}
         condition = None
         if not nodes:
             self._fault("CG110", place, f".{method}() needs a condition", f"write .{method}(c.Name) behind")
         elif any(isinstance(node, ast.Lambda | ast.Starred) for node in nodes):
             self._fault("CG115", nodes[0], f"the conditions of .{method}(...) stand one by one, without lambda")
+        elif own and isinstance(nodes[-1], ast.Constant) and type(nodes[-1].value) is int:
+            hint = f"write {next(iter(own))}={nodes[-1].value}:"
+            self._fault("CG115", nodes[-1], f"a number is no condition of .{method}(...)", hint)
         else:
             condition = read_series(self._context, nodes)
             self._faults += condition is None
-        own = {param.chained: param for param in self._spec.params if param.of_pin == pin.name}
         for keyword in link.keywords:
             param = own.get(keyword.arg or "")
             if param is None:
@@ -206,8 +220,9 @@ class _Call:
     def _read_modified(self, source: Param, call: ast.Call, attribute: ast.Attribute) -> None:
         """``copy(txt[1].as_value(), ds[1])``: the option stands behind the source."""
         options = read_modifier(self._context, call, attribute)
-        if "options" in self._bound:
-            self._fault("CG111", self._bound["options"], f"{self._spec.name} is given its option twice")
+        given = self._bound.get("options")
+        if given is not None and not (isinstance(given, ast.Constant) and given.value is None):
+            self._fault("CG111", given, f"{self._spec.name} is given its option twice")
         if options is None:
             self._faults += 1
         else:

@@ -98,12 +98,7 @@ def _read_contact(context: Context, node: ast.Attribute | ast.Subscript) -> Cond
         return None
     bank = BANKS[operand.bank] if isinstance(operand, Named | Cell | Range | Immediate | Pointer) else None
     if bank is None or isinstance(operand, Pointer):
-        context.problem(
-            "CG307",
-            node,
-            "a pointer cannot stand in a condition: CLICK reads it too late",
-            "copy the register pointed to into another one in a rung before, and test that",
-        )
+        _refuse_pointer(context, node)
         return None
     if bank.is_bit:
         assert isinstance(operand, Named | Cell | Range | Immediate)
@@ -114,6 +109,15 @@ def _read_contact(context: Context, node: ast.Attribute | ast.Subscript) -> Cond
     zero = Hex(0, operand.span) if bank.kind is Kind.HEX else Integer(0, operand.span)
     right = Real(0.0, "0.0", operand.span) if bank.kind is Kind.FLOAT else zero
     return Compare("!=", operand, right, operand.span)
+
+
+def _refuse_pointer(context: Context, node: ast.expr) -> None:
+    context.problem(
+        "CG307",
+        node,
+        "a pointer cannot stand in a condition: CLICK reads it too late",
+        "copy the register pointed to into another one in a rung before, and test that",
+    )
 
 
 def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
@@ -173,6 +177,9 @@ def _read_bit_function(context: Context, node: ast.Call, name: str) -> Condition
         return None
     operand = read_operand(context, argument)
     if operand is None:
+        return None
+    if isinstance(operand, Pointer):
+        _refuse_pointer(context, argument)
         return None
     if not isinstance(operand, Named | Cell | Range | Immediate) or not BANKS[operand.bank].is_bit:
         way = "compare a register: ds.A == 0" if name == "nc" else "edges belong to bits"

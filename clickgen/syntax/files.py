@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
@@ -33,7 +34,9 @@ def read_program(
     routines = {id(routine): routine for routine in files.routines(content)}
     wanted = {name for item in content.items if isinstance(item, Import) for name, _ in item.names}
     misimported = wanted - {routine.name for routine in routines.values()}
-    program = Program(source, tuple(routines.values()), tuple(files.declarations), frozenset(misimported))
+    program = Program(
+        source, tuple(routines.values()), tuple(files.declarations), frozenset(misimported), files.offered(content)
+    )
     return program, tuple(files.sources)
 
 
@@ -54,7 +57,7 @@ class _Files:
         self._contents[key] = content
         self._open.append(key)
         for item in content.items:
-            if isinstance(item, Import):
+            if isinstance(item, Import) and item.module:
                 self._import(path, item)
         self._open.pop()
         self.declarations += (item for item in content.items if isinstance(item, Declaration))
@@ -66,6 +69,15 @@ class _Files:
             if isinstance(item, Import):
                 subroutines = self._subroutines(_sibling(content.path, item.module))
                 yield from (subroutines[name] for name, _ in item.names if name in subroutines)
+
+    def offered(self, content: FileContent) -> dict[str, str]:
+        """The subroutines of the files that the program imports, each with its module."""
+        return {
+            name: item.module
+            for item in content.items
+            if isinstance(item, Import)
+            for name in self._subroutines(_sibling(content.path, item.module))
+        }
 
     def _import(self, importer: str, item: Import) -> None:
         path = _sibling(importer, item.module)
@@ -90,8 +102,7 @@ class _Files:
         except OSError as error:
             missing = isinstance(error, FileNotFoundError)
             fault = f"there is no file {path}" if missing else f"{path} cannot be read: {error.strerror or error}"
-            help = did_you_mean(os.path.basename(path), _siblings(path)) if missing else ""
-            self.problems.add("CG121", span, fault, help or "an imported file stands beside the file that imports it")
+            self.problems.add("CG121", span, fault, self._hint(path) if missing else "make it a readable file")
             return
         source = decode(path, data, self.problems)
         if source is None:
@@ -100,6 +111,15 @@ class _Files:
         content = read_file(source, self.problems)
         if content is not None:
             self.enter(path, content)
+
+    def _hint(self, path: str) -> str:
+        name = os.path.basename(path)
+        others = [
+            other for other in _siblings(path) if _key(os.path.join(os.path.dirname(path), other)) not in self._open
+        ]
+        if name.removesuffix(".py") in sys.stdlib_module_names:
+            return "a program is never run as Python, so Python's own modules have no place in it"
+        return did_you_mean(name, others) or "an imported file stands beside the file that imports it"
 
     def _check_names(self, path: str, item: Import) -> None:
         content = self._contents[_key(path)]

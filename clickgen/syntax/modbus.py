@@ -28,12 +28,12 @@ _HEX = re.compile(r"([0-9A-Fa-f]{1,4})h")
 _REMOTE = 'remote_start="DS1", or ModbusAddress(address=400001)'
 
 
-def read_target(context: Context, node: ast.expr) -> Target | None:
+def read_target(context: Context, node: ast.expr, signature: str) -> Target | None:
     """``ModbusTcpTarget(...)`` or ``ModbusRtuTarget(...)``; None with problems."""
     name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
     if not isinstance(node, ast.Call) or name not in _TARGETS:
-        help = did_you_mean(name, _TARGETS) or f"{_TCP} or {_RTU}"
-        context.problem("CG115", node, "the target is a ModbusTcpTarget or a ModbusRtuTarget", help)
+        help = did_you_mean(name, _TARGETS) or f"{_TCP} or {_RTU}:"
+        context.problem("CG115", node, "the target is a ModbusTcpTarget or a ModbusRtuTarget", f"{help} {signature}")
         return None
     before = len(context.problems.found)
     given = _given(context, node, name, _TARGETS[name], _EXAMPLES[name])
@@ -129,7 +129,7 @@ class _Settings:
 # -- the remote address -----------------------------------------------------------------------------------------------
 
 
-def read_remote(context: Context, node: ast.expr) -> Remote | None:
+def read_remote(context: Context, node: ast.expr, signature: str) -> Remote | None:
     """``"DS1"``, ``ModbusAddress(address=400001)`` or a hexadecimal one with its register type."""
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
         address = parse_address(node.value)
@@ -140,8 +140,8 @@ def read_remote(context: Context, node: ast.expr) -> Remote | None:
     name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
     if not isinstance(node, ast.Call) or name != "ModbusAddress":
         way = "it is an address of the other device, in quotes: " if isinstance(node, ast.Subscript) else ""
-        help = did_you_mean(name, ["ModbusAddress"]) or way + _REMOTE
-        context.problem("CG115", node, "this is not an address of another device", help)
+        help = did_you_mean(name, ["ModbusAddress"]) or f"{way}{_REMOTE}:"
+        context.problem("CG115", node, "this is not an address of another device", f"{help} {signature}")
         return None
     example = "ModbusAddress(address=400001)"
     before = len(context.problems.found)

@@ -23,7 +23,7 @@ from clickgen.ir.operands import (
 )
 from clickgen.source import Span
 from clickgen.syntax.context import Context
-from clickgen.syntax.options import modifier_hint
+from clickgen.syntax.options import MODIFIERS, modifier_hint
 
 BANK_NAMES = {bank.dsl: bank for bank in BANKS.values()}
 _CHAR_CODE = re.compile(r"\$[0-9A-Fa-f]{2}")
@@ -35,14 +35,14 @@ def looks_like_address(node: ast.expr) -> bool:
     return isinstance(node, ast.Attribute | ast.Subscript)
 
 
-def read_operand(context: Context, node: ast.expr) -> Operand | None:
-    """An address in any form or a constant; None with a problem."""
+def read_operand(context: Context, node: ast.expr, signature: str = "") -> Operand | None:
+    """An address in any form or a constant; None with a problem, which shows the signature that it belongs to."""
     if isinstance(node, ast.Attribute | ast.Subscript):
         return read_address(context, node)
-    return read_constant(context, node)
+    return read_constant(context, node, signature)
 
 
-def read_constant(context: Context, node: ast.expr) -> Constant | None:
+def read_constant(context: Context, node: ast.expr, signature: str = "") -> Constant | None:
     """A number or a string; a leading minus belongs to the number."""
     if isinstance(node, ast.Constant):
         value, span = node.value, context.span(node)
@@ -63,7 +63,8 @@ def read_constant(context: Context, node: ast.expr) -> Constant | None:
         if isinstance(inner, Real):
             return Real(sign * inner.value, ("-" if sign < 0 else "") + inner.text, context.span(node))
     hint = address_hint(node) or modifier_hint(node) or _ADDRESS_FORMS
-    context.problem("CG113", node, f"{shorten(context.text(node))} is not an address or a constant", hint)
+    help = f"{hint}: {signature}" if signature else hint
+    context.problem("CG113", node, f"{shorten(context.text(node))} is not an address or a constant", help)
     return None
 
 
@@ -98,9 +99,8 @@ def read_address(context: Context, node: ast.Attribute | ast.Subscript) -> Opera
 
 def _read_modifier(context: Context, node: ast.Attribute) -> Operand | None:
     if node.attr != "immediate":
-        context.problem(
-            "CG113", node, f"an address has no .{node.attr}", did_you_mean(node.attr, ["immediate"]) or _ADDRESS_FORMS
-        )
+        hint = f"write .{node.attr}()" if node.attr in MODIFIERS else did_you_mean(node.attr, ["immediate", *MODIFIERS])
+        context.problem("CG113", node, f"an address has no .{node.attr}", hint or _ADDRESS_FORMS)
         return None
     if not isinstance(node.value, ast.Attribute | ast.Subscript):
         context.problem("CG113", node, ".immediate belongs behind an address", "x[1].immediate")

@@ -7,12 +7,11 @@ statements run in step with libcst's.
 from __future__ import annotations
 
 import ast
-import re
 import warnings
 from typing import TYPE_CHECKING
 
 from clickgen.diagnostics import Diagnostics
-from clickgen.source import SourceFile, Span
+from clickgen.source import FORM_FEED, SourceFile, Span
 
 if TYPE_CHECKING:
     import libcst
@@ -20,9 +19,6 @@ if TYPE_CHECKING:
 _SPLIT = "split it into several rungs"
 MAX_DEPTH = 100
 """How deep the syntax tree may be: far beyond any rung, and safe for every recursive walk."""
-
-
-_FORM_FEED = re.compile(r"(?m)^[ \t]*\f")
 
 
 def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
@@ -45,7 +41,7 @@ def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
         )
         return None
     # For Python a form feed begins its line anew; libcst does not know that.
-    return SourceFile(path, _FORM_FEED.sub("", text))
+    return SourceFile(path, FORM_FEED.sub("", text))
 
 
 def _lines(text: str) -> str:

@@ -99,7 +99,7 @@ def _read_imports(context: Context, node: ast.Import | ast.ImportFrom) -> list[I
         help = "the file stands beside this one: from auto import auto_mode reads auto.py"
     if help:
         context.problem("CG120", node, "an import names the subroutines of a file beside this one", help)
-        return []
+        return [Import("", names, context.span(node)) for _, names in modules]
     return [Import(module, names, context.span(node)) for module, names in modules]
 
 

@@ -24,5 +24,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         if word.value == "main":
             problems.add("CG405", word.span, "main is not a subroutine", "a subroutine stands under @sub")
         elif word.value not in names:
+            module = facts.program.offered.get(str(word.value))
             help = did_you_mean(str(word.value), names) or f"add @sub def {word.value}():"
+            if module:
+                help = f"write from {module} import {word.value} at the top"
             problems.add("CG405", word.span, f"there is no subroutine {word.value!r}", help)

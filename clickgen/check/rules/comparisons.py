@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from clickgen.check.facts import Facts
 from clickgen.check.values import range_fault, value_class
-from clickgen.device.banks import BANKS
+from clickgen.device.banks import BANKS, Kind
 from clickgen.diagnostics import Diagnostics
 from clickgen.ir.conditions import Compare
-from clickgen.ir.operands import Cell, Constant, Text
+from clickgen.ir.operands import Cell, Constant, Integer, Text
 from clickgen.resolve.constants import kind_of
 
 
@@ -31,6 +31,11 @@ def _check(compare: Compare, problems: Diagnostics) -> None:
     if isinstance(left, Constant) and isinstance(right, Constant):
         problems.add("CG303", compare.span, "two constants are compared", "compare a register")
         return
+    for constant, other in ((left, right), (right, left)):
+        # Any other constant beside a hexadecimal word is hexadecimal by now.
+        if isinstance(constant, Integer) and kind_of(other) is Kind.HEX:
+            problems.add("CG302", constant.span, range_fault(constant, Kind.HEX), "the comparison could never change")
+            return
     classes = value_class(left), value_class(right)
     if classes[0] != classes[1]:
         problems.add(
@@ -44,5 +49,5 @@ def _check(compare: Compare, problems: Diagnostics) -> None:
         fault = range_fault(constant, kind_of(other))
         if fault:
             problems.add("CG302", constant.span, fault, "the comparison could never change")
-        if isinstance(constant, Text) and len(constant.value) != 1:
+        elif isinstance(constant, Text) and len(constant.value) != 1:
             problems.add("CG302", constant.span, "a TXT address holds one character", 'compare with one: txt[1] == "A"')

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
+from clickgen.check.values import refused_operands
 from clickgen.device.banks import BANKS, PADDED_DIGITS, Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.copies import CONVERSIONS, COPY, COPY_FILL
@@ -10,23 +11,17 @@ from clickgen.instructions.spec import Pair, ParamKind
 from clickgen.ir.operands import Cell, Range, Text, form_of
 from clickgen.ir.program import Action, Options
 from clickgen.ir.reach import reached
-
-_OPERAND_CODES = ("CG301", "CG304", "CG307", "CG308")
-"""Where the operand rule refused an operand, nothing more is said about the pair."""
+from clickgen.wording import counted
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
-    refused = {problem.span for problem in problems.found if problem.code in _OPERAND_CODES}
+    refused = refused_operands(problems)
     for placed in facts.actions:
         action = placed.action
         operands = [action.args[name] for name in placed.spec.matrix if name]
         if not operands or any(operand.span in refused for operand in operands):
             continue
-        before = len(problems.found)
-        _check_options(action, problems)
-        if len(problems.found) == before:
-            _check_pair(action, problems)
-        if len(problems.found) == before:
+        if _check_options(action, problems) and _check_pair(action, problems):
             _check_flags(action, problems)
             _check_lengths(action, problems)
 
@@ -41,10 +36,17 @@ def _check_flags(action: Action, problems: Diagnostics) -> None:
             )
 
 
-def _check_options(action: Action, problems: Diagnostics) -> None:
+def _check_options(action: Action, problems: Diagnostics) -> bool:
+    """False with a problem."""
     options = action.args.get("options")
     if not isinstance(options, Options):
-        return
+        return True
+    before = len(problems.found)
+    _judge_options(action, options, problems)
+    return len(problems.found) == before
+
+
+def _judge_options(action: Action, options: Options, problems: Diagnostics) -> None:
     spec = action.spec
     if options.name not in spec.conversions:
         takes = f"it takes {', '.join(spec.conversions)}" if spec.conversions else "it converts nothing"
@@ -81,7 +83,8 @@ def _check_options(action: Action, problems: Diagnostics) -> None:
         )
 
 
-def _check_pair(action: Action, problems: Diagnostics) -> None:
+def _check_pair(action: Action, problems: Diagnostics) -> bool:
+    """False when CLICK does not copy between these."""
     spec = action.spec
     source, target = (action.args[name] for name in spec.matrix)
     source_form, target_form = form_of(source), form_of(target)
@@ -89,7 +92,7 @@ def _check_pair(action: Action, problems: Diagnostics) -> None:
     pair = next((pair for pair in pairs if source_form in pair.sources and target_form in pair.targets), None)
     if pair is None:
         _refuse(action, source_form, target_form, pairs, problems)
-        return
+        return False
     if pair.disputed:
         problems.add(
             "CG312",
@@ -105,9 +108,11 @@ def _check_pair(action: Action, problems: Diagnostics) -> None:
             problems.add(
                 "CG306",
                 packed.span,
-                f"this range has {len(packed)} addresses; {source_form} to {target_form} takes {allowed}",
+                f"this range has {counted(len(packed), 'address', 'addresses')}; {source_form} to {target_form} takes "
+                f"{allowed}",
                 "the end of a slice is not included: c[1:17] is 16 bits",
             )
+    return True
 
 
 def _refuse(action: Action, source: str, target: str, pairs: list[Pair], problems: Diagnostics) -> None:
@@ -138,7 +143,7 @@ def _check_lengths(action: Action, problems: Diagnostics) -> None:
         problems.add(
             "CG306",
             target.span,
-            f"the source has {len(source)} addresses and the destination {len(target)}",
+            f"the source has {counted(len(source), 'address', 'addresses')} and the destination {len(target)}",
             "write the destination's first address alone; its end follows from the source",
         )
 

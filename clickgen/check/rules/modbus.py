@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import ceil
+
 from clickgen.check.facts import Facts
 from clickgen.device.banks import BANKS, READ_ONLY, Kind
 from clickgen.diagnostics import Diagnostics
@@ -9,6 +11,7 @@ from clickgen.instructions.communication import SEND, SPECS
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget
 from clickgen.ir.operands import Cell, Range
 from clickgen.ir.program import Action
+from clickgen.wording import counted
 
 _COILS, _DISCRETE_INPUTS, _HOLDING, _INPUTS = "coil", "discrete_input", "holding", "input"
 _TYPES_984 = ((100000, _COILS), (200000, _DISCRETE_INPUTS), (400000, _INPUTS))
@@ -67,12 +70,9 @@ def _check_writable(remote: Remote, is_send: bool, problems: Diagnostics) -> Non
 
 def _check_length(own: Cell | Range, remote: Remote, is_send: bool, problems: Diagnostics) -> None:
     length = len(own) if isinstance(own, Range) else 1
-    kind = BANKS[own.bank].kind
-    if kind is Kind.BIT:
-        size, most, what = length, _BITS_MAX[is_send], "bits"
-    else:
-        words = 2 if kind in (Kind.INT32, Kind.FLOAT) else 1
-        size, most, what = length * words, _WORDS_MAX[is_send], "words"
+    is_bits = BANKS[own.bank].is_bit
+    size = length * _words(own.bank)
+    most, what = (_BITS_MAX[is_send], "bits") if is_bits else (_WORDS_MAX[is_send], "words")
     if size > most:
         problems.add(
             "CG306",
@@ -80,17 +80,24 @@ def _check_length(own: Cell | Range, remote: Remote, is_send: bool, problems: Di
             f"this range is {size} {what} and one Modbus request takes {most}",
             "divide it over several",
         )
-    if isinstance(remote, RemoteCell) and length > 1:
+    if isinstance(remote, RemoteCell):
         address = remote.address
         bank = BANKS[address.bank]
-        last = address.number + length - 1
+        reach = ceil(size / _words(address.bank))
+        last = address.number + reach - 1
         if not any(low <= address.number and last <= high for low, high in bank.ranges):
             problems.add(
                 "CG306",
                 remote.span,
-                f"{length} addresses from {address} on leave the bank: {bank.name} has {bank.describe_range()}",
+                f"{counted(reach, 'address', 'addresses')} from {address} on leave the bank: {bank.name} has "
+                f"{bank.describe_range()}",
                 "begin earlier, or move fewer",
             )
+
+
+def _words(bank: str) -> int:
+    """The Modbus registers that one address takes; a bit is one coil."""
+    return 2 if BANKS[bank].kind in (Kind.INT32, Kind.FLOAT) else 1
 
 
 def _register_type(remote: RemoteModbus) -> str:

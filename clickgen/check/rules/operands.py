@@ -3,27 +3,32 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts, Placed
-from clickgen.check.values import constant_fault
+from clickgen.check.values import constant_fault, value_class
 from clickgen.device.banks import BANKS, READ_ONLY
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.diagnostics import Diagnostics
+from clickgen.instructions.data import SEARCH
 from clickgen.instructions.spec import Access, Param, ParamKind, Slot
 from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action, Operands
 from clickgen.resolve.constants import kind_of
+from clickgen.source import Span
 
 _WRITABLE = {"SC": WRITABLE_SC, "SD": WRITABLE_SD}
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
     for placed in facts.actions:
+        refused: set[Span] = set()
         for param in placed.spec.params:
             value = placed.action.args.get(param.name)
             for operand in value.items if isinstance(value, Operands) else (value,):
                 # A name without an address is a problem already.
-                if isinstance(operand, Operand) and not isinstance(operand, Named):
+                if isinstance(operand, Operand) and not isinstance(operand, Named) and operand.span not in refused:
+                    before = len(problems.found)
                     _check(placed, param, operand, problems)
-        _check_oneshot(placed.action, problems)
+                    refused |= {operand.span} if len(problems.found) > before else set()
+        _check_oneshot(placed.action, refused, problems)
 
 
 def _check(placed: Placed, param: Param, operand: Operand, problems: Diagnostics) -> None:
@@ -44,8 +49,10 @@ def _check(placed: Placed, param: Param, operand: Operand, problems: Diagnostics
             problems.add(
                 "CG307",
                 operand.span,
-                f"{placed.spec.name} takes no pointer here: only copy does",
-                "copy the value to a register first, and use that",
+                f"{placed.spec.name} takes no pointer here: pointers stand in copies and formulas",
+                "name the address itself"
+                if slot.access is Access.WRITE
+                else "copy the value to a register first, and use that",
             )
     elif isinstance(operand, Constant):
         _check_constant(placed, param, operand, problems)
@@ -108,7 +115,10 @@ def _is_read_only(operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
 def _shown(target: object) -> str:
     if isinstance(target, Cell):
         return str(target.address)
-    return f"{target.bank.lower()}.{target.name}" if isinstance(target, Named) else f"a {form_of(target)} address"
+    if isinstance(target, Named):
+        return f"{target.bank.lower()}.{target.name}"
+    bank = form_of(target)
+    return f"{'an' if bank[0] == 'X' else 'a'} {bank} address"
 
 
 def _check_constant(placed: Placed, param: Param, constant: Operand, problems: Diagnostics) -> None:
@@ -133,13 +143,16 @@ def _check_constant(placed: Placed, param: Param, constant: Operand, problems: D
                 else f"write a number from {low} to {high}",
             )
             return
-    fault = constant_fault(constant, kind_of(action.args.get(param.typed_by)))
+    other = action.args.get(param.typed_by)
+    if placed.spec is SEARCH and isinstance(other, Operand) and value_class(other) != value_class(constant):
+        return  # the rule about searches has the word
+    fault = constant_fault(constant, kind_of(other))
     if fault:
         problems.add("CG302", constant.span, fault, "write a constant that fits")
 
 
-def _check_oneshot(action: Action, problems: Diagnostics) -> None:
+def _check_oneshot(action: Action, refused: set[Span], problems: Diagnostics) -> None:
     target = action.args.get("address")
-    if isinstance(target, Immediate) and action.flag("oneshot"):
+    if isinstance(target, Immediate) and action.flag("oneshot") and target.span not in refused:
         span = action.args["oneshot"].span
         problems.add("CG313", span, "an immediate coil has no one-shot", "leave out one of the two")

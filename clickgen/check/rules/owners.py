@@ -17,6 +17,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             operand = placed.action.args.get(param.name)
             if param.slot.access is not Access.OWN or not isinstance(operand, Cell):
                 continue
+            if operand.bank not in param.slot.cells:
+                continue
             number = Address(CURRENT_VALUE_OF.get(operand.bank, operand.bank), operand.address.number)
             earlier = owners.setdefault(number, placed.action)
             if earlier is not placed.action:
@@ -24,7 +26,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 problems.add(
                     "CG412",
                     operand.span,
-                    f"{operand.address} belongs to the {earlier.spec.name} of line {earlier.span.line} already",
+                    f"{operand.address} belongs to the {earlier.spec.name} of "
+                    f"{earlier.span.seen_from(operand.span)} already",
                     f"give this {kind} another name",
                     (Label(earlier.span, "its first owner"),),
                 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
+from clickgen.check.values import refused_operands
 from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.timers import RTOF
@@ -24,7 +25,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             )
     if not timers:
         return
+    refused = refused_operands(problems)
     for operand in program_operands(facts.program):
+        if operand.span in refused:
+            continue
         if isinstance(operand, Range) and operand.bank == "T" and not timers.isdisjoint(operand.addresses()):
             problems.add(
                 "CG301",

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
-from clickgen.check.values import value_class
+from clickgen.check.values import range_fault, refused_operands, value_class
+from clickgen.device.banks import Kind
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.data import SEARCH
-from clickgen.ir.operands import Cell, Operand
+from clickgen.ir.operands import Cell, Integer, Operand
 from clickgen.ir.program import Action
+from clickgen.resolve.constants import kind_of
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
+    refused = refused_operands(problems)
     for placed in facts.actions:
-        if placed.spec is SEARCH:
+        names = ("start", "end", "value")
+        if placed.spec is SEARCH and not any(placed.action.args[name].span in refused for name in names):
             _check(placed.action, problems)
 
 
@@ -30,6 +34,10 @@ def _check(action: Action, problems: Diagnostics) -> None:
         problems.add(
             "CG306", end.span, f"the search ends at {end.address}, before it begins at {start.address}", "swap them"
         )
+    if isinstance(value, Integer) and kind_of(start) is Kind.HEX:
+        # Any other whole number among hexadecimal words is hexadecimal by now.
+        problems.add("CG302", value.span, range_fault(value, Kind.HEX), "search for 0x0000 to 0xFFFF")
+        return
     searched, sought = value_class(start), value_class(value)
     if searched != sought:
         problems.add(
