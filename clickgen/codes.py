@@ -21,6 +21,8 @@ class Severity(Enum):
 class Code(NamedTuple):
     severity: Severity
     title: str
+    is_on: bool = True
+    """False for a rule that says something only when it is asked for."""
 
 
 _E, _W, _I = Severity.ERROR, Severity.WARNING, Severity.INFO
@@ -106,6 +108,32 @@ CODES: dict[str, Code] = {
     "CG423": Code(_W, "a timer stands inside a loop"),
     "CG424": Code(_W, "main is too long for one CLICK file and is split"),
     "CG425": Code(_E, "a loop that next_loop() closes is opened by the last action of its rung"),
+    # -- logic worth a second look ---------------------------------------------------------------------------------
+    "CG501": Code(_W, "an output coil is driven in two places"),
+    "CG502": Code(_W, "a bit is set and never reset"),
+    "CG503": Code(_W, "a bit is reset and never set"),
+    "CG504": Code(_I, "an address is read and never written", is_on=False),
+    "CG505": Code(_I, "an address is written and never read", is_on=False),
+    "CG506": Code(_I, "a declared nickname is never used"),
+    "CG507": Code(_W, "a condition can never be true"),
+    "CG508": Code(_W, "a condition is always true"),
+    "CG509": Code(_W, "a condition repeats a term"),
+    "CG510": Code(_W, "a value is overwritten before anything reads it"),
+    "CG511": Code(_W, "a running value is compared for equality"),
+    "CG512": Code(_W, "a timer's setpoint is 0"),
+    "CG513": Code(_W, "a counter counts without an edge"),
+    "CG514": Code(_W, "an edge may be missed in a subroutine that does not always run"),
+    "CG515": Code(_W, "a subroutine is never called"),
+    "CG516": Code(_W, "a rung is never reached"),
+    "CG517": Code(_W, "a formula divides by zero"),
+    "CG518": Code(_W, "a pointer may lead to no address"),
+    "CG519": Code(_W, "a slice looks one address short"),
+    "CG520": Code(_W, "floating-point values are compared for equality"),
+    "CG521": Code(_W, "a timer's or counter's bit is used without its instruction"),
+    "CG522": Code(_W, "an output is driven from several routines"),
+    "CG523": Code(_I, "a state number is repeated", is_on=False),
+    "CG524": Code(_I, "a comparison is written as a word"),
+    "CG525": Code(_W, "a suppression suppresses nothing"),
     # -- the address table ----------------------------------------------------------------------------------------
     "CG601": Code(_E, "a row of the address table is malformed"),
     "CG602": Code(_E, "the address table gives a nickname or an address twice"),

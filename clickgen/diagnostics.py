@@ -19,6 +19,22 @@ class Label:
 
 
 @dataclass(frozen=True)
+class Edit:
+    """Text that replaces a stretch of a source file; an empty stretch is an insertion."""
+
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True)
+class Fix:
+    """Edits that take a problem away. A safe one cannot change what the program does."""
+
+    edits: tuple[Edit, ...]
+    is_safe: bool = True
+
+
+@dataclass(frozen=True)
 class Diagnostic:
     """One problem. ``span`` is None only for a problem that has no place in a file."""
 
@@ -27,6 +43,7 @@ class Diagnostic:
     span: Span | None
     help: str = ""
     labels: tuple[Label, ...] = ()
+    fix: Fix | None = None
 
     @property
     def severity(self) -> Severity:
@@ -55,8 +72,9 @@ class Diagnostics:
         message: str,
         help: str = "",
         labels: tuple[Label, ...] = (),
+        fix: Fix | None = None,
     ) -> None:
-        self.found.append(Diagnostic(code, message, span, help, labels))
+        self.found.append(Diagnostic(code, message, span, help, labels, fix))
 
     @property
     def has_errors(self) -> bool:

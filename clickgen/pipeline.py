@@ -97,6 +97,16 @@ class BuildResult:
         return put_in_place(writes, removals, {self.table_path: self.table if written else self._table_before})
 
 
+@dataclass(frozen=True)
+class CheckResult:
+    """What is to be said about a program: what a build would say, and what the rules about logic find."""
+
+    program: Path
+    sources: tuple[SourceFile, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    table_path: Path
+
+
 def _same_file(one: Path, other: Path) -> bool:
     return os.path.realpath(one) == os.path.realpath(other)
 
@@ -133,25 +143,41 @@ def build(
     exist. ``frozen`` forbids choosing addresses. Problems of the program are in the result's ``diagnostics``. Raises
     CouldNotRun when the program or the table cannot be read.
     """
-    program = Path(path)
-    table = Path(nicknames) if nicknames is not None else program.parent / TABLE_NAME
-    state = _Build(program, str(path), table, nicknames is not None, frozen)
-    for stage, needs_no_errors in STAGES:
-        if needs_no_errors and state.problems.has_errors:
-            break
-        stage(state)
+    state = _run(path, nicknames, frozen, STAGES)
     ok = not state.problems.has_errors
     return BuildResult(
-        program,
+        state.path,
         state.sources,
         state.problems.in_order(),
         state.files if ok else {},
         state.routines if ok else (),
         state.new_rows if ok else (),
-        table,
+        state.table_path,
         state.table.to_bytes(),
         state.table_before,
     )
+
+
+def check(path: str | os.PathLike[str], *, nicknames: str | os.PathLike[str] | None = None) -> CheckResult:
+    """Judge the program at ``path`` as ``build`` would, and by the rules about logic; nothing is written.
+
+    Raises CouldNotRun when the program or the table cannot be read.
+    """
+    state = _run(path, nicknames, False, CHECKS)
+    return CheckResult(state.path, state.sources, state.problems.in_order(), state.table_path)
+
+
+def _run(
+    path: str | os.PathLike[str], nicknames: str | os.PathLike[str] | None, frozen: bool, stages: _Stages
+) -> _Build:
+    program = Path(path)
+    table = Path(nicknames) if nicknames is not None else program.parent / TABLE_NAME
+    state = _Build(program, str(path), table, nicknames is not None, frozen)
+    for stage, needs_no_errors in stages:
+        if needs_no_errors and state.problems.has_errors:
+            break
+        stage(state)
+    return state
 
 
 # -- the stages -------------------------------------------------------------------------------------------------------
@@ -196,6 +222,15 @@ def _check(state: _Build) -> None:
         facts = Facts(state.resolved.program)
         for rule in RULES:
             rule(facts, state.problems)
+
+
+def _lint(state: _Build) -> None:
+    from clickgen.check.lint import RULES as LINT_RULES
+
+    assert state.resolved is not None
+    facts = Facts(state.resolved.program, {source.path: source for source in state.sources}, _nicknames(state))
+    for rule in LINT_RULES:
+        rule.check(facts, state.problems)
 
 
 def _lower(state: _Build) -> None:
@@ -260,20 +295,31 @@ def _within_limits(rungs: tuple[ClickRung, ...]) -> Iterator[tuple[ClickRung, ..
     yield rungs[start:]
 
 
-def _emit(state: _Build) -> None:
+def _rows(state: _Build) -> dict[Address, Row]:
+    """The rows of the table with those that the program adds."""
     assert state.resolved is not None
     rows = {row.address: row for row in state.table.rows}
     rows.update((row.address, row) for row in (*state.resolved.rows, *state.scratch_rows))
-    nicknames: dict[Address, str] = {row.address: row.nickname for row in rows.values() if row.nickname}
+    return rows
+
+
+def _nicknames(state: _Build) -> dict[Address, str]:
+    return {row.address: row.nickname for row in _rows(state).values() if row.nickname}
+
+
+def _emit(state: _Build) -> None:
+    rows = _rows(state)
     state.files = {name: ladder_csv(part) for name, part in state.parts.items()}
     state.files[TABLE_NAME] = nickname_csv(rows.values())
-    state.files["listing.txt"] = listing(state.path.stem, state.routines, nicknames)
+    state.files["listing.txt"] = listing(state.path.stem, state.routines, _nicknames(state))
     base = os.path.dirname(state.shown)
     names = [*state.files, "sources.json"]
     state.files["sources.json"] = source_map(state.routines, state.scratch_rows, names, base)
 
 
-STAGES: tuple[tuple[Callable[[_Build], None], bool], ...] = (
+_Stages = tuple[tuple[Callable[[_Build], None], bool], ...]
+
+STAGES: _Stages = (
     (_read_source, False),
     (_read_table, False),
     (_resolve, False),
@@ -283,4 +329,7 @@ STAGES: tuple[tuple[Callable[[_Build], None], bool], ...] = (
     (_divide, True),
     (_emit, True),
 )
-"""The stages in their order, each with whether it needs a program without errors."""
+"""The stages of a build in their order, each with whether it needs a program without errors."""
+
+CHECKS: _Stages = (*(stage for stage in STAGES if stage[0] is not _emit), (_lint, True))
+"""The stages of a check: it makes no files."""

@@ -260,7 +260,9 @@ _CODE_HEADING = re.compile(r"^### (CG\d{3}): (.+)\n\n\*\*(\w+)\.\*\* ", re.MULTI
 def test_the_problems_page_has_every_code() -> None:
     words = {Severity.ERROR: "Error", Severity.WARNING: "Warning", Severity.INFO: "Note"}
     shown = [match.groups() for match in _CODE_HEADING.finditer(PROBLEMS_PAGE.read_text("utf-8"))]
-    assert shown == [(name, code.title, words[code.severity]) for name, code in CODES.items()]
+    # The pages of the rules about logic are made from the rules.
+    coded = {name: code for name, code in CODES.items() if not name.startswith("CG5")}
+    assert shown == [(name, code.title, words[code.severity]) for name, code in coded.items()]
 
 
 def test_an_example_in_the_problems_page_gives_the_problem_of_its_heading() -> None:

@@ -1,0 +1,200 @@
+"""Settings: ``clickgen.toml``, or ``[tool.clickgen]`` in the nearest ``pyproject.toml`` that has it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeVar
+
+from clickgen.codes import CODES
+from clickgen.device.banks import BANKS, Address
+from clickgen.diagnostics import did_you_mean
+
+OWN_FILE, PROJECT_FILE = "clickgen.toml", "pyproject.toml"
+
+
+class ConfigError(Exception):
+    """The settings cannot be used. The message names the file, the key and the way out."""
+
+
+@dataclass(frozen=True)
+class ProgramSettings:
+    """One PLC of a repository: its main file, address table and output folder. None is the default place."""
+
+    path: Path
+    nicknames: Path | None = None
+    output: Path | None = None
+
+
+@dataclass(frozen=True)
+class CheckSettings:
+    """Which rules run where. Codes may be prefixes: ``CG5`` is every rule of that group."""
+
+    select: tuple[str, ...] | None = None
+    """None is every rule that is on by default."""
+    extend_select: tuple[str, ...] = ()
+    ignore: tuple[str, ...] = ()
+    exclude: tuple[str, ...] = ()
+    per_file_ignores: tuple[tuple[str, tuple[str, ...]], ...] = ()
+
+
+@dataclass(frozen=True)
+class Config:
+    """The settings of a repository. Paths and patterns are relative to ``root``, the folder of ``file``."""
+
+    root: Path
+    file: Path | None = None
+    programs: tuple[ProgramSettings, ...] = ()
+    reserved: tuple[Address, ...] = ()
+    """Addresses that allocation leaves alone."""
+    check: CheckSettings = field(default_factory=CheckSettings)
+
+    def program(self, path: Path) -> ProgramSettings:
+        """The settings of the program at ``path``; without any of its own, the defaults."""
+        for settings in self.programs:
+            if _same(settings.path, path):
+                return settings
+        return ProgramSettings(path)
+
+
+def find_config(start: Path) -> Config:
+    """The settings that hold in the folder ``start``: the nearest file upward. Raises ConfigError."""
+    for folder in (start.absolute(), *start.absolute().parents):
+        for name in (OWN_FILE, PROJECT_FILE):
+            path = folder / name
+            if path.is_file():
+                config = _read(path, optional=name == PROJECT_FILE)
+                if config is not None:
+                    return config
+    return Config(start)
+
+
+def read_config(path: Path) -> Config:
+    """The settings in a file that was named. Raises ConfigError, also when a project file has none for clickgen."""
+    config = _read(path, optional=False)
+    assert config is not None
+    return config
+
+
+def _same(one: Path, other: Path) -> bool:
+    return one.absolute() == other.absolute() or (one.exists() and other.exists() and one.samefile(other))
+
+
+# -- reading ----------------------------------------------------------------------------------------------------------
+
+T = TypeVar("T")
+
+
+def _read(path: Path, optional: bool) -> Config | None:
+    import tomllib
+
+    try:
+        tree: object = tomllib.loads(path.read_text("utf-8-sig"))
+    except OSError as error:
+        raise ConfigError(f"{path} cannot be read: {error.strerror or error}") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise ConfigError(f"{path} is not TOML: {error}") from None
+    if path.name != OWN_FILE and isinstance(tree, dict) and ("tool" in tree or path.name == PROJECT_FILE):
+        tool = tree.get("tool", {})
+        if not isinstance(tool, dict) or "clickgen" not in tool:
+            if optional:
+                return None
+            raise ConfigError(f"{path} has no [tool.clickgen]")
+        return _Table(path, "tool.clickgen", tool["clickgen"]).config()
+    return _Table(path, "", tree).config()
+
+
+class _Table:
+    """One table of the file; whatever is wrong in it is named with file and key."""
+
+    def __init__(self, file: Path, place: str, tree: object) -> None:
+        self._file = file
+        self._place = place
+        if not isinstance(tree, dict):
+            raise ConfigError(f"{file}: {place} must be a table")
+        self._tree: Mapping[str, object] = tree
+
+    def config(self) -> Config:
+        self._known("programs", "reserved", "check")
+        root = self._file.parent
+        programs = self._list("programs", lambda place, value: self._program(place, value, root))
+        paths = [str(program.path) for program in programs]
+        for path in paths:
+            if paths.count(path) > 1:
+                raise self._error("programs", f"names {path} twice")
+        reserved = tuple(address for run in self._list("reserved", self._addresses) for address in run)
+        check = _Table(self._file, self._key("check"), self._tree.get("check", {})).check()
+        return Config(root, self._file, tuple(programs), reserved, check)
+
+    def check(self) -> CheckSettings:
+        self._known("select", "extend-select", "ignore", "exclude", "per-file-ignores")
+        patterns = _Table(self._file, self._key("per-file-ignores"), self._tree.get("per-file-ignores", {}))
+        return CheckSettings(
+            tuple(self._list("select", self._code)) if "select" in self._tree else None,
+            tuple(self._list("extend-select", self._code)),
+            tuple(self._list("ignore", self._code)),
+            tuple(self._list("exclude", self._text)),
+            tuple((pattern, tuple(patterns._list(pattern, patterns._code))) for pattern in patterns._tree),
+        )
+
+    # -- values -------------------------------------------------------------------------------------------------------
+
+    def _program(self, place: str, value: object, root: Path) -> ProgramSettings:
+        if isinstance(value, str):
+            return ProgramSettings(root / value)
+        table = _Table(self._file, place, value)
+        table._known("path", "nicknames", "output")
+        path, nicknames, output = (table._optional_text(key) for key in ("path", "nicknames", "output"))
+        if path is None:
+            raise table._error("path", "is missing: it names the program's main file")
+        return ProgramSettings(root / path, root / nicknames if nicknames else None, root / output if output else None)
+
+    def _addresses(self, place: str, value: object) -> Iterable[Address]:
+        match = _RUN.fullmatch(value) if isinstance(value, str) else None
+        bank = BANKS.get(match[1].upper()) if match else None
+        if match and bank:
+            first, last = int(match[2]), int(match[3] or match[2])
+            if first <= last and bank.has(first) and bank.has(last):
+                return [Address(bank.name, number) for number in range(first, last + 1) if bank.has(number)]
+        raise ConfigError(f'{self._file}: {place} must be addresses like "DS100" or "DS1000..DS1999", not {value!r}')
+
+    def _code(self, place: str, value: object) -> str:
+        if value == "ALL":
+            return "CG"
+        if isinstance(value, str) and any(code.startswith(value) for code in CODES) and value.startswith("CG"):
+            return value
+        near = did_you_mean(str(value), CODES) or "a code is CG501, a group CG5, everything ALL"
+        raise ConfigError(f"{self._file}: {place} names no code that clickgen has: {value!r}; {near}")
+
+    def _text(self, place: str, value: object) -> str:
+        if isinstance(value, str):
+            return value
+        raise ConfigError(f"{self._file}: {place} must be a text in quotes, not {value!r}")
+
+    def _optional_text(self, key: str) -> str | None:
+        return self._text(self._key(key), self._tree[key]) if key in self._tree else None
+
+    def _list(self, key: str, read: Callable[[str, object], T]) -> list[T]:
+        values = self._tree.get(key, [])
+        if not isinstance(values, list):
+            raise self._error(key, "must be a list: [...]")
+        return [read(f"{self._key(key)}[{index}]", value) for index, value in enumerate(values)]
+
+    # -- keys ---------------------------------------------------------------------------------------------------------
+
+    def _known(self, *keys: str) -> None:
+        for key in self._tree:
+            if key not in keys:
+                hint = did_you_mean(key, keys) or f"the keys: {', '.join(keys)}"
+                raise ConfigError(f"{self._file}: unknown key {self._key(key)}; {hint}")
+
+    def _key(self, key: str) -> str:
+        return f"{self._place}.{key}" if self._place else key
+
+    def _error(self, key: str, fault: str) -> ConfigError:
+        return ConfigError(f"{self._file}: {self._key(key)} {fault}")
+
+
+_RUN = re.compile(r"([A-Za-z]{1,3})([0-9]{1,4})(?:\.\.\1([0-9]{1,4}))?")
