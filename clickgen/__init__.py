@@ -1,6 +1,7 @@
 """clickgen: ladder logic as text for AutomationDirect CLICK PLCs.
 
-``build`` does what the command ``clickgen build`` does, in memory::
+``build`` does what the command ``clickgen build`` does, in memory, and ``check`` judges a program as ``clickgen check``
+does, before anything is silenced::
 
     import clickgen
 
@@ -16,10 +17,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from clickgen.pipeline import BuildResult, CouldNotRun, build
+    from clickgen.diagnostics import CouldNotRun
+    from clickgen.pipeline import BuildResult, CheckResult, Settings, build, check
 
 __version__ = "0.1.0"
-__all__ = ["BuildResult", "CouldNotRun", "__version__", "build"]
+__all__ = ["BuildResult", "CheckResult", "CouldNotRun", "Settings", "__version__", "build", "check"]
 
 
 def __getattr__(name: str) -> Any:

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from clickgen.codes import CODES
-from clickgen.device.banks import BANKS, Address
-from clickgen.diagnostics import did_you_mean
+from clickgen.diagnostics import CouldNotRun, did_you_mean
+
+if TYPE_CHECKING:
+    from clickgen.device.banks import Address
 
 OWN_FILE, PROJECT_FILE = "clickgen.toml", "pyproject.toml"
 
 
-class ConfigError(Exception):
+class ConfigError(CouldNotRun):
     """The settings cannot be used. The message names the file, the key and the way out."""
 
 
@@ -79,7 +82,19 @@ def read_config(path: Path) -> Config:
 
 
 def _same(one: Path, other: Path) -> bool:
-    return one.absolute() == other.absolute() or (one.exists() and other.exists() and one.samefile(other))
+    if os.path.abspath(one) == os.path.abspath(other):
+        return True
+    return one.exists() and other.exists() and one.samefile(other)
+
+
+def code_prefix(value: object) -> str:
+    """A code, or the beginning of some: ``CG501``, ``CG5``, ``ALL``. Raises ValueError with the way out."""
+    if value == "ALL":
+        return "CG"
+    if isinstance(value, str) and value.startswith("CG") and any(code.startswith(value) for code in CODES):
+        return value
+    near = did_you_mean(str(value), CODES) or "a code is CG501, a group CG5, everything ALL"
+    raise ValueError(f"clickgen has no code {value!r}; {near}")
 
 
 # -- reading ----------------------------------------------------------------------------------------------------------
@@ -152,6 +167,8 @@ class _Table:
         return ProgramSettings(root / path, root / nicknames if nicknames else None, root / output if output else None)
 
     def _addresses(self, place: str, value: object) -> Iterable[Address]:
+        from clickgen.device.banks import BANKS, Address
+
         match = _RUN.fullmatch(value) if isinstance(value, str) else None
         bank = BANKS.get(match[1].upper()) if match else None
         if match and bank:
@@ -161,12 +178,10 @@ class _Table:
         raise ConfigError(f'{self._file}: {place} must be addresses like "DS100" or "DS1000..DS1999", not {value!r}')
 
     def _code(self, place: str, value: object) -> str:
-        if value == "ALL":
-            return "CG"
-        if isinstance(value, str) and any(code.startswith(value) for code in CODES) and value.startswith("CG"):
-            return value
-        near = did_you_mean(str(value), CODES) or "a code is CG501, a group CG5, everything ALL"
-        raise ConfigError(f"{self._file}: {place} names no code that clickgen has: {value!r}; {near}")
+        try:
+            return code_prefix(value)
+        except ValueError as error:
+            raise ConfigError(f"{self._file}: {place}: {error}") from None
 
     def _text(self, place: str, value: object) -> str:
         if isinstance(value, str):
@@ -197,4 +212,4 @@ class _Table:
         return ConfigError(f"{self._file}: {self._key(key)} {fault}")
 
 
-_RUN = re.compile(r"([A-Za-z]{1,3})([0-9]{1,4})(?:\.\.\1([0-9]{1,4}))?")
+_RUN = re.compile(r"([A-Za-z]{1,3})([0-9]{1,4})(?:\.\.\1([0-9]{1,4}))?", re.IGNORECASE)

@@ -10,6 +10,10 @@ from clickgen.codes import CODES, Severity
 from clickgen.source import Span
 
 
+class CouldNotRun(Exception):
+    """There is nothing to judge: a file is missing or unreadable, an output folder unusable. The message says which."""
+
+
 @dataclass(frozen=True)
 class Label:
     """A second place that a problem speaks of, such as the earlier of two owners."""

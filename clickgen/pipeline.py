@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 from clickgen.check.facts import Facts
 from clickgen.check.rules import RULES
 from clickgen.device.banks import Address
 from clickgen.device.limits import ROWS_AND_RUNGS_MAX, RUNGS_MAX
-from clickgen.diagnostics import Diagnostic, Diagnostics
+from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
 from clickgen.emit.folder import ForeignFiles, stale_files
 from clickgen.emit.ladder_csv import ladder_csv
 from clickgen.emit.listing import listing
@@ -30,12 +31,10 @@ from clickgen.source import SourceFile
 from clickgen.syntax.files import read_program
 from clickgen.syntax.parse import decode
 
+__all__ = ["BuildResult", "CheckResult", "CouldNotRun", "Settings", "build", "check"]
+
 TABLE_NAME = "nicknames.csv"
 """The address table beside a program, when none is named."""
-
-
-class CouldNotRun(Exception):
-    """There is nothing to judge: a file is missing or unreadable, an output folder unusable. The message says which."""
 
 
 @dataclass(frozen=True)
@@ -104,7 +103,24 @@ class CheckResult:
     program: Path
     sources: tuple[SourceFile, ...]
     diagnostics: tuple[Diagnostic, ...]
-    table_path: Path
+    reads: Mapping[str, bytes | None]
+    """What was read, by path; None for a file that is not there. The same bytes give the same result."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What a program is built with beside its own text.
+
+    ``nicknames`` names the address table; None is ``nicknames.csv`` beside the program. ``table_must_exist`` refuses
+    one that is not there. ``frozen`` forbids choosing addresses; ``reserved`` are never chosen. ``overlay`` gives files
+    contents other than those on disk, by real path.
+    """
+
+    nicknames: str | os.PathLike[str] | None = None
+    table_must_exist: bool = False
+    frozen: bool = False
+    reserved: tuple[Address, ...] = ()
+    overlay: Mapping[str, bytes] = field(default_factory=dict)
 
 
 def _same_file(one: Path, other: Path) -> bool:
@@ -118,8 +134,8 @@ class _Build:
     path: Path
     shown: str
     table_path: Path
-    table_must_exist: bool
-    frozen: bool
+    settings: Settings
+    reads: dict[str, bytes | None] = field(default_factory=dict)
     problems: Diagnostics = field(default_factory=Diagnostics)
     sources: tuple[SourceFile, ...] = ()
     program: Program | None = None
@@ -135,15 +151,19 @@ class _Build:
 
 
 def build(
-    path: str | os.PathLike[str], *, nicknames: str | os.PathLike[str] | None = None, frozen: bool = False
+    path: str | os.PathLike[str],
+    *,
+    nicknames: str | os.PathLike[str] | None = None,
+    frozen: bool = False,
+    settings: Settings | None = None,
 ) -> BuildResult:
     """Build the program at ``path``: everything in memory, nothing written (see ``BuildResult.write``).
 
-    ``nicknames`` names the address table; without it, it is ``nicknames.csv`` beside the program, which need not
-    exist. ``frozen`` forbids choosing addresses. Problems of the program are in the result's ``diagnostics``. Raises
-    CouldNotRun when the program or the table cannot be read.
+    ``nicknames`` names the address table, which must exist; without it, it is ``nicknames.csv`` beside the program,
+    which need not. ``frozen`` forbids choosing addresses. ``settings`` say both and more. Problems of the program are
+    in the result's ``diagnostics``. Raises CouldNotRun when the program or the table cannot be read.
     """
-    state = _run(path, nicknames, frozen, STAGES)
+    state = _run(path, settings or Settings(nicknames, nicknames is not None, frozen), STAGES)
     ok = not state.problems.has_errors
     return BuildResult(
         state.path,
@@ -158,21 +178,19 @@ def build(
     )
 
 
-def check(path: str | os.PathLike[str], *, nicknames: str | os.PathLike[str] | None = None) -> CheckResult:
+def check(path: str | os.PathLike[str], settings: Settings | None = None) -> CheckResult:
     """Judge the program at ``path`` as ``build`` would, and by the rules about logic; nothing is written.
 
     Raises CouldNotRun when the program or the table cannot be read.
     """
-    state = _run(path, nicknames, False, CHECKS)
-    return CheckResult(state.path, state.sources, state.problems.in_order(), state.table_path)
+    state = _run(path, settings or Settings(), CHECKS)
+    return CheckResult(state.path, state.sources, state.problems.in_order(), state.reads)
 
 
-def _run(
-    path: str | os.PathLike[str], nicknames: str | os.PathLike[str] | None, frozen: bool, stages: _Stages
-) -> _Build:
+def _run(path: str | os.PathLike[str], settings: Settings, stages: _Stages) -> _Build:
     program = Path(path)
-    table = Path(nicknames) if nicknames is not None else program.parent / TABLE_NAME
-    state = _Build(program, str(path), table, nicknames is not None, frozen)
+    table = Path(settings.nicknames) if settings.nicknames is not None else program.parent / TABLE_NAME
+    state = _Build(program, str(path), table, settings)
     for stage, needs_no_errors in stages:
         if needs_no_errors and state.problems.has_errors:
             break
@@ -185,19 +203,20 @@ def _run(
 
 def _read_table(state: _Build) -> None:
     path, shown = state.table_path, str(state.table_path)
-    if not path.exists() and not path.is_symlink() and not state.table_must_exist:
+    if not path.exists() and not path.is_symlink() and not state.settings.table_must_exist:
         state.table = AddressTable.empty(shown)
+        state.reads[shown] = None
         return
     try:
         state.table = read_table(path, shown, state.problems)
     except TableUnreadable as error:
         raise CouldNotRun(str(error)) from None
-    state.table_before = state.table.to_bytes()
+    state.table_before = state.reads[shown] = state.table.to_bytes()
 
 
 def _read_source(state: _Build) -> None:
     try:
-        data = state.path.read_bytes()
+        data = _bytes_of(state, state.shown)
     except FileNotFoundError:
         raise CouldNotRun(f"there is no file {state.shown}") from None
     except OSError as error:
@@ -205,16 +224,20 @@ def _read_source(state: _Build) -> None:
         raise CouldNotRun(f"{state.shown} cannot be read: {reason}") from None
     source = decode(state.shown, data, state.problems)
     if source is not None:
-        state.program, state.sources = read_program(source, _bytes_of, state.problems)
+        state.program, state.sources = read_program(source, partial(_bytes_of, state), state.problems)
 
 
-def _bytes_of(path: str) -> bytes:
-    return Path(path).read_bytes()
+def _bytes_of(state: _Build, path: str) -> bytes:
+    state.reads[path] = None
+    data = state.settings.overlay.get(os.path.realpath(path))
+    state.reads[path] = data = Path(path).read_bytes() if data is None else data
+    return data
 
 
 def _resolve(state: _Build) -> None:
     if state.program is not None:
-        state.resolved = resolve(state.program, state.table, state.frozen, state.problems)
+        settings = state.settings
+        state.resolved = resolve(state.program, state.table, settings.frozen, state.problems, settings.reserved)
 
 
 def _check(state: _Build) -> None:
@@ -242,7 +265,7 @@ def _place_scratch(state: _Build) -> None:
     """Every address is known now: the scratch cells get theirs, and the table its new rows."""
     assert state.resolved is not None
     resolved = state.resolved
-    placed = state.scratch.assign(state.table, resolved.allocator, state.frozen, state.problems)
+    placed = state.scratch.assign(state.table, resolved.allocator, state.settings.frozen, state.problems)
     if len(placed) < len(state.scratch.uses):
         return
     if placed:
@@ -253,7 +276,7 @@ def _place_scratch(state: _Build) -> None:
         *resolved.allocated,
         *(row for row in state.scratch_rows if row.address not in state.table.by_address),
     )
-    if not state.frozen:
+    if not state.settings.frozen:
         state.table = state.table.extended((*resolved.rows, *state.scratch_rows))
 
 

@@ -86,7 +86,7 @@ def test_how_the_program_is_named_changes_no_output(folder: Path) -> None:
         (["build", "."], "folder"),
         (["build", "prog.py", "--frozn"], "--frozen"),
         (["buidl", "prog.py"], "did you mean build"),
-        (["build"], "PROG.py"),
+        (["build"], "no program is named"),
         (["build", "prog.py", "--nicknames", "none.csv"], "none.csv"),
         (["build", "prog.py", "-o", "prog.py/x"], "prog.py"),
         (["build", "prog.py", "-o", "."], "choose another folder"),

@@ -3,36 +3,78 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
 
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
-from clickgen.cli.render import printable, summary, write_problems
-from clickgen.emit.write import ChangedMeanwhile
-from clickgen.pipeline import BuildResult, CouldNotRun, build
+from clickgen.config import Config, ProgramSettings, find_config, read_config
+from clickgen.diagnostics import CouldNotRun
+from clickgen.pipeline import BuildResult, Settings, build
+from clickgen.report.frames import printable, summary, write_problems
 from clickgen.wording import counted
 
 
-def run(program: str, output: str | None, nicknames: str | None, frozen: bool) -> int:
-    """Build and write; returns the exit code."""
-    folder = Path("build") / Path(program).stem if output is None else Path(output)
+@dataclass(frozen=True)
+class _Job:
+    """One program to build: where it is, what with, where to."""
+
+    program: str
+    settings: Settings
+    folder: Path
+
+
+def run(program: str | None, output: str | None, nicknames: str | None, frozen: bool, config: str | None) -> int:
+    """Build and write, without a program every configured one, all of them or none; returns the exit code."""
     try:
-        if output == "":
-            raise CouldNotRun("the output folder after -o is empty")
-        result = build(program, nicknames=nicknames, frozen=frozen)
-        write_problems(result.diagnostics, result.sources, sys.stderr)
-        if not result.ok:
-            print(f"clickgen: {summary(result.diagnostics)}; nothing was written", file=sys.stderr)
+        jobs = _jobs(program, output, nicknames, frozen, config)
+        results = [build(job.program, settings=job.settings) for job in jobs]
+        for result in results:
+            write_problems(result.diagnostics, result.sources, sys.stderr)
+        if not all(result.ok for result in results):
+            print(f"clickgen: {_summary(results)}; nothing was written", file=sys.stderr)
             return PROBLEMS
-        result.write(folder)
-    except (CouldNotRun, ChangedMeanwhile) as error:
+        for job, result in zip(jobs, results, strict=True):
+            result.write(job.folder)
+            print(_report(result, job.folder))
+    except CouldNotRun as error:
         print(f"clickgen: {printable(str(error))}", file=sys.stderr)
         return COULD_NOT_RUN
     except OSError as error:
         place = f"{error.filename}: " if error.filename else ""
         print(f"clickgen: {printable(place)}{error.strerror or error}; nothing was written", file=sys.stderr)
         return COULD_NOT_RUN
-    print(_report(result, folder))
     return OK
+
+
+def _jobs(
+    program: str | None, output: str | None, nicknames: str | None, frozen: bool, config: str | None
+) -> list[_Job]:
+    if output == "":
+        raise CouldNotRun("the output folder after -o is empty")
+    settings = read_config(Path(config)) if config else find_config(Path.cwd())
+    if program is not None:
+        own = settings.program(Path(program))
+        folder = own.output or Path("build") / Path(program).stem
+        return [_job(program, own, folder if output is None else Path(output), nicknames, frozen, settings)]
+    if not settings.programs:
+        raise CouldNotRun("no program is named: write clickgen build prog.py, or name programs in clickgen.toml")
+    if len(settings.programs) > 1 and (output or nicknames):
+        raise CouldNotRun("several programs are configured: -o and --nicknames go with one, so name it")
+    jobs = []
+    for own in settings.programs:
+        folder = own.output or settings.root / "build" / own.path.stem
+        jobs.append(_job(str(own.path), own, Path(output) if output else folder, nicknames, frozen, settings))
+    folders = [job.folder for job in jobs]
+    twice = next((folder for folder in folders if folders.count(folder) > 1), None)
+    if twice:
+        raise CouldNotRun(f"two programs would be built into {twice}: give each an output in {settings.file}")
+    return jobs
+
+
+def _job(program: str, own: ProgramSettings, folder: Path, nicknames: str | None, frozen: bool, config: Config) -> _Job:
+    table = nicknames if nicknames is not None else own.nicknames
+    return _Job(program, Settings(table, nicknames is not None, frozen, config.reserved), folder)
 
 
 def _report(result: BuildResult, folder: Path) -> str:
@@ -45,7 +87,7 @@ def _report(result: BuildResult, folder: Path) -> str:
     lines = [f"Built {result.program.name}: {', '.join(counts)}."]
     if new:
         lines.append(f"{counted(len(new), 'new address', 'new addresses')} in {result.table_path}: commit it.")
-    noted = summary(result.diagnostics)
+    noted = _summary([result])
     if noted:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
     lines += [f"Files: {folder}", "Next:"]
@@ -56,3 +98,7 @@ def _report(result: BuildResult, folder: Path) -> str:
     steps.append(f"in ClickNick: Ladder > Open in Guided Paste, {folder}")
     lines += [f"  {number}. {step}" for number, step in enumerate(steps, 1)]
     return "\n".join(lines)
+
+
+def _summary(results: Iterable[BuildResult]) -> str:
+    return summary(problem.severity for result in results for problem in result.diagnostics)

@@ -9,18 +9,33 @@ from collections.abc import Callable, Sequence
 from typing import NoReturn
 
 from clickgen import __version__
+from clickgen.formats import FORMATS
 
 _EXAMPLES = """\
 examples:
   clickgen build prog.py              build into build/prog/
   clickgen build prog.py -o out       build into out/
   clickgen build prog.py --frozen     in CI: fail where the address table lacks a name
+  clickgen check                      find mistakes, and logic worth a second look
+  clickgen explain CG501              what a code means and what to do
+"""
+_CHECK_EXAMPLES = """\
+examples:
+  clickgen check                      check the configured programs, else what is below the working folder
+  clickgen check plc.py --fix         mend what can be mended without changing what the program does
+  clickgen check --diff               show what --fix would change
+  clickgen check --select ALL --ignore CG504,CG505
+  clickgen check --output-format github --deny-warnings
+  cat plc.py | clickgen check - --stdin-filename plc.py
+
+exit codes: 0 nothing to say, or notes only; 1 findings; 2 could not run
 """
 _BUILD_EXAMPLES = """\
 examples:
   clickgen build prog.py
   clickgen build prog.py -o out --nicknames plant/nicknames.csv
   clickgen build prog.py --frozen
+  clickgen build                      every program that the settings name
 
 exit codes: 0 built; 1 problems in the program; 2 could not run
 """
@@ -33,7 +48,7 @@ class _Parser(argparse.ArgumentParser):
 
 def _hint(message: str, parser: argparse.ArgumentParser) -> str:
     """``did you mean --frozen?`` for a near miss of a flag or a command."""
-    words = message.replace("'", " ").split()
+    words = message.replace("'", " ").replace(":", " ").split()
     known = [option for action in parser._actions for option in (*action.option_strings, *(action.choices or ()))]
     unknown = [word for word in words if word.startswith("-") or "invalid choice" in message]
     for word in unknown:
@@ -55,6 +70,9 @@ def parse(arguments: Sequence[str]) -> int:
     parser.add_argument("--version", action="version", version=f"clickgen {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", dest="command", parser_class=_Parser)
     _add_build(commands)
+    _add_check(commands)
+    _add_rules(commands)
+    _add_explain(commands)
     options, rest = parser.parse_known_args(arguments)
     run: Callable[[argparse.Namespace], int] | None = getattr(options, "run", None)
     if rest:
@@ -74,16 +92,100 @@ def _add_build(commands: argparse._SubParsersAction[_Parser]) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
         allow_abbrev=False,
     )
-    build.add_argument("program", metavar="PROG.py", help="the program")
+    build.add_argument("program", metavar="PROG.py", nargs="?", help="the program (default: every configured one)")
     build.add_argument("-o", "--output", metavar="DIR", help="the output folder (default: build/<program>/)")
     build.add_argument(
         "--nicknames", metavar="TABLE.csv", help="the address table (default: nicknames.csv beside the program)"
     )
     build.add_argument("--frozen", action="store_true", help="choose no address; fail where one is missing")
+    build.add_argument("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
     build.set_defaults(run=_run_build)
+
+
+def _add_check(commands: argparse._SubParsersAction[_Parser]) -> None:
+    check = commands.add_parser(
+        "check",
+        help="find mistakes, and logic worth a second look",
+        description="Check programs: the problems that a build would have, and rules about logic. Nothing is written "
+        "unless asked for.",
+        epilog=_CHECK_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    add = check.add_argument
+    add("paths", metavar="PATH", nargs="*", help="files and folders; - is the standard input")
+    mend = check.add_argument_group("mending")
+    mend.add_argument("--fix", action="store_true", help="apply the safe fixes")
+    mend.add_argument("--unsafe-fixes", action="store_true", help="with --fix: also those that could change meaning")
+    mend.add_argument("--diff", action="store_true", help="show what fixes would change, and change nothing")
+    mend.add_argument("--add-ignore", action="store_true", help="silence every warning by a comment where it stands")
+    choose = check.add_argument_group("choosing")
+    for flag, what in (
+        ("--select", "only these codes or groups of codes, such as CG5 or ALL"),
+        ("--extend-select", "these beside those that are on"),
+        ("--ignore", "not these; the most specific wins"),
+    ):
+        choose.add_argument(flag, metavar="CODES", action="append", type=_codes, default=None, help=what)
+    choose.add_argument("--exclude", metavar="PATTERN", action="append", default=[], help="leave these paths out")
+    choose.add_argument("--force-exclude", action="store_true", help="leave them out also when they are named")
+    choose.add_argument("--baseline", metavar="FILE", help="show only what is new since FILE was made; makes it if new")
+    tell = check.add_argument_group("telling")
+    tell.add_argument("--output-format", metavar="FORMAT", default="text", help=f"one of {', '.join(FORMATS)}")
+    tell.add_argument("-o", "--output", metavar="FILE", help="write the report into FILE")
+    tell.add_argument("--statistics", action="store_true", help="count the findings of each code")
+    tell.add_argument("-q", "--quiet", action="store_true", help="findings only, no summary")
+    tell.add_argument("--exit-zero", action="store_true", help="exit with 0 whatever is found")
+    tell.add_argument("--deny-warnings", action="store_true", help="warnings and notes are errors")
+    add("--stdin-filename", metavar="FILE", help="the name of what comes from the standard input")
+    add("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+    add("--no-cache", action="store_true", help="judge everything anew")
+    check.set_defaults(run=_run_check)
+
+
+def _codes(text: str) -> list[str]:
+    from clickgen.config import code_prefix
+
+    try:
+        return [code_prefix(word.strip()) for word in text.split(",") if word.strip()]
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def _run_check(options: argparse.Namespace) -> int:
+    from clickgen.cli.check import run
+
+    return run(options)
+
+
+def _add_rules(commands: argparse._SubParsersAction[_Parser]) -> None:
+    rules = commands.add_parser(
+        "rules", help="list every code", description="Every code with its severity and title.", allow_abbrev=False
+    )
+    rules.add_argument("--output-format", choices=("text", "json"), default="text", help="text or json")
+    rules.set_defaults(run=_run_rules)
+
+
+def _run_rules(options: argparse.Namespace) -> int:
+    from clickgen.cli.rules import run
+
+    return run(options.output_format)
+
+
+def _add_explain(commands: argparse._SubParsersAction[_Parser]) -> None:
+    explain = commands.add_parser(
+        "explain", help="say what a code means", description="What a code means and what to do.", allow_abbrev=False
+    )
+    explain.add_argument("code", metavar="CODE", help="such as CG501")
+    explain.set_defaults(run=_run_explain)
+
+
+def _run_explain(options: argparse.Namespace) -> int:
+    from clickgen.cli.explain import run
+
+    return run(options.code)
 
 
 def _run_build(options: argparse.Namespace) -> int:
     from clickgen.cli.build import run
 
-    return run(options.program, options.output, options.nicknames, options.frozen)
+    return run(options.program, options.output, options.nicknames, options.frozen, options.config)

@@ -10,8 +10,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from clickgen.diagnostics import CouldNotRun
 
-class ChangedMeanwhile(Exception):
+
+class ChangedMeanwhile(CouldNotRun):
     """A file that the new contents were made from is no longer what it was; nothing has been written."""
 
     def __init__(self, path: Path) -> None:

@@ -36,15 +36,22 @@ class Resolved:
     table: AddressTable
 
 
-def resolve(program: Program, table: AddressTable, frozen: bool, problems: Diagnostics) -> Resolved:
+def resolve(
+    program: Program,
+    table: AddressTable,
+    frozen: bool,
+    problems: Diagnostics,
+    reserved: Iterable[Address] = (),
+) -> Resolved:
     """Replace every name by its address. Names without one are allocated, or reported when ``frozen``.
 
-    Names with a problem stay in the tree, so that the rules after this judge all the rest.
+    ``reserved`` addresses are given to no name. Names with a problem stay in the tree, so that the rules after this
+    judge all the rest.
     """
     declared = declare(program.declarations, table, problems)
     resolver = _Resolver(table, declared, frozen, problems)
     operands = list(program_operands(program))
-    resolver.allocator.take(_addresses(operands))
+    resolver.allocator.take((*reserved, *_addresses(operands)))
     resolver.name(program, list(_named(operands)))
     resolved = _Names(resolver.addresses).program(program)
     _guard_scratch(resolved, table, problems)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import unicodedata
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from typing import TextIO
 
 from clickgen.codes import Severity
 from clickgen.diagnostics import Diagnostic
 from clickgen.source import SourceFile, Span
+from clickgen.wording import counted
 
 _COLORS = {Severity.ERROR: "31", Severity.WARNING: "33", Severity.INFO: "36"}
 _FRAME_WIDTH = 110
@@ -24,12 +26,18 @@ def use_color(stream: TextIO) -> bool:
 class Renderer:
     """Writes problems for people. ``line_of`` gives the text of a file's line for the frame."""
 
-    def __init__(self, color: bool, line_of: Callable[[str, int], str]) -> None:
+    def __init__(
+        self,
+        color: bool,
+        line_of: Callable[[str, int], str],
+        severity_of: Callable[[Diagnostic], Severity] = lambda problem: problem.severity,
+    ) -> None:
         self._color = color
         self._line_of = line_of
+        self._severity_of = severity_of
 
     def render(self, problem: Diagnostic) -> str:
-        severity = problem.severity
+        severity = self._severity_of(problem)
         head = self._paint(f"{severity.value}[{problem.code}]", f"1;{_COLORS[severity]}")
         place = f"{printable(problem.span.path)}:{problem.span.line}:{problem.span.col}: " if problem.span else ""
         lines = [f"{self._paint(place, '1')}{head}: {printable(problem.message)}"]
@@ -82,15 +90,13 @@ def _width(text: str) -> int:
     return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
 
 
-def summary(problems: Iterable[Diagnostic]) -> str:
+_NOUNS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
+
+
+def summary(severities: Iterable[Severity]) -> str:
     """``2 errors, 1 warning``, or an empty text."""
-    counts: dict[Severity, int] = dict.fromkeys(Severity, 0)
-    for problem in problems:
-        counts[problem.severity] += 1
-    nouns = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
-    return ", ".join(
-        f"{count} {nouns[severity]}{'s' if count > 1 else ''}" for severity, count in counts.items() if count
-    )
+    counts = Counter(severities)
+    return ", ".join(counted(counts[severity], noun) for severity, noun in _NOUNS.items() if counts[severity])
 
 
 def source_lines(sources: Iterable[SourceFile]) -> Callable[[str, int], str]:

@@ -1,0 +1,75 @@
+"""Judging programs: each by the pipeline, several on all cores, an unchanged one out of the cache."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from clickgen.checking.cache import Cache, Cached, key_of
+from clickgen.checking.discover import Target
+
+if TYPE_CHECKING:
+    from clickgen.device.banks import Address
+
+_MANY = 4
+"""Fewer programs than this are judged one after the other: starting processes costs more."""
+
+Judged = tuple[Cached, Mapping[str, bytes | None]]
+"""The findings of a program, and what was read for them."""
+
+
+@dataclass(frozen=True)
+class Judge:
+    """``overlay`` gives files contents other than those on disk, by real path; such programs are not cached.
+
+    ``progress`` is told after each program how many are done.
+    """
+
+    cache: Cache
+    reserved: tuple[Address, ...] = ()
+    overlay: Mapping[str, bytes] = field(default_factory=dict)
+    progress: Callable[[int], None] = field(default=lambda _: None)
+
+    def __call__(self, targets: Sequence[Target]) -> dict[Target, Cached]:
+        """The findings of each target. Raises CouldNotRun when one cannot be read."""
+        found: dict[Target, Cached] = {}
+        keys = {target: self._key(target) for target in targets} if not self.overlay else {}
+        for target, key in keys.items():
+            cached = self.cache.get(key)
+            if cached is not None:
+                found[target] = cached
+        waiting = [target for target in targets if target not in found]
+        for target, (cached, reads) in self._judged(waiting):
+            found[target] = cached
+            if not self.overlay:
+                self.cache.put(keys[target], cached, reads)
+            self.progress(len(found))
+        return found
+
+    def _key(self, target: Target) -> str:
+        return key_of(target, self.reserved)
+
+    def _judged(self, targets: list[Target]) -> Iterator[tuple[Target, Judged]]:
+        cores = min(len(targets), os.cpu_count() or 1)
+        if len(targets) < _MANY or cores < 2:
+            yield from ((target, judge(target, self.reserved, self.overlay)) for target in targets)
+            return
+        from concurrent.futures import ProcessPoolExecutor
+
+        with ProcessPoolExecutor(cores) as pool:
+            tasks = [pool.submit(judge, target, self.reserved, self.overlay) for target in targets]
+            yield from ((target, task.result()) for target, task in zip(targets, tasks, strict=True))
+
+
+def judge(target: Target, reserved: tuple[Address, ...], overlay: Mapping[str, bytes]) -> Judged:
+    """What is to be said about one program. Raises CouldNotRun."""
+    from clickgen.pipeline import Settings, check
+
+    result = check(target.path, Settings(target.nicknames, reserved=reserved, overlay=overlay))
+    findings = result.diagnostics
+    if target.is_part:
+        # A part has no main of its own, and what it lacks another file may bring.
+        findings = tuple(finding for finding in findings if finding.code != "CG401")
+    return Cached(findings, tuple(source.path for source in result.sources)), result.reads

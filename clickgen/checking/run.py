@@ -1,0 +1,200 @@
+"""One check of a repository: judge, select, silence, mend."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fnmatch import fnmatch
+from pathlib import Path
+
+from clickgen.check.select import Selection
+from clickgen.check.suppress import Directive, ignoring, read_directives, report_unused, silenced
+from clickgen.checking.cache import FOLDER, Cache, Cached
+from clickgen.checking.discover import Target, targets
+from clickgen.checking.judge import Judge
+from clickgen.codes import CODES
+from clickgen.config import Config
+from clickgen.diagnostics import Diagnostic, Diagnostics, Fix
+from clickgen.source import SourceFile
+from clickgen.syntax.parse import decode
+
+_ROUNDS_MAX = 10
+"""Fixes may make room for others; so often, and a fix that undoes another ends."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """What to check and how. ``stdin`` is the text of the only path, which need not exist then."""
+
+    config: Config
+    selection: Selection = field(default_factory=Selection)
+    paths: tuple[str, ...] = ()
+    exclude: tuple[str, ...] = ()
+    force_exclude: bool = False
+    use_cache: bool = True
+    stdin: bytes | None = None
+    progress: Callable[[int, int], None] = field(default=lambda *_: None)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What was found. ``sources`` are the files as they were judged, by path, with fixes in them."""
+
+    findings: tuple[Diagnostic, ...]
+    sources: Mapping[str, SourceFile]
+    fixed: int = 0
+    before: Mapping[str, bytes] = field(default_factory=dict)
+    """Files that fixes change, as they are on disk."""
+    after: Mapping[str, bytes] = field(default_factory=dict)
+
+    def line_of(self, path: str, number: int) -> str:
+        source = self.sources.get(path)
+        return source.line(number) if source else _line_on_disk(path, number)
+
+    def write(self) -> list[Path]:
+        """Put the fixed files in place, all of them or none. Raises OSError, ChangedMeanwhile."""
+        if not self.after:
+            return []
+        from clickgen.emit.write import put_in_place
+
+        return put_in_place(
+            {Path(path): data for path, data in self.after.items()},
+            (),
+            {Path(path): data for path, data in self.before.items()},
+        )
+
+
+def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
+    """Check, and with ``fix`` mend in memory what can be mended. Raises CouldNotRun."""
+    overlay: dict[str, bytes] = {}
+    if request.stdin is not None:
+        overlay[os.path.realpath(request.paths[0])] = request.stdin
+        found = [Target(request.paths[0], _table(request, request.paths[0]))]
+    else:
+        found = targets(request.paths, request.config, request.exclude, request.force_exclude)
+    outcome = _look(request, found, overlay)
+    if not fix:
+        return outcome
+    before: dict[str, bytes] = {}
+    after: dict[str, bytes] = {}
+    count = 0
+    for _ in range(_ROUNDS_MAX):
+        changed = _mended(outcome.findings, overlay, unsafe)
+        if not changed:
+            break
+        for path, (old, new, number) in changed.items():
+            before.setdefault(path, old)
+            after[path] = overlay[os.path.realpath(path)] = new
+            count += number
+        outcome = _look(request, found, overlay)
+    return replace(outcome, fixed=count, before=before, after=after)
+
+
+def add_ignores(outcome: Outcome) -> Outcome:
+    """The outcome with a comment in the source for each finding that a comment can silence."""
+    before: dict[str, bytes] = {}
+    after: dict[str, bytes] = {}
+    count = 0
+    for path, source in outcome.sources.items():
+        fix = ignoring(source, outcome.findings)
+        if fix is not None:
+            before[path] = Path(path).read_bytes()
+            after[path] = _fixed(before[path], [fix])[0]
+            count += sum(finding.span is not None and finding.span.path == path for finding in outcome.findings)
+    return replace(outcome, fixed=count, before=before, after=after)
+
+
+def _table(request: Request, path: str) -> str | None:
+    nicknames = request.config.program(Path(path)).nicknames
+    return str(nicknames) if nicknames else None
+
+
+def _line_on_disk(path: str, number: int) -> str:
+    try:
+        lines = Path(path).read_text("utf-8-sig", "replace").splitlines()
+    except OSError:
+        return ""
+    return lines[number - 1] if 0 < number <= len(lines) else ""
+
+
+# -- looking ----------------------------------------------------------------------------------------------------------
+
+
+def _look(request: Request, found: Sequence[Target], overlay: Mapping[str, bytes]) -> Outcome:
+    cache = Cache(Path(request.config.root) / FOLDER if request.use_cache else None)
+    judge = Judge(cache, request.config.reserved, dict(overlay), lambda done: request.progress(done, len(found)))
+    judged = judge(found)
+    sources = _sources(judged.values(), overlay)
+    # A file of several programs has its findings once.
+    findings = list(dict.fromkeys(finding for cached in judged.values() for finding in cached.findings))
+    problems = Diagnostics()
+    directives: list[Directive] = []
+    for source in sources.values():
+        directives += read_directives(source, problems)
+    wanted = [finding for finding in findings if request.selection.wants(finding.code)]
+    wanted = [finding for finding in wanted if not _is_ignored_there(finding, request.config)]
+    left, _ = silenced(wanted, directives)
+    for source in sources.values():
+        report_unused(source, directives, _judged_codes(request, source.path, judged), problems)
+    own = [finding for finding in problems.found if request.selection.wants(finding.code)]
+    left += [finding for finding in own if not _is_ignored_there(finding, request.config)]
+    return Outcome(tuple(sorted(left, key=lambda finding: finding.sort_key)), sources)
+
+
+def _sources(judged: Iterable[Cached], overlay: Mapping[str, bytes]) -> dict[str, SourceFile]:
+    sources: dict[str, SourceFile] = {}
+    for path in sorted({path for cached in judged for path in cached.sources}):
+        data = overlay.get(os.path.realpath(path))
+        source = decode(path, Path(path).read_bytes() if data is None else data, Diagnostics())
+        if source is not None:
+            sources[path] = source
+    return sources
+
+
+def _is_ignored_there(finding: Diagnostic, config: Config) -> bool:
+    """True for a warning that the settings silence in its file."""
+    if finding.span is None or finding.is_error or not config.check.per_file_ignores:
+        return False
+    path, root = Path(os.path.abspath(finding.span.path)), Path(os.path.abspath(config.root))
+    shown = path.relative_to(root).as_posix() if path.is_relative_to(root) else path.as_posix()
+    return any(
+        finding.code.startswith(codes) and (fnmatch(shown, pattern) or fnmatch(path.name, pattern))
+        for pattern, codes in config.check.per_file_ignores
+    )
+
+
+def _judged_codes(request: Request, path: str, judged: Mapping[Target, Cached]) -> list[str]:
+    """The codes for which a file was really judged: the rules about logic wait until there are no errors."""
+    whole = not any(
+        finding.is_error for cached in judged.values() if path in cached.sources for finding in cached.findings
+    )
+    return [code for code in CODES if request.selection.wants(code) and (whole or not code.startswith("CG5"))]
+
+
+# -- mending ----------------------------------------------------------------------------------------------------------
+
+
+def _mended(
+    findings: Iterable[Diagnostic], overlay: Mapping[str, bytes], unsafe: bool
+) -> dict[str, tuple[bytes, bytes, int]]:
+    """The files that these findings' fixes change: each before and after, and how many fixes went in."""
+    fixes: dict[str, list[Fix]] = {}
+    for finding in findings:
+        if finding.fix and (finding.fix.is_safe or unsafe):
+            fixes.setdefault(finding.fix.edits[0].span.path, []).append(finding.fix)
+    changed: dict[str, tuple[bytes, bytes, int]] = {}
+    for path, wanted in fixes.items():
+        old = overlay.get(os.path.realpath(path))
+        old = Path(path).read_bytes() if old is None else old
+        new, count = _fixed(old, wanted)
+        if new != old:
+            changed[path] = (old, new, count)
+    return changed
+
+
+def _fixed(data: bytes, fixes: Sequence[Fix]) -> tuple[bytes, int]:
+    from clickgen.fixing import apply_fixes
+
+    text, count = apply_fixes(data.decode("utf-8"), fixes)
+    return text.encode("utf-8"), count

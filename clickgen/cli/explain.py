@@ -1,0 +1,21 @@
+"""``clickgen explain CODE``: what a code means and what to do."""
+
+from __future__ import annotations
+
+import sys
+
+from clickgen.cli import COULD_NOT_RUN, OK
+from clickgen.codes import CODES
+from clickgen.diagnostics import did_you_mean
+from clickgen.explain import explanation, plain
+
+
+def run(code: str) -> int:
+    """Print the page of a code; returns the exit code."""
+    name = code.upper()
+    if name not in CODES:
+        hint = did_you_mean(name, CODES) or "clickgen rules lists them"
+        print(f"clickgen: there is no code {code}; {hint}", file=sys.stderr)
+        return COULD_NOT_RUN
+    print(plain(explanation(name)), end="")
+    return OK
