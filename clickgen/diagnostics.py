@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
@@ -91,6 +90,8 @@ class Diagnostics:
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """``did you mean x?`` for a near miss, whatever its case; else an empty string."""
+    import difflib
+
     spelled = {name.lower(): name for name in known}
     close = difflib.get_close_matches(word.lower(), list(spelled), n=1, cutoff=0.6)
     return f"did you mean {spelled[close[0]]}?" if close else ""

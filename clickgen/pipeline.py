@@ -113,7 +113,7 @@ class Settings:
 
     ``nicknames`` names the address table; None is ``nicknames.csv`` beside the program. ``table_must_exist`` refuses
     one that is not there. ``frozen`` forbids choosing addresses; ``reserved`` are never chosen. ``overlay`` gives files
-    contents other than those on disk, by real path.
+    contents other than those on disk, by real path. ``wants`` says of a code whether a check should look for it.
     """
 
     nicknames: str | os.PathLike[str] | None = None
@@ -121,6 +121,7 @@ class Settings:
     frozen: bool = False
     reserved: tuple[Address, ...] = ()
     overlay: Mapping[str, bytes] = field(default_factory=dict)
+    wants: Callable[[str], bool] = field(default=lambda _: True)
 
 
 def _same_file(one: Path, other: Path) -> bool:
@@ -253,7 +254,8 @@ def _lint(state: _Build) -> None:
     assert state.resolved is not None
     facts = Facts(state.resolved.program, {source.path: source for source in state.sources}, _nicknames(state))
     for rule in LINT_RULES:
-        rule.check(facts, state.problems)
+        if state.settings.wants(rule.code):
+            rule.check(facts, state.problems)
 
 
 def _lower(state: _Build) -> None:

@@ -1,8 +1,9 @@
 """Ratios measured in one run, for this machine: never quote a single time of it.
 
-cold build of 2,000 rungs against a bare libcst.parse_module of the same file, whole processes;
+cold build and cold check of 2,000 rungs against a bare libcst.parse_module of the same file, whole processes;
 growth of the build from 500 to 4,000 rungs;
-clickgen --version against a bare python -c pass.
+a repeated check, and its growth with the number of files, against a bare python -c pass;
+clickgen --version against the same.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from pathlib import Path
 
 RUNS = 7
 PER_ROUTINE = 200
+FILES = 100
 
 
 def rung(number: int) -> str:
@@ -69,6 +71,15 @@ def program(rungs: int) -> str:
     return "\n\n".join((main, *routines))
 
 
+def clean_program(rungs: int) -> str:
+    """A program of so many rungs in which there is nothing to find."""
+    body = "\n".join(
+        f"    # Motor {n}\n    if all(c[{n + 1}], nc(x[{n % 16 + 1}])):\n        out(c[{n + 1001}])\n"
+        for n in range(rungs)
+    )
+    return f"def main():\n{body}\n    if True:\n        end()\n"
+
+
 def seconds(command: Sequence[str], before: Callable[[], None]) -> float:
     before()
     start = time.perf_counter()
@@ -109,6 +120,23 @@ def main() -> None:
         per_rung = {rungs: 1000 * spent / rungs for rungs, spent in times.items()}
         shown = ", ".join(f"{rungs}: {spent:.2f} ms" for rungs, spent in per_rung.items())
         print(f"time per rung as programs grow: {shown} (linear: it does not rise)")
+
+        check = [*clickgen, "check", "--exit-zero", "-q", "-o", str(folder / "report.txt")]
+        ours, bare = compare([*check, "--no-cache", str(folder / "p2000.py")], parse, cold)
+        print(f"cold check of 2,000 rungs / bare libcst parse: {ours / bare:.2f} (at most 1.5)")
+
+        plant = folder / "plant"
+        for number in range(FILES):
+            (plant / f"line{number}").mkdir(parents=True)
+            (plant / f"line{number}" / "plc.py").write_text(clean_program(100))
+        one = [*check, "--config", str(folder / "clickgen.toml"), str(plant / "line0")]
+        every = [*one[:-1], str(plant)]
+        (folder / "clickgen.toml").write_text("")
+        subprocess.run(every, check=True)
+        warm, nothing = compare(one, [python, "-c", "pass"], lambda: None)
+        print(f"repeated check of one file / python -c pass: {warm / nothing:.1f} (at most 6)")
+        more, warm = compare(every, one, lambda: None)
+        print(f"each further unchanged file: {1000 * (more - warm) / (FILES - 1):.2f} ms (below 1)")
 
         version, nothing = compare([*clickgen, "--version"], [python, "-c", "pass"], lambda: None)
         print(f"clickgen --version / python -c pass: {version / nothing:.1f} (at most 6)")

@@ -7,6 +7,7 @@ import json
 import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from clickgen import __version__
@@ -70,6 +71,7 @@ def key_of(*parts: object) -> str:
     return json.dumps([_FORMAT, __version__, _own_state(), *map(str, parts)])
 
 
+@cache
 def _own_state() -> int:
     """The youngest of clickgen's own files: a checkout that is worked on has no version of its own."""
     youngest = 0

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from clickgen.check.select import Selection
 from clickgen.checking.cache import Cache, Cached, key_of
 from clickgen.checking.discover import Target
 
@@ -28,6 +29,7 @@ class Judge:
     """
 
     cache: Cache
+    selection: Selection
     reserved: tuple[Address, ...] = ()
     overlay: Mapping[str, bytes] = field(default_factory=dict)
     progress: Callable[[int], None] = field(default=lambda _: None)
@@ -49,27 +51,30 @@ class Judge:
         return found
 
     def _key(self, target: Target) -> str:
-        return key_of(target, self.reserved)
+        return key_of(target, self.reserved, self.selection)
 
     def _judged(self, targets: list[Target]) -> Iterator[tuple[Target, Judged]]:
         cores = min(len(targets), os.cpu_count() or 1)
         if len(targets) < _MANY or cores < 2:
-            yield from ((target, judge(target, self.reserved, self.overlay)) for target in targets)
+            yield from ((target, judge(target, self.selection, self.reserved, self.overlay)) for target in targets)
             return
         from concurrent.futures import ProcessPoolExecutor
 
         with ProcessPoolExecutor(cores) as pool:
-            tasks = [pool.submit(judge, target, self.reserved, self.overlay) for target in targets]
+            tasks = [pool.submit(judge, target, self.selection, self.reserved, self.overlay) for target in targets]
             yield from ((target, task.result()) for target, task in zip(targets, tasks, strict=True))
 
 
-def judge(target: Target, reserved: tuple[Address, ...], overlay: Mapping[str, bytes]) -> Judged:
-    """What is to be said about one program. Raises CouldNotRun."""
+def judge(target: Target, selection: Selection, reserved: tuple[Address, ...], overlay: Mapping[str, bytes]) -> Judged:
+    """What is to be said about one program, of what is wanted. Raises CouldNotRun."""
     from clickgen.pipeline import Settings, check
 
-    result = check(target.path, Settings(target.nicknames, reserved=reserved, overlay=overlay))
-    findings = result.diagnostics
-    if target.is_part:
-        # A part has no main of its own, and what it lacks another file may bring.
-        findings = tuple(finding for finding in findings if finding.code != "CG401")
+    settings = Settings(target.nicknames, reserved=reserved, overlay=overlay, wants=selection.wants)
+    result = check(target.path, settings)
+    # A part of a program has no main of its own, and what it lacks another file may bring.
+    findings = tuple(
+        finding
+        for finding in result.diagnostics
+        if selection.wants(finding.code) and not (target.is_part and finding.code == "CG401")
+    )
     return Cached(findings, tuple(source.path for source in result.sources)), result.reads

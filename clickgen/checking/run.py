@@ -6,18 +6,20 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatch
+from functools import cache, cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from clickgen.check.select import Selection
-from clickgen.check.suppress import Directive, ignoring, read_directives, report_unused, silenced
 from clickgen.checking.cache import FOLDER, Cache, Cached
 from clickgen.checking.discover import Target, targets
 from clickgen.checking.judge import Judge
 from clickgen.codes import CODES
 from clickgen.config import Config
 from clickgen.diagnostics import Diagnostic, Diagnostics, Fix
-from clickgen.source import SourceFile
-from clickgen.syntax.parse import decode
+
+if TYPE_CHECKING:
+    from clickgen.source import SourceFile
 
 _ROUNDS_MAX = 10
 """Fixes may make room for others; so often, and a fix that undoes another ends."""
@@ -39,18 +41,29 @@ class Request:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What was found. ``sources`` are the files as they were judged, by path, with fixes in them."""
+    """What was found in the files that were ``checked``. ``overlay`` has those that fixes changed, by real path."""
 
     findings: tuple[Diagnostic, ...]
-    sources: Mapping[str, SourceFile]
+    checked: tuple[str, ...]
+    overlay: Mapping[str, bytes] = field(default_factory=dict)
     fixed: int = 0
     before: Mapping[str, bytes] = field(default_factory=dict)
     """Files that fixes change, as they are on disk."""
     after: Mapping[str, bytes] = field(default_factory=dict)
 
-    def line_of(self, path: str, number: int) -> str:
-        source = self.sources.get(path)
-        return source.line(number) if source else _line_on_disk(path, number)
+    @cached_property
+    def line_of(self) -> Callable[[str, int], str]:
+        """The text of a line of a file as it was judged; "" where there is none."""
+
+        @cache
+        def lines(path: str) -> list[str]:
+            try:
+                source = _decoded(path, _bytes(path, self.overlay))
+            except OSError:
+                return []
+            return source.lines if source else []
+
+        return lambda path, number: lines(path)[number - 1] if 0 < number <= len(lines(path)) else ""
 
     def write(self) -> list[Path]:
         """Put the fixed files in place, all of them or none. Raises OSError, ChangedMeanwhile."""
@@ -93,15 +106,19 @@ def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
 
 def add_ignores(outcome: Outcome) -> Outcome:
     """The outcome with a comment in the source for each finding that a comment can silence."""
+    from clickgen.check.suppress import ignoring
+
     before: dict[str, bytes] = {}
     after: dict[str, bytes] = {}
     count = 0
-    for path, source in outcome.sources.items():
-        fix = ignoring(source, outcome.findings)
+    for path in outcome.checked:
+        data = Path(path).read_bytes()
+        source = _decoded(path, data)
+        fix = ignoring(source, outcome.findings) if source else None
         if fix is not None:
-            before[path] = Path(path).read_bytes()
-            after[path] = _fixed(before[path], [fix])[0]
-            count += sum(finding.span is not None and finding.span.path == path for finding in outcome.findings)
+            before[path], after[path] = data, _fixed(data, [fix])[0]
+            own = [finding for finding in outcome.findings if finding.span and finding.span.path == path]
+            count += sum(not finding.is_error for finding in own)
     return replace(outcome, fixed=count, before=before, after=after)
 
 
@@ -110,46 +127,65 @@ def _table(request: Request, path: str) -> str | None:
     return str(nicknames) if nicknames else None
 
 
-def _line_on_disk(path: str, number: int) -> str:
-    try:
-        lines = Path(path).read_text("utf-8-sig", "replace").splitlines()
-    except OSError:
-        return ""
-    return lines[number - 1] if 0 < number <= len(lines) else ""
-
-
 # -- looking ----------------------------------------------------------------------------------------------------------
 
 
 def _look(request: Request, found: Sequence[Target], overlay: Mapping[str, bytes]) -> Outcome:
     cache = Cache(Path(request.config.root) / FOLDER if request.use_cache else None)
-    judge = Judge(cache, request.config.reserved, dict(overlay), lambda done: request.progress(done, len(found)))
+    judge = Judge(
+        cache,
+        request.selection,
+        request.config.reserved,
+        dict(overlay),
+        lambda done: request.progress(done, len(found)),
+    )
     judged = judge(found)
-    sources = _sources(judged.values(), overlay)
+    checked = tuple(sorted({path for cached in judged.values() for path in cached.sources}))
     # A file of several programs has its findings once.
     findings = list(dict.fromkeys(finding for cached in judged.values() for finding in cached.findings))
+    left, about = _heard(request, findings, checked, judged, overlay)
+    shown = [finding for finding in (*left, *about) if not _is_ignored_there(finding, request.config)]
+    return Outcome(tuple(sorted(shown, key=lambda finding: finding.sort_key)), checked, dict(overlay))
+
+
+def _heard(
+    request: Request,
+    findings: list[Diagnostic],
+    checked: Sequence[str],
+    judged: Mapping[Target, Cached],
+    overlay: Mapping[str, bytes],
+) -> tuple[list[Diagnostic], list[Diagnostic]]:
+    """The findings that no comment silences, and what is wrong with such comments."""
+    speaking = {path: data for path in checked if b"clickgen:" in (data := _bytes(path, overlay))}
+    if not speaking:
+        return findings, []
+    from clickgen.check.suppress import Directive, read_directives, report_unused, silenced
+
     problems = Diagnostics()
     directives: list[Directive] = []
-    for source in sources.values():
-        directives += read_directives(source, problems)
-    wanted = [finding for finding in findings if request.selection.wants(finding.code)]
-    wanted = [finding for finding in wanted if not _is_ignored_there(finding, request.config)]
-    left, _ = silenced(wanted, directives)
-    for source in sources.values():
-        report_unused(source, directives, _judged_codes(request, source.path, judged), problems)
-    own = [finding for finding in problems.found if request.selection.wants(finding.code)]
-    left += [finding for finding in own if not _is_ignored_there(finding, request.config)]
-    return Outcome(tuple(sorted(left, key=lambda finding: finding.sort_key)), sources)
-
-
-def _sources(judged: Iterable[Cached], overlay: Mapping[str, bytes]) -> dict[str, SourceFile]:
-    sources: dict[str, SourceFile] = {}
-    for path in sorted({path for cached in judged for path in cached.sources}):
-        data = overlay.get(os.path.realpath(path))
-        source = decode(path, Path(path).read_bytes() if data is None else data, Diagnostics())
+    sources: list[SourceFile] = []
+    for path, data in speaking.items():
+        source = _decoded(path, data)
         if source is not None:
-            sources[path] = source
-    return sources
+            sources.append(source)
+            directives += read_directives(source, problems)
+    # What the settings silence needs no comment either.
+    waiting = [finding for finding in findings if not _is_ignored_there(finding, request.config)]
+    left, _ = silenced(waiting, directives)
+    for source in sources:
+        report_unused(source, directives, _judged_codes(request, source.path, judged), problems)
+    return left, [finding for finding in problems.found if request.selection.wants(finding.code)]
+
+
+def _decoded(path: str, data: bytes) -> SourceFile | None:
+    from clickgen.syntax.parse import decode
+
+    return decode(path, data, Diagnostics())
+
+
+def _bytes(path: str, overlay: Mapping[str, bytes]) -> bytes:
+    data = overlay.get(os.path.realpath(path)) if overlay else None
+    return Path(path).read_bytes() if data is None else data
 
 
 def _is_ignored_there(finding: Diagnostic, config: Config) -> bool:
@@ -185,8 +221,7 @@ def _mended(
             fixes.setdefault(finding.fix.edits[0].span.path, []).append(finding.fix)
     changed: dict[str, tuple[bytes, bytes, int]] = {}
     for path, wanted in fixes.items():
-        old = overlay.get(os.path.realpath(path))
-        old = Path(path).read_bytes() if old is None else old
+        old = _bytes(path, overlay)
         new, count = _fixed(old, wanted)
         if new != old:
             changed[path] = (old, new, count)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import difflib
 import os
 import sys
 from collections import Counter
@@ -111,7 +110,7 @@ def _tell(options: argparse.Namespace, outcome: Outcome, to_stderr: bool) -> int
     stream = sys.stderr if to_stderr else sys.stdout
     report = Report(
         tuple(findings),
-        tuple(outcome.sources),
+        outcome.checked,
         outcome.line_of,
         outcome.fixed,
         options.deny_warnings,
@@ -156,6 +155,8 @@ def _statistics(report: Report) -> str:
 
 
 def _diffs(outcome: Outcome) -> Iterator[str]:
+    import difflib
+
     for path, new in sorted(outcome.after.items()):
         old = outcome.before[path].decode("utf-8").splitlines(keepends=True)
         lines = difflib.unified_diff(old, new.decode("utf-8").splitlines(keepends=True), path, path)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-import difflib
+import os
 import sys
 from collections.abc import Callable, Sequence
 from typing import NoReturn
@@ -41,6 +41,17 @@ exit codes: 0 built; 1 problems in the program; 2 could not run
 """
 
 
+class _Help(argparse.RawDescriptionHelpFormatter):
+    """Help as wide as the terminal. argparse asks shutil for the width, which loads every compressor first."""
+
+    def __init__(self, prog: str) -> None:
+        try:
+            width = int(os.environ.get("COLUMNS") or os.get_terminal_size().columns)
+        except (OSError, ValueError):
+            width = 80
+        super().__init__(prog, width=max(width, 40) - 2)
+
+
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         self.exit(2, f"clickgen: {message}{_hint(message, self)}\nsee {self.prog} --help\n")
@@ -48,6 +59,8 @@ class _Parser(argparse.ArgumentParser):
 
 def _hint(message: str, parser: argparse.ArgumentParser) -> str:
     """``did you mean --frozen?`` for a near miss of a flag or a command."""
+    import difflib
+
     words = message.replace("'", " ").replace(":", " ").split()
     known = [option for action in parser._actions for option in (*action.option_strings, *(action.choices or ()))]
     unknown = [word for word in words if word.startswith("-") or "invalid choice" in message]
@@ -64,7 +77,7 @@ def parse(arguments: Sequence[str]) -> int:
         prog="clickgen",
         description="Ladder logic as text for AutomationDirect CLICK PLCs.",
         epilog=_EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_Help,
         allow_abbrev=False,
     )
     parser.add_argument("--version", action="version", version=f"clickgen {__version__}")
@@ -89,7 +102,7 @@ def _add_build(commands: argparse._SubParsersAction[_Parser]) -> None:
         help="build a program into what CLICK takes in",
         description="Build a program: ladder CSV files, the nickname CSV, a listing and a source map.",
         epilog=_BUILD_EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_Help,
         allow_abbrev=False,
     )
     build.add_argument("program", metavar="PROG.py", nargs="?", help="the program (default: every configured one)")
@@ -109,7 +122,7 @@ def _add_check(commands: argparse._SubParsersAction[_Parser]) -> None:
         description="Check programs: the problems that a build would have, and rules about logic. Nothing is written "
         "unless asked for.",
         epilog=_CHECK_EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_Help,
         allow_abbrev=False,
     )
     add = check.add_argument
@@ -159,7 +172,11 @@ def _run_check(options: argparse.Namespace) -> int:
 
 def _add_rules(commands: argparse._SubParsersAction[_Parser]) -> None:
     rules = commands.add_parser(
-        "rules", help="list every code", description="Every code with its severity and title.", allow_abbrev=False
+        "rules",
+        help="list every code",
+        description="Every code with its severity and title.",
+        formatter_class=_Help,
+        allow_abbrev=False,
     )
     rules.add_argument("--output-format", choices=("text", "json"), default="text", help="text or json")
     rules.set_defaults(run=_run_rules)
@@ -173,7 +190,11 @@ def _run_rules(options: argparse.Namespace) -> int:
 
 def _add_explain(commands: argparse._SubParsersAction[_Parser]) -> None:
     explain = commands.add_parser(
-        "explain", help="say what a code means", description="What a code means and what to do.", allow_abbrev=False
+        "explain",
+        help="say what a code means",
+        description="What a code means and what to do.",
+        formatter_class=_Help,
+        allow_abbrev=False,
     )
     explain.add_argument("code", metavar="CODE", help="such as CG501")
     explain.set_defaults(run=_run_explain)
