@@ -1,4 +1,4 @@
-"""Write what the documentation has from the code: a page for each instruction, and tables of the language page.
+"""Write what the documentation has from the code: a page for each instruction and each problem, and some tables.
 
 The tests fail while one of them is stale, missing or left over.
 """
@@ -12,14 +12,19 @@ from pathlib import Path
 from docs_instruction import MADE, instruction_page
 from docs_markdown import bullets, quoted, table
 
+from clickgen.codes import CODES
 from clickgen.device.banks import BANKS, UPPER_BYTE_BANKS
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
+from clickgen.explain import explanation
 from clickgen.instructions import FAMILIES, control
 from clickgen.instructions.spec import Spec
 
 ROOT = Path(__file__).parents[1]
 LANGUAGE = ROOT / "docs" / "language.md"
 INSTRUCTIONS = ROOT / "docs" / "instructions"
+PROBLEMS = ROOT / "docs" / "problems"
+MADE_FOLDERS = (INSTRUCTIONS, PROBLEMS)
+"""Folders that hold nothing else."""
 
 _PART = re.compile(r"(<!-- made from the code: (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
@@ -28,20 +33,29 @@ def made() -> dict[Path, str]:
     """Every page that is made from the code or has a part that is, with the text that it should have."""
     pages = {INSTRUCTIONS / f"{spec.name}.md": instruction_page(spec) for _, specs in families() for spec in specs}
     pages[INSTRUCTIONS / "README.md"] = index()
-    language = LANGUAGE.read_text("utf-8")
-    pages[LANGUAGE] = _PART.sub(lambda match: f"{match[1]}\n{PARTS[match[2]]()}\n\n{match[3]}", language)
+    pages |= {PROBLEMS / f"{code}.md": _with_origin(explanation(code)) for code in CODES}
+    for page in (LANGUAGE, PROBLEMS / "README.md"):
+        text = page.read_text("utf-8")
+        pages[page] = _PART.sub(lambda match: f"{match[1]}\n{PARTS[match[2]]()}\n\n{match[3]}", text)
     return pages
+
+
+def _with_origin(page: str) -> str:
+    title, _, rest = page.partition("\n")
+    return f"{title}\n\n{MADE}\n{rest}"
 
 
 def stale() -> dict[Path, str | None]:
     """The pages that are not as the code says, with the text that each should have; None where none should be."""
     pages = made()
     changed = {path: text for path, text in pages.items() if not path.is_file() or path.read_text("utf-8") != text}
-    return {**changed, **{path: None for path in INSTRUCTIONS.glob("*") if path not in pages}}
+    there = [path for folder in MADE_FOLDERS for path in folder.glob("*")]
+    return {**changed, **{path: None for path in there if path not in pages}}
 
 
 def main() -> None:
-    INSTRUCTIONS.mkdir(exist_ok=True)
+    for folder in MADE_FOLDERS:
+        folder.mkdir(exist_ok=True)
     for path, text in sorted(stale().items()):
         print(path.relative_to(ROOT))
         if text is None:
@@ -102,12 +116,35 @@ def writable_points() -> str:
     return bullets(f"{bank}: {', '.join(map(str, sorted(numbers)))}" for bank, numbers in points.items())
 
 
+_GROUPS = {
+    "CG1": "Syntax",
+    "CG2": "Names and addresses",
+    "CG3": "Operands and types",
+    "CG4": "Structure and limits",
+    "CG5": "Logic worth a second look",
+    "CG6": "The address table",
+}
+
+
+def codes_table() -> str:
+    parts = []
+    for group, title in _GROUPS.items():
+        rows = [
+            (f"[{name}]({name}.md)", f"{code.severity.value}{'' if code.is_on else ', off'}", code.title)
+            for name, code in CODES.items()
+            if name.startswith(group)
+        ]
+        parts += [f"## {title}", table(("Code", "Is", "Title"), *rows)]
+    return "\n\n".join(parts)
+
+
 PARTS: dict[str, Callable[[], str]] = {
     "banks": banks_table,
     "writable": writable_points,
     "instructions": families_table,
+    "codes": codes_table,
 }
-"""The parts of the language page by the words in their comments."""
+"""The parts of hand-written pages by the words in their comments."""
 
 if __name__ == "__main__":
     main()

@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from clickgen.codes import CODES
-
 
 def table(*rows: tuple[str, ...]) -> str:
     """A table; its first row is its head."""
@@ -39,5 +37,5 @@ def anchor(heading: str) -> str:
 
 
 def problem_link(code: str) -> str:
-    """A link to a code's entry, from a page of an instruction."""
-    return f"[{code}](../problems.md#{anchor(f'{code}: {CODES[code].title}')})"
+    """A link to a code's page, from a page of an instruction."""
+    return f"[{code}](../problems/{code}.md)"

@@ -11,7 +11,20 @@ import pytest
 
 PACKAGE = Path(__file__).parents[1] / "clickgen"
 BELOW = ("wording", "formats", "codes", "source", "diagnostics", "fixing", "device", "config", "instructions")
-ROAD = ("ir", "formula", "syntax", "resolve", "check", "lower", "emit", "pipeline", "checking", "explain", "report", "cli")
+ROAD = (
+    "ir",
+    "formula",
+    "syntax",
+    "resolve",
+    "check",
+    "lower",
+    "emit",
+    "pipeline",
+    "checking",
+    "explain",
+    "report",
+    "cli",
+)
 """syntax and formula make what ir declares; so ir comes first, and only its walkers look into formulas."""
 EXCEPTIONS = {("ir", "formula")}
 HEAVY = {"libcst", "lark", "openpyxl", "laddercodec"}

@@ -179,6 +179,9 @@ def test_excluded_paths_are_left_out(check: Check) -> None:
     assert "a/plc.py" not in check(".", "--exclude", "a").out
     assert "a/plc.py" in check("a/plc.py", "--exclude", "a").out
     assert check("a/plc.py", "--exclude", "a", "--force-exclude").out == "0 files checked, all is well\n"
+    write("tool.py", "import sys\n\nprint(sys.argv)\n")
+    assert check("tool.py", "--force-exclude").out == "0 files checked, all is well\n"
+    assert check("tool.py").code == 1
 
 
 def test_the_standard_input_is_a_program(check: Check, monkeypatch: pytest.MonkeyPatch) -> None:

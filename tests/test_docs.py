@@ -8,6 +8,8 @@ What a fenced block is, an HTML comment on the line above it says, in words sepa
     example: top          declarations or subroutines in front of a main
     example: table        a csv block: an address table
     example: api          Python that uses clickgen, run in the page's folder
+    example: settings     a toml block: settings that can be read
+    example: rule         an example of a rule about logic, tested with the rule
     example: spec         an instruction's Spec, which the next examples of the page may use
     file: NAME            a file of the page's folder, and a program
     ..., part             no program but a file that the next programs of the page import
@@ -36,7 +38,8 @@ import pytest
 
 import clickgen
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
-from clickgen.codes import CODES, Severity
+from clickgen.codes import CODES
+from clickgen.config import read_config
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.spec import Spec
 
@@ -48,7 +51,7 @@ import docs
 
 ROOT = docs.ROOT
 PAGES = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").rglob("*.md"))]
-PROBLEMS_PAGE = ROOT / "docs" / "problems.md"
+PROBLEM_PAGES = ROOT / "docs" / "problems"
 
 # -- reading a page ---------------------------------------------------------------------------------------------------
 
@@ -141,15 +144,24 @@ def _specs_of(block: Block) -> list[Spec]:
 
 
 def test_every_python_block_is_tested() -> None:
-    known = (*KINDS, "part", "api", "spec")
+    known = (*KINDS, "part", "api", "spec", "rule")
     assert [str(block) for block in BLOCKS if block.language == "python" and block.kind not in known] == []
 
 
 def test_every_shown_output_is_compared() -> None:
     known = ("output", "tokens")
-    shown = [block for block in BLOCKS if block.language in ("text", "csv") and not block.kind]
+    shown = [block for block in BLOCKS if block.language in ("text", "csv", "json", "xml") and not block.kind]
     assert [str(block) for block in shown if not any(map(block.note, known))] == []
-    assert [str(b) for b in BLOCKS if b.language not in ("python", "console", "text", "csv")] == []
+    # The pages about CI, with their yaml, have tests of their own.
+    tested = ("python", "console", "text", "csv", "json", "xml", "toml", "yaml")
+    assert [str(block) for block in BLOCKS if block.language not in tested] == []
+
+
+@pytest.mark.parametrize("block", [block for block in BLOCKS if block.language == "toml"], ids=str)
+def test_shown_settings_can_be_read(block: Block, tmp_path: Path) -> None:
+    path = tmp_path / "clickgen.toml"
+    path.write_text(block.text, "utf-8")
+    assert read_config(path).programs
 
 
 # -- files, commands and outputs of a page ----------------------------------------------------------------------------
@@ -254,22 +266,12 @@ def test_source_files_that_pages_name_exist() -> None:
 
 # -- codes ------------------------------------------------------------------------------------------------------------
 
-_CODE_HEADING = re.compile(r"^### (CG\d{3}): (.+)\n\n\*\*(\w+)\.\*\* ", re.MULTILINE)
 
-
-def test_the_problems_page_has_every_code() -> None:
-    words = {Severity.ERROR: "Error", Severity.WARNING: "Warning", Severity.INFO: "Note"}
-    shown = [match.groups() for match in _CODE_HEADING.finditer(PROBLEMS_PAGE.read_text("utf-8"))]
-    # The pages of the rules about logic are made from the rules.
-    coded = {name: code for name, code in CODES.items() if not name.startswith("CG5")}
-    assert shown == [(name, code.title, words[code.severity]) for name, code in coded.items()]
-
-
-def test_an_example_in_the_problems_page_gives_the_problem_of_its_heading() -> None:
-    text = PROBLEMS_PAGE.read_text("utf-8").split("\n")
-    for block in blocks_of(PROBLEMS_PAGE):
-        heading = next(line for line in reversed(text[: block.line]) if line.startswith("### "))
-        assert not block.codes or heading[4:9] in block.codes, str(block)
+@pytest.mark.parametrize("code", [code for code in CODES if not code.startswith("CG5")])
+def test_an_example_of_a_problem_gives_it(code: str) -> None:
+    """Those of the rules about logic are tested where the rules are."""
+    blocks = list(blocks_of(PROBLEM_PAGES / f"{code}.md"))
+    assert all(code in block.codes for block in blocks if block.codes), code
 
 
 # -- what is made from the code ---------------------------------------------------------------------------------------
@@ -281,12 +283,14 @@ def test_what_is_made_from_the_code_is_up_to_date() -> None:
 
 def test_a_page_that_is_changed_missing_or_left_over_is_stale(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(docs, "made", lambda: {tmp_path / name: name for name in ("a.md", "b.md", "c.md")})
-    monkeypatch.setattr(docs, "INSTRUCTIONS", tmp_path)
+    monkeypatch.setattr(docs, "MADE_FOLDERS", (tmp_path,))
     for name, text in (("a.md", "a.md"), ("b.md", "changed"), ("d.md", "d.md")):
         (tmp_path / name).write_text(text, "utf-8")
     assert docs.stale() == {tmp_path / "b.md": "b.md", tmp_path / "c.md": "c.md", tmp_path / "d.md": None}
 
 
-def test_the_language_page_has_every_made_part() -> None:
-    shown = re.findall(r"<!-- made from the code: (\w+) -->", docs.LANGUAGE.read_text("utf-8"))
+def test_every_made_part_has_its_place() -> None:
+    shown = [
+        name for page in PAGES for name in re.findall(r"<!-- made from the code: (\w+) -->", page.read_text("utf-8"))
+    ]
     assert sorted(shown) == sorted(docs.PARTS)

@@ -29,7 +29,8 @@ def targets(paths: Sequence[str], config: Config, exclude: Iterable[str] = (), f
     """What to check, each program once, in the order of their paths. Raises CouldNotRun.
 
     Without paths it is the configured programs, and without those the working folder. ``exclude`` and the configured
-    patterns hold for what is found in folders, with ``force`` also for paths that were named.
+    patterns hold for what is found in folders; with ``force`` also for files that were named, and those of them that
+    are no programs are left alone: pre-commit names every Python file.
     """
     patterns = (*config.check.exclude, *exclude)
     if not paths and config.programs:
@@ -58,7 +59,7 @@ def _files(paths: Sequence[str], config: Config, patterns: Sequence[str], force:
             yield from _walk(path, config, patterns)
         elif not os.path.exists(path):
             raise CouldNotRun(f"there is no file or folder {path}")
-        elif not (force and _is_excluded(path, config, patterns)):
+        elif not (force and (_is_excluded(path, config, patterns) or not is_program(_text(path)))):
             yield path
 
 

@@ -1,4 +1,4 @@
-"""``clickgen check``: findings to the standard output, everything else to the standard error."""
+"""``clickgen check``: the report to the standard output, everything else to the standard error."""
 
 from __future__ import annotations
 
@@ -174,7 +174,8 @@ def _put(text: str, output: str | None) -> None:
 def _put_in_file(path: Path, text: str) -> None:
     from clickgen.emit.write import put_in_place
 
-    put_in_place({path: text.encode()})
+    # A file name that is no text cannot be written as UTF-8.
+    put_in_place({path: text.encode(errors="backslashreplace")})
 
 
 @contextmanager

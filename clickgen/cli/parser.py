@@ -140,7 +140,9 @@ def _add_check(commands: argparse._SubParsersAction[_Parser]) -> None:
     ):
         choose.add_argument(flag, metavar="CODES", action="append", type=_codes, default=None, help=what)
     choose.add_argument("--exclude", metavar="PATTERN", action="append", default=[], help="leave these paths out")
-    choose.add_argument("--force-exclude", action="store_true", help="leave them out also when they are named")
+    choose.add_argument(
+        "--force-exclude", action="store_true", help="leave them out also when named, and other Python too"
+    )
     choose.add_argument("--baseline", metavar="FILE", help="show only what is new since FILE was made; makes it if new")
     tell = check.add_argument_group("telling")
     tell.add_argument("--output-format", metavar="FORMAT", default="text", help=f"one of {', '.join(FORMATS)}")

@@ -11,5 +11,6 @@ def render(report: Report) -> str:
     for finding in report.findings:
         place = f"{finding.span}: " if finding.span else ""
         fixable = " [*]" if finding.fix and finding.fix.is_safe else ""
-        lines.append(f"{printable(place)}{finding.code}{fixable} {printable(finding.message)}\n")
+        message = " ".join(printable(finding.message).split("\n"))
+        lines.append(f"{printable(place)}{finding.code}{fixable} {message}\n")
     return "".join(lines)
