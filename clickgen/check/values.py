@@ -2,21 +2,11 @@
 
 from __future__ import annotations
 
-from clickgen.device.banks import FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, Kind
+from clickgen.device.banks import FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, VALUE_CLASSES, Kind
 from clickgen.diagnostics import Diagnostics
 from clickgen.ir.operands import CharCode, Hex, Integer, Operand, Real, Text
 from clickgen.resolve.constants import kind_of
 from clickgen.source import Span
-
-_CLASSES = {
-    Kind.INT16: "decimal",
-    Kind.INT32: "decimal",
-    Kind.FLOAT: "decimal",
-    Kind.HEX: "hexadecimal",
-    Kind.TEXT: "text",
-    Kind.BIT: "bit",
-}
-
 
 _REFUSALS = ("CG301", "CG304", "CG307", "CG308")
 
@@ -30,7 +20,7 @@ def value_class(operand: Operand) -> str:
     """``decimal``, ``hexadecimal``, ``text`` or ``bit``."""
     kind = kind_of(operand)
     if kind is not None:
-        return _CLASSES[kind]
+        return VALUE_CLASSES[kind]
     if isinstance(operand, Hex):
         return "hexadecimal"
     return "text" if isinstance(operand, Text | CharCode) else "decimal"

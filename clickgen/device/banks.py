@@ -22,6 +22,16 @@ class Kind(Enum):
 INTEGER_RANGES = {Kind.INT16: (-32768, 32767), Kind.INT32: (-(2**31), 2**31 - 1)}
 """The least and greatest whole number of a cell."""
 
+VALUE_CLASSES = {
+    Kind.INT16: "decimal",
+    Kind.INT32: "decimal",
+    Kind.FLOAT: "decimal",
+    Kind.HEX: "hexadecimal",
+    Kind.TEXT: "text",
+    Kind.BIT: "bit",
+}
+"""What is compared with its own class only (click-facts, section 3, "Compare classes")."""
+
 FLOAT_MAX = 3.4028235e38
 FLOAT_MIN = 1.1754944e-38
 """The greatest and the least magnitude of a 32-bit floating-point number, 0 aside."""
@@ -118,6 +128,9 @@ POINTED = ("C", "DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "TXT")
 
 READ_ONLY = {"X": "an input", "T": "a timer's bit", "CT": "a counter's bit", "XD": "an input word"}
 """The banks that no instruction writes, and what they are (click-facts, sections 3 and 6)."""
+
+TWIN_BANKS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
+"""Bits and the words that hold the same points: changing either changes the other."""
 
 UPPER_BYTE_BANKS = ("XD", "YD")
 """Banks that also have an address ``0u``."""

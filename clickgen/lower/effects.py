@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from clickgen.device.banks import Address, parse_address
+from clickgen.device.banks import TWIN_BANKS, Address, parse_address
 from clickgen.instructions.control import CALL
 from clickgen.instructions.spec import COPY_FLAGS
 from clickgen.ir.conditions import Condition
@@ -14,9 +14,6 @@ from clickgen.ir.program import Action, Routine, actions_in, rungs_in
 from clickgen.ir.reach import touches
 from clickgen.ir.walk import condition_operands, leaves
 from clickgen.lower.expand import OffDelays, copied_first
-
-_TWIN_BANKS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
-"""Bits and the words that hold the same points: changing either changes the other."""
 
 
 @dataclass
@@ -47,7 +44,7 @@ class Cells:
         mine, theirs = self._touched_banks(), other._touched_banks()
         if self.banks & theirs or other.banks & mine:
             return True
-        return any(_TWIN_BANKS.get(bank) in theirs for bank in mine)
+        return any(TWIN_BANKS.get(bank) in theirs for bank in mine)
 
     def _touched_banks(self) -> set[str]:
         return self.banks | {address.bank for address in self.addresses}

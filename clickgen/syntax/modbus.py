@@ -7,6 +7,15 @@ import re
 from collections.abc import Mapping
 
 from clickgen.device.banks import parse_address
+from clickgen.device.modbus import (
+    HEX_MAX,
+    NUMBERS_984,
+    PORT_MAX,
+    REGISTER_TYPES,
+    RTU_DEVICE_MAX,
+    TCP_DEVICE_MAX,
+    register_type_of,
+)
 from clickgen.diagnostics import did_you_mean
 from clickgen.instructions.communication import COM_PORTS
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget, Target, TcpTarget
@@ -20,10 +29,8 @@ _TARGETS = {
 }
 _EXAMPLES = {"ModbusTcpTarget": _TCP, "ModbusRtuTarget": _RTU}
 _LABEL = re.compile(r"[A-Za-z0-9 _-]{1,24}")
-_DEVICE_IDS = {"ModbusTcpTarget": 255, "ModbusRtuTarget": 247}
-"""The greatest device number: one byte in the network, 247 devices on a serial line (Modbus)."""
+_DEVICE_IDS = {"ModbusTcpTarget": TCP_DEVICE_MAX, "ModbusRtuTarget": RTU_DEVICE_MAX}
 
-REGISTER_TYPES = ("coil", "discrete_input", "holding", "input")
 _HEX = re.compile(r"([0-9A-Fa-f]{1,4})h")
 _REMOTE = 'remote_start="DS1", or ModbusAddress(address=400001)'
 
@@ -45,7 +52,7 @@ def read_target(context: Context, node: ast.expr, signature: str) -> Target | No
         if label is None or com_port is None or device_id is None or len(context.problems.found) > before:
             return None
         return RtuTarget(label, com_port, device_id, context.span(node))
-    ip, port = reader.ip(), reader.number("port", 502, 1, 65535)
+    ip, port = reader.ip(), reader.number("port", 502, 1, PORT_MAX)
     if label is None or ip is None or port is None or device_id is None or len(context.problems.found) > before:
         return None
     return TcpTarget(label, ip, port, device_id, context.span(node))
@@ -176,20 +183,17 @@ def _modbus_number(context: Context, node: ast.expr) -> tuple[int | None, bool]:
     match = _HEX.fullmatch(value) if isinstance(value, str) else None
     if match:
         return int(match[1], 16), True
-    if type(value) is int and context.text(node)[:2].lower() == "0x" and value <= 0xFFFF:
+    if type(value) is int and context.text(node)[:2].lower() == "0x" and value <= HEX_MAX:
         return value, True
     if isinstance(value, str) and value.isascii() and value.isdigit():
         value = int(value)
-    if type(value) is int and any(low <= value <= high for low, high in _RANGES_984):
+    if type(value) is int and register_type_of(value):
         return value, False
     context.problem(
         "CG115",
         node,
         "this is no Modbus address",
-        "1..65536 coils, 100001..165536 inputs, 300001..365536 input registers, 400001..465536 holding registers; "
+        f"{', '.join(f'{low}..{high} {name}' for name, (low, high) in NUMBERS_984.items())}; "
         'or in hexadecimal "0h".."FFFFh" with a register_type',
     )
     return None, False
-
-
-_RANGES_984 = ((1, 65536), (100001, 165536), (300001, 365536), (400001, 465536))

@@ -6,20 +6,21 @@ from math import ceil
 
 from clickgen.check.facts import Facts
 from clickgen.device.banks import BANKS, READ_ONLY, Kind
+from clickgen.device.modbus import (
+    BIT_TYPES,
+    BITS_READ_MAX,
+    BITS_WRITTEN_MAX,
+    READ_ONLY_TYPES,
+    WORDS_READ_MAX,
+    WORDS_WRITTEN_MAX,
+    register_type_of,
+)
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.communication import SEND, SPECS
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget
 from clickgen.ir.operands import Cell, Range
 from clickgen.ir.program import Action
 from clickgen.wording import counted
-
-_COILS, _DISCRETE_INPUTS, _HOLDING, _INPUTS = "coil", "discrete_input", "holding", "input"
-_TYPES_984 = ((100000, _COILS), (200000, _DISCRETE_INPUTS), (400000, _INPUTS))
-"""The last number of each stretch of 984 addresses, as laddercodec divides them; above are holding registers."""
-
-_BITS_MAX = {True: 1968, False: 2000}
-_WORDS_MAX = {True: 123, False: 125}
-"""The most that one Modbus request writes (True) or reads: function codes 15, 1, 16 and 3 of the Modbus protocol."""
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
@@ -57,7 +58,7 @@ def _check(action: Action, problems: Diagnostics) -> None:
 def _check_writable(remote: Remote, is_send: bool, problems: Diagnostics) -> None:
     if not is_send:
         return
-    if isinstance(remote, RemoteModbus) and _register_type(remote) in (_DISCRETE_INPUTS, _INPUTS):
+    if isinstance(remote, RemoteModbus) and _register_type(remote) in READ_ONLY_TYPES:
         problems.add("CG304", remote.span, f"{_shown(remote)} is an input: Modbus only reads it", "receive it")
     elif isinstance(remote, RemoteCell) and remote.address.bank in (*READ_ONLY, "SC", "SD"):
         problems.add(
@@ -72,7 +73,10 @@ def _check_length(own: Cell | Range, remote: Remote, is_send: bool, problems: Di
     length = len(own) if isinstance(own, Range) else 1
     is_bits = BANKS[own.bank].is_bit
     size = length * _words(own.bank)
-    most, what = (_BITS_MAX[is_send], "bits") if is_bits else (_WORDS_MAX[is_send], "words")
+    if is_bits:
+        most, what = BITS_WRITTEN_MAX if is_send else BITS_READ_MAX, "bits"
+    else:
+        most, what = WORDS_WRITTEN_MAX if is_send else WORDS_READ_MAX, "words"
     if size > most:
         problems.add(
             "CG306",
@@ -100,16 +104,14 @@ def _words(bank: str) -> int:
     return 2 if BANKS[bank].kind in (Kind.INT32, Kind.FLOAT) else 1
 
 
-def _register_type(remote: RemoteModbus) -> str:
-    if remote.register_type:
-        return remote.register_type
-    return next((name for last, name in _TYPES_984 if remote.number <= last), _HOLDING)
+def _register_type(remote: RemoteModbus) -> str | None:
+    return remote.register_type or register_type_of(remote.number)
 
 
 def _is_bits(remote: Remote) -> bool:
     if isinstance(remote, RemoteCell):
         return BANKS[remote.address.bank].is_bit
-    return _register_type(remote) in (_COILS, _DISCRETE_INPUTS)
+    return _register_type(remote) in BIT_TYPES
 
 
 def _shown(remote: Remote) -> str:
