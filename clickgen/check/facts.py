@@ -2,21 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import product
 
 from clickgen.check.logic import are_exclusive
-from clickgen.check.uses import Uses
+from clickgen.check.uses import Uses, addresses_of
 from clickgen.device.banks import CURRENT_VALUE_OF, Address
-from clickgen.device.system import system_name_of
+from clickgen.device.system import ALWAYS_ON, system_name_of
 from clickgen.instructions.control import CALL
 from clickgen.instructions.spec import Spec
 from clickgen.ir.conditions import All, Always, Compare, Condition, Contact
-from clickgen.ir.program import CONDITION_TYPES, Action, Branch, Item, Loop, Program, Routine, Rung
-from clickgen.ir.walk import leaves
+from clickgen.ir.operands import Cell, Single
+from clickgen.ir.program import Action, Branch, Declaration, Item, Loop, Program, Routine, Rung
+from clickgen.ir.walk import condition_operands, leaves
 from clickgen.source import SourceFile, Span
+from clickgen.syntax.operands import shorten
+
+FIRST_SCAN = Address("SC", 2)
+STARTING = frozenset((ALWAYS_ON, FIRST_SCAN))
+"""The bits that are always on and on in the first scan: what hangs on them alone gets the program ready."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +49,24 @@ class Placed:
         terms = self.condition.terms if isinstance(self.condition, All) else (self.condition,)
         return all(isinstance(term, Always) for term in terms)
 
+    def depends_only_on(self, addresses: Collection[Address]) -> bool:
+        """True when its condition looks at none but these."""
+        operands = condition_operands(self.condition)
+        return all(address in addresses for operand in operands for address in addresses_of(operand))
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """A condition and where it stands."""
+
+    condition: Condition
+    above: tuple[Condition, ...]
+    """What is in series with it and looked at in the same moment: its rung's condition, those of branches."""
+    routine: Routine
+    rung: Rung
+    pin: str = ""
+    """The input of a box that it belongs to: ``reset``."""
+
 
 @dataclass(frozen=True)
 class Facts:
@@ -58,6 +82,32 @@ class Facts:
         bit = Address(CURRENT_VALUE_OF.get(address.bank, address.bank), address.number)
         name = own or self.nicknames.get(bit)
         return f"{address} ({name})" if name else str(address)
+
+    def listed(self, addresses: Sequence[Address]) -> str:
+        """Several addresses for a message: up to three with their nicknames, a long run by its ends."""
+        first, last = addresses[0], addresses[-1]
+        if len(addresses) > 3 and abs(last.number - first.number) == len(addresses) - 1:
+            return f"{self.shown(first)} to {self.shown(last)}"
+        shown = [self.shown(address) for address in addresses[:3]]
+        if len(addresses) > len(shown):
+            shown.append(f"{len(addresses) - len(shown)} more")
+        return shown[0] if len(shown) == 1 else f"{', '.join(shown[:-1])} and {shown[-1]}"
+
+    def described(self, condition: Condition) -> str:
+        """A condition for a message, addresses with their nicknames: ``C5 (Motor)``, ``DS1 (Step) == 3``."""
+        if isinstance(condition, Compare):
+            return f"{self._side(condition, condition.left)} {condition.op} {self._side(condition, condition.right)}"
+        if isinstance(condition, Contact) and isinstance(condition.operand, Cell):
+            shown = self.shown(condition.operand.address)
+            edge = f"the {'rising' if condition.edge == 'rise' else 'falling'} edge of " if condition.edge else ""
+            return f"not {shown}" if condition.negated else edge + shown
+        return shorten(self.text(condition.span))
+
+    def _side(self, compare: Compare, side: Single) -> str:
+        if isinstance(side, Cell):
+            return self.shown(side.address)
+        # A register by itself is compared with a 0 that stands nowhere.
+        return "0" if compare.left.span == compare.right.span else self.text(side.span)
 
     def text(self, span: Span) -> str:
         """The source text of a span."""
@@ -82,6 +132,19 @@ class Facts:
         )
 
     @cached_property
+    def declared(self) -> Mapping[Address, Declaration]:
+        """What ``nickname(...)`` says in the source, by address."""
+        return {declaration.cell.address: declaration for declaration in self.program.declarations}
+
+    def writers(self, address: Address) -> tuple[Placed, ...]:
+        """The actions that write an address by its own number, each once, in source order."""
+        return tuple(self._by_action[action] for action in {id(use.action): None for use in self.uses.writes(address)})
+
+    @cached_property
+    def _by_action(self) -> Mapping[int, Placed]:
+        return {id(placed.action): placed for placed in self.actions}
+
+    @cached_property
     def calls(self) -> Mapping[str, tuple[Placed, ...]]:
         """The calls of each subroutine that is called, by its name."""
         calls: dict[str, list[Placed]] = {}
@@ -98,13 +161,16 @@ class Facts:
         return all(are_exclusive(first.condition, second.condition) for first, second in pairs)
 
     @cached_property
+    def sites(self) -> tuple[Site, ...]:
+        """Every condition of rungs, branches and pins with where it stands, in source order."""
+        return tuple(
+            site for routine in self.program.routines for rung in routine.rungs for site in _rung_sites(rung, routine)
+        )
+
+    @cached_property
     def conditions(self) -> tuple[Condition, ...]:
         """Every condition: of rungs, branches and pins."""
-        found: list[Condition] = []
-        for routine in self.program.routines:
-            for rung in routine.rungs:
-                found += _conditions(rung)
-        return tuple(found)
+        return tuple(site.condition for site in self.sites)
 
     @cached_property
     def contacts(self) -> tuple[Contact, ...]:
@@ -136,18 +202,21 @@ def _placed(items: tuple[Item, ...], routine: Routine, rung: Rung, loop: Loop | 
             yield Placed(item, routine, rung, loop, loop is None, condition)
 
 
-def _conditions(rung: Rung) -> Iterator[Condition]:
-    yield rung.condition
-    yield from _item_conditions(rung.items)
+def _rung_sites(rung: Rung, routine: Routine) -> Iterator[Site]:
+    yield Site(rung.condition, (), routine, rung)
+    yield from _item_sites(rung.items, (rung.condition,), routine, rung)
 
 
-def _item_conditions(items: tuple[Item, ...]) -> Iterator[Condition]:
+def _item_sites(items: tuple[Item, ...], above: _Path, routine: Routine, rung: Rung) -> Iterator[Site]:
     for item in items:
         if isinstance(item, Action):
-            yield from (value for value in item.args.values() if isinstance(value, CONDITION_TYPES))
+            for param in item.spec.pins:
+                condition = item.pin(param.name)
+                if condition is not None:
+                    yield Site(condition, (), routine, rung, param.name)
         elif isinstance(item, Branch):
-            yield item.condition
-            yield from _item_conditions(item.items)
+            yield Site(item.condition, above, routine, rung)
+            yield from _item_sites(item.items, (*above, item.condition), routine, rung)
         else:
-            for rung in item.body or ():
-                yield from _conditions(rung)
+            for inner in item.body or ():
+                yield from _rung_sites(inner, routine)

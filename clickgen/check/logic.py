@@ -7,16 +7,25 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+import struct
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache
 
 from clickgen.device.banks import BANKS, INTEGER_RANGES, Kind
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
-from clickgen.ir.operands import Cell, CharCode, Hex, Immediate, Integer, Named, Range, Real, Text
+from clickgen.ir.operands import Cell, CharCode, Hex, Immediate, Integer, Named, Range, Real, Single, Text, form_of
+from clickgen.ir.walk import leaves
+
+_REGISTERS = (Named, Cell)
+_NUMBERS = (Integer, Hex, Real, CharCode)
 
 _STEPS_MAX = 4000
 _DEPTH_MAX = 200
 """Beyond so many steps, or alternatives inside each other, a condition counts as possible."""
+
+MANY = 64
+"""Of more terms than this a rule does not ask how each stands to each: no rung that a person wrote has them."""
 
 Number = int | float
 
@@ -39,6 +48,59 @@ def are_exclusive(*conditions: Condition) -> bool:
 def implies(one: Condition, other: Condition) -> bool:
     """True when ``other`` is true whenever ``one`` is."""
     return not _Search().run([(one, True), (other, False)])
+
+
+def terms_of(*conditions: Condition) -> tuple[Condition, ...]:
+    """What must hold for all of these to hold, one by one: a series inside a series is laid flat."""
+    flat: list[Condition] = []
+    for condition in conditions:
+        if isinstance(condition, All):
+            flat += terms_of(*condition.terms)
+        elif not isinstance(condition, Always):
+            flat.append(condition)
+    return tuple(flat)
+
+
+def looked_at(condition: Condition) -> set[object]:
+    """The bits and registers that decide a condition: two conditions without a common one say nothing of each other."""
+    return {key for leaf in leaves(condition) for key in _looked_at(leaf)}
+
+
+def may_meet(conditions: Iterable[Condition]) -> bool:
+    """False when no two contacts or comparisons look at the same thing: then none says anything of another."""
+    seen: set[object] = set()
+    for condition in conditions:
+        for leaf in leaves(condition):
+            for key in _looked_at(leaf):
+                if key in seen:
+                    return True
+                seen.add(key)
+    return False
+
+
+def _looked_at(leaf: Contact | Compare) -> Iterable[object]:
+    if isinstance(leaf, Contact):
+        return [key for (_, key), _ in _bits(leaf)]
+    return [_key(side) for side in (leaf.left, leaf.right) if isinstance(side, _REGISTERS)]
+
+
+def shape(condition: Condition) -> object:
+    """What a condition says, wherever it is written: two of one shape say the same in the same moment."""
+    if isinstance(condition, Contact):
+        if isinstance(condition.operand, Immediate):
+            return condition.span
+        return tuple(_bits(condition))
+    if isinstance(condition, Compare):
+        left, op, right = _side(condition.left), condition.op, _side(condition.right)
+        return (left, op, right) if isinstance(condition.left, _REGISTERS) else (right, _MIRRORED[op], left)
+    if isinstance(condition, All | Any):
+        terms = tuple(map(shape, condition.terms))
+        return terms[0] if len(terms) == 1 else (type(condition), terms)
+    return Always
+
+
+def _side(operand: Single) -> object:
+    return _key(operand) if isinstance(operand, _REGISTERS) else _constant(operand)
 
 
 Goal = tuple[Condition, bool]
@@ -68,15 +130,16 @@ class _Search:
                 else:
                     return any(self.run([(term, wanted), *goals], state, depth + 1) for term in condition.terms)
             elif isinstance(condition, Contact):
+                if isinstance(condition.operand, Immediate):
+                    continue  # It is not the bit in the image, and may change from one look to the next.
                 bits = list(_bits(condition))
                 if len(bits) > 1 and not wanted:
-                    changes = (state.with_bit(key, not value) for key, value in bits)
+                    changes = (state.with_bits({key: not value}) for key, value in bits)
                     return any(self.run(goals, changed, depth + 1) for changed in changes if changed)
-                for key, value in bits:
-                    changed = state.with_bit(key, value is wanted)
-                    if changed is None:
-                        return False
-                    state = changed
+                changed = state.with_bits({key: value is wanted for key, value in bits})
+                if changed is None:
+                    return False
+                state = changed
                 if condition.edge and wanted:
                     # At a rising edge the bit is on, at a falling edge off.
                     level = Contact(condition.operand, condition.span, negated=condition.edge == "fall")
@@ -89,13 +152,13 @@ class _Search:
         return True
 
 
-def _bits(contact: Contact) -> Iterator[tuple[object, bool]]:
-    """The bits of a contact and the value each must have. An immediate input is not the one in the image."""
+def _bits(contact: Contact) -> Iterator[tuple[tuple[str, object], bool]]:
+    """The bits of a contact, each with its edge, and the value each must have; none of an immediate contact."""
     operand = contact.operand
-    target = operand.target if isinstance(operand, Immediate) else operand
-    prefix = ("immediate",) if isinstance(operand, Immediate) else (contact.edge,)
-    for key in target.addresses() if isinstance(target, Range) else [_key(target)]:
-        yield (*prefix, key), not contact.negated
+    if isinstance(operand, Immediate):
+        return
+    for key in operand.addresses() if isinstance(operand, Range) else [_key(operand)]:
+        yield (contact.edge, key), not contact.negated
 
 
 def _key(operand: Named | Cell) -> object:
@@ -118,6 +181,16 @@ _COMPARE: Mapping[str, Callable[[Number, Number], bool]] = {
 }
 
 
+_SINGLE_MAX = 2**24
+"""Below it a 32-bit floating-point number holds every whole number."""
+
+
+def _single(value: Number) -> float:
+    """The number that a floating-point register holds for a constant."""
+    single: float = struct.unpack("<f", struct.pack("<f", value))[0]
+    return single
+
+
 @dataclass(frozen=True)
 class _Interval:
     """The values that a register may have: from ``low`` to ``high``, both included, but for ``holes``."""
@@ -129,6 +202,10 @@ class _Interval:
 
     def with_bound(self, op: str, value: Number) -> _Interval | None:
         """What is left when the register must compare so with a constant; None when nothing is."""
+        if not self.is_whole:
+            value = _single(value)
+        elif isinstance(value, float) and _SINGLE_MAX <= abs(value) <= 2**31:
+            return self  # How CLICK compares these with a whole number is not known.
         low, high, holes = self.low, self.high, self.holes
         if op in ("==", ">="):
             low = max(low, value)
@@ -160,10 +237,10 @@ class _State:
     numbers: Mapping[object, _Interval] = field(default_factory=dict)
     relations: Mapping[tuple[str, str], str] = field(default_factory=dict)
 
-    def with_bit(self, key: object, value: bool) -> _State | None:
-        if self.bits.get(key, value) is not value:
+    def with_bits(self, bits: Mapping[object, bool]) -> _State | None:
+        if any(self.bits.get(key, value) is not value for key, value in bits.items()):
             return None
-        return replace(self, bits={**self.bits, key: value})
+        return _State({**self.bits, **bits}, self.numbers, self.relations)
 
     def with_comparison(self, compare: Compare, wanted: bool) -> _State | None:
         op = compare.op if wanted else _OPPOSITE[compare.op]
@@ -173,13 +250,13 @@ class _State:
             return self if _COMPARE[op](left_value, right_value) else None
         if left_value is not None:
             left, op, right_value = right, _MIRRORED[op], left_value
-        if not isinstance(left, Named | Cell):
+        if not isinstance(left, _REGISTERS):
             return self
         if right_value is not None:
             key = _key(left)
             interval = self.numbers.get(key, _domain(left.bank)).with_bound(op, right_value)
-            return None if interval is None else replace(self, numbers={**self.numbers, key: interval})
-        return self._related(left, op, right) if isinstance(right, Named | Cell) else self
+            return None if interval is None else _State(self.bits, {**self.numbers, key: interval}, self.relations)
+        return self._related(left, op, right) if isinstance(right, _REGISTERS) else self
 
     def _related(self, left: Named | Cell, op: str, right: Named | Cell) -> _State | None:
         one, other = str(_key(left)), str(_key(right))
@@ -188,9 +265,30 @@ class _State:
         if one > other:
             one, other, op = other, one, _MIRRORED[op]
         kept = "".join(sign for sign in self.relations.get((one, other), "<=>") if sign in _RELATIONS[op])
-        return replace(self, relations={**self.relations, (one, other): kept}) if kept else None
+        return _State(self.bits, self.numbers, {**self.relations, (one, other): kept}) if kept else None
 
 
+def decided(compare: Compare) -> bool | None:
+    """What a comparison is whatever its register holds; None where that depends on the register."""
+    left, op, right = compare.left, compare.op, compare.right
+    if not isinstance(left, _REGISTERS):
+        left, op, right = right, _MIRRORED[op], left
+    value = _constant(right)
+    if value is not None and isinstance(left, _REGISTERS):
+        return _decided(left.bank, op, value)
+    if not can_hold(compare):
+        return False
+    return True if always_holds(compare) else None
+
+
+@cache
+def _decided(bank: str, op: str, value: Number) -> bool | None:
+    if _domain(bank).with_bound(op, value) is None:
+        return False
+    return True if _domain(bank).with_bound(_OPPOSITE[op], value) is None else None
+
+
+@cache
 def _domain(bank: str) -> _Interval:
     kind = BANKS[bank].kind
     if kind in INTEGER_RANGES:
@@ -200,7 +298,19 @@ def _domain(bank: str) -> _Interval:
     return _Interval()
 
 
+def value_of(compare: Compare) -> str:
+    """Why a comparison by itself is decided, for a message: what its register holds at all."""
+    if _constant(compare.left) is None and _constant(compare.right) is None:
+        return "it is compared with itself"
+    register = compare.left if isinstance(compare.left, Named | Cell) else compare.right
+    kind = BANKS[form_of(register)].kind
+    if kind in INTEGER_RANGES:
+        low, high = INTEGER_RANGES[kind]
+        return f"the register holds whole numbers from {low} to {high}"
+    return "the register holds 0000h to FFFFh" if kind is Kind.HEX else "the register holds one character"
+
+
 def _constant(operand: object) -> Number | None:
-    if isinstance(operand, Integer | Hex | Real | CharCode):
+    if isinstance(operand, _NUMBERS):
         return operand.value
     return ord(operand.value) if isinstance(operand, Text) and len(operand.value) == 1 else None

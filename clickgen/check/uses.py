@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
+from typing import NamedTuple
 
-from clickgen.device.banks import Address
+from clickgen.device.banks import TWIN_BANKS, Address
 from clickgen.instructions.spec import ParamKind
 from clickgen.ir.conditions import Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
@@ -18,8 +21,7 @@ _LONG = 64
 """A range of more addresses is kept as a range."""
 
 
-@dataclass(frozen=True, slots=True)
-class Use:
+class Use(NamedTuple):
     """One operand in one place. ``action`` is None in the condition of a rung or a branch.
 
     ``leaf`` is the contact or comparison that reads it; in an action's pin there is both an action and a leaf.
@@ -39,6 +41,8 @@ class Uses:
 
     every: list[Use] = field(default_factory=list)
     _by_address: dict[Address, list[Use]] = field(default_factory=lambda: defaultdict(list))
+    _written: dict[Address, list[Use]] = field(default_factory=lambda: defaultdict(list))
+    """Of ``_by_address`` what writes."""
     _ranges: dict[str, list[Use]] = field(default_factory=lambda: defaultdict(list))
     _pointed: dict[tuple[str, bool], list[Use]] = field(default_factory=lambda: defaultdict(list))
 
@@ -58,8 +62,12 @@ class Uses:
             self._ranges[operand.bank].append(use)
         elif isinstance(operand, Pointer):
             self._pointed[operand.bank, use.is_written].append(use)
-        for address in _addresses(operand):
-            self._by_address[address].append(use)
+        else:
+            for address in addresses_of(operand):
+                for one in (address, *_points(address)):
+                    self._by_address[one].append(use)
+                    if use.is_written:
+                        self._written[one].append(use)
 
     @property
     def addresses(self) -> Iterable[Address]:
@@ -67,24 +75,86 @@ class Uses:
         return self._by_address
 
     def at(self, address: Address) -> list[Use]:
-        """Every use of an address by its own number, in source order, ranges included."""
-        near = self._by_address.get(address, [])
-        far = [use for use in self._ranges.get(address.bank, ()) if _covers(use.operand, address)]
-        return near + far
+        """Every use of an address by its own number: in source order, but those in long ranges last."""
+        return self._by_address.get(address, []) + self._far(address)
 
     def writes(self, address: Address) -> list[Use]:
-        return [use for use in self.at(address) if use.is_written]
+        return self._written.get(address, []) + [use for use in self._far(address) if use.is_written]
 
     def reads(self, address: Address) -> list[Use]:
         return [use for use in self.at(address) if not use.is_written]
 
-    def may_be_written(self, address: Address) -> bool:
-        """True also where a pointer may lead to it."""
-        return bool(self.writes(address)) or bool(self._pointed.get((address.bank, True)))
+    def _far(self, address: Address) -> list[Use]:
+        return [use for use in self._ranges.get(address.bank, ()) if _covers(use.operand, address)]
 
-    def may_be_read(self, address: Address) -> bool:
-        """True also where a pointer may lead to it."""
-        return bool(self.reads(address)) or bool(self._pointed.get((address.bank, False)))
+    def may_be_written(self, operand: Operand) -> bool:
+        """True when some address of a cell or a range is written anywhere, or a pointer may lead to it."""
+        return self._may_be(operand, True)
+
+    def may_be_read(self, operand: Operand) -> bool:
+        """True when some address of a cell or a range is read anywhere, or a pointer may lead to it."""
+        return self._may_be(operand, False)
+
+    def is_pointed(self, bank: str, is_written: bool) -> bool:
+        """True when a pointer writes (or reads) some address of the bank, or a word that holds its points."""
+        return any(self._pointed.get((name, is_written)) for name in (bank, TWIN_BANKS.get(bank, "")))
+
+    def _may_be(self, operand: Operand, is_written: bool) -> bool:
+        return any(
+            self.is_pointed(bank, is_written) or _meets(self._stretches.get((bank, is_written), ()), first, last)
+            for bank, first, last in extents_of(operand)
+        )
+
+    @cached_property
+    def _stretches(self) -> Mapping[tuple[str, bool], list[tuple[int, int]]]:
+        """The numbers of each bank that are written, and that are read: stretches in order, none touching another."""
+        found: dict[tuple[str, bool], set[tuple[int, int]]] = defaultdict(set)
+        for operand, is_written, *_ in self.every:
+            for bank, first, last in extents_of(operand):
+                found[bank, is_written].add((first, last))
+        return {key: _joined(stretches) for key, stretches in found.items()}
+
+
+def addresses_of(operand: object) -> list[Address]:
+    """The addresses that an operand names itself; none for a pointer, a constant, or what is no operand."""
+    target = operand.target if isinstance(operand, Immediate) else operand
+    if isinstance(target, Cell):
+        return [target.address]
+    return target.addresses() if isinstance(target, Range) else []
+
+
+def extents_of(operand: Operand) -> list[tuple[str, int, int]]:
+    """The bank, first and last number of what an operand names itself, and of the points that its words hold."""
+    if isinstance(operand, Immediate):
+        operand = operand.target
+    if isinstance(operand, Cell):
+        first = last = operand.address.number
+    elif isinstance(operand, Range):
+        first, last = min(operand.first, operand.last), max(operand.first, operand.last)
+    else:
+        return []
+    bank = operand.bank
+    extents = [(bank, first, last)]
+    if bank in ("XD", "YD"):
+        for word in addresses_of(operand):
+            points = _points(word)
+            extents.append((bank[0], points[0].number, points[-1].number))
+    return extents
+
+
+def _joined(stretches: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
+    joined: list[tuple[int, int]] = []
+    for first, last in sorted(stretches):
+        if joined and first <= joined[-1][1] + 1:
+            joined[-1] = (joined[-1][0], max(joined[-1][1], last))
+        else:
+            joined.append((first, last))
+    return joined
+
+
+def _meets(stretches: Sequence[tuple[int, int]], first: int, last: int) -> bool:
+    index = bisect_right(stretches, last, key=lambda stretch: stretch[0]) - 1
+    return index >= 0 and stretches[index][1] >= first
 
 
 def _covers(operand: Operand, address: Address) -> bool:
@@ -94,21 +164,12 @@ def _covers(operand: Operand, address: Address) -> bool:
     return min(target.first, target.last) <= address.number <= max(target.first, target.last)
 
 
-def _addresses(operand: Operand) -> Iterator[Address]:
-    if isinstance(operand, Cell):
-        yield operand.address
-        yield from _points(operand.address)
-    elif isinstance(operand, Range) and len(operand) <= _LONG:
-        for address in operand.addresses():
-            yield address
-            yield from _points(address)
-
-
-def _points(word: Address) -> Iterator[Address]:
+def _points(word: Address) -> list[Address]:
     """The inputs or outputs that a word of XD or YD holds: XD0 is X001 to X016, XD0u X021 to X036, XD3 X301 to X316."""
-    if word.bank in ("XD", "YD"):
-        first = 21 if word.upper else word.number * 100 + 1
-        yield from (Address(word.bank[0], number) for number in range(first, first + 16))
+    if word.bank not in ("XD", "YD"):
+        return []
+    first = 21 if word.upper else word.number * 100 + 1
+    return [Address(word.bank[0], number) for number in range(first, first + 16)]
 
 
 # -- walking ----------------------------------------------------------------------------------------------------------

@@ -1,0 +1,153 @@
+"""A timer's current value compared with == or !=: it counts in leaps of a scan and may leap over the value."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from clickgen.check.facts import Facts
+from clickgen.check.rule import Rule, Wrong
+from clickgen.device.banks import Address, current_value
+from clickgen.diagnostics import Diagnostics, Edit, Fix
+from clickgen.instructions import drums, timers
+from clickgen.ir.conditions import Compare
+from clickgen.ir.operands import Cell, Integer, Single
+from clickgen.source import Span
+
+CODE = "CG511"
+
+_RESTS = (0, timers.PRESET_MAX)
+"""The values at which a timer stands still: at rest, and where it counts no further (click-facts, section 8)."""
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    compares = [compare for compare in facts.comparisons if compare.op in ("==", "!=") and _has_timer(compare)]
+    if not compares:
+        return
+    running = _counting_milliseconds(facts)
+    for compare in compares:
+        for side, other in ((compare.left, compare.right), (compare.right, compare.left)):
+            if isinstance(side, Cell) and side.address in running and not _is_rest(other):
+                problems.add(
+                    CODE,
+                    compare.span,
+                    f"{facts.shown(side.address)} counts milliseconds, several in each scan, and leaps over values: it "
+                    "may never be equal",
+                    f"compare with {'>=' if compare.op == '==' else '<'}",
+                    fix=_fix(facts, compare, is_left=side is compare.left),
+                )
+                break
+
+
+def _has_timer(compare: Compare) -> bool:
+    return any(isinstance(side, Cell) and side.bank == "TD" for side in (compare.left, compare.right))
+
+
+def _is_rest(operand: Single) -> bool:
+    return isinstance(operand, Integer) and operand.value in _RESTS
+
+
+def _counting_milliseconds(facts: Facts) -> Mapping[Address, None]:
+    """The current values of timers and time drums whose unit is the millisecond."""
+    found: dict[Address, None] = {}
+    for placed in facts.actions:
+        if placed.spec in timers.SPECS or placed.spec is drums.TIME_DRUM:
+            owner = placed.action.args.get("timer") or placed.action.args.get("accumulator")
+            if isinstance(owner, Cell) and (placed.action.word("unit") or timers.UNIT.default) == "Tms":
+                found[current_value(owner.address)] = None
+    return found
+
+
+def _fix(facts: Facts, compare: Compare, is_left: bool) -> Fix | None:
+    left, right = compare.left.span, compare.right.span
+    gap = Span(left.path, left.end_line, left.end_col, right.line, right.col)
+    text = facts.text(gap)
+    if text.strip() != compare.op:
+        return None
+    op = {"==": ">=", "!=": "<"}[compare.op] if is_left else {"==": "<=", "!=": ">"}[compare.op]
+    return Fix((Edit(gap, text.replace(compare.op, op)),), is_safe=False)
+
+
+RULE = Rule(
+    CODE,
+    check,
+    """
+The current value of a timer in milliseconds grows by the length of a scan: 0, 7, 15, 22. It passes most values without
+ever being equal to them, so a step that waits for `td.Cycle == 500` comes on some days and not on others. Ask `>=`
+instead; with `all(td.Cycle >= 500, td.Cycle < 600)` for a window. A timer does not stop at its setpoint either.
+
+Equality with 0 (the timer is at rest) and with 32767 (it counts no further) is fine. So are timers in seconds and
+longer units: they keep each value for many scans. Counters count one by one, and equality meets every value.
+""",
+    wrong=(
+        Wrong(
+            """
+if c.Run:
+    ton(t.Cycle, setpoint=2000)
+if td.Cycle == 500:  # <-
+    set(c.Half)
+if all(c.Run, ds.Wait == td.Cycle, 900 != td.Cycle):  # <-  # <-
+    set(c.Late)
+""",
+            """
+if c.Run:
+    ton(t.Cycle, setpoint=2000)
+if td.Cycle >= 500:  # <-
+    set(c.Half)
+if all(c.Run, ds.Wait <= td.Cycle, 900 > td.Cycle):  # <-  # <-
+    set(c.Late)
+""",
+        ),
+        Wrong(
+            """
+if c.Run:
+    time_drum(
+        outputs=[y.A],
+        presets=[200, 300],
+        pattern=[[1], [0]],
+        current_step=ds.Step,
+        accumulator=td.Passed,
+        completion_flag=c.Done,
+        reset=lambda: c.Clear,
+    )
+if td.Passed == 150:  # <-
+    set(c.Close)
+""",
+            """
+if c.Run:
+    time_drum(
+        outputs=[y.A],
+        presets=[200, 300],
+        pattern=[[1], [0]],
+        current_step=ds.Step,
+        accumulator=td.Passed,
+        completion_flag=c.Done,
+        reset=lambda: c.Clear,
+    )
+if td.Passed >= 150:  # <-
+    set(c.Close)
+""",
+        ),
+    ),
+    right=(
+        """
+if c.Run:
+    ton(t.Cycle, setpoint=2000)
+if all(td.Cycle >= 500, td.Cycle < 600):
+    set(c.Half)
+if any(td.Cycle == 0, td.Cycle != 0, td.Cycle):
+    set(c.Seen)
+""",
+        """
+if c.Run:
+    ton(t.Cycle, setpoint=90, unit=Ts)
+if td.Cycle == 30:
+    out(y.Horn)
+""",
+        """
+if re(x.Part):
+    ctu(ct.Parts, setpoint=12).reset(c.NewBox)
+if ctd.Parts == 6:
+    out(y.Divider)
+""",
+    ),
+)

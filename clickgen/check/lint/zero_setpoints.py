@@ -1,0 +1,111 @@
+"""A timer that waits for nothing: its setpoint is the constant 0."""
+
+from __future__ import annotations
+
+from clickgen.check.facts import Facts, Placed
+from clickgen.check.rule import Rule, Wrong
+from clickgen.diagnostics import Diagnostics
+from clickgen.instructions import drums, timers
+from clickgen.ir.operands import Cell, Integer, Single
+from clickgen.ir.program import Operands, Pattern
+
+CODE = "CG512"
+
+_HAPPENS = {
+    "ton": "its bit follows the rung at once",
+    "tof": "its bit follows the rung at once",
+    "rton": "its bit comes on at once and stays until the reset",
+    "rtof": "its bit goes off at once and stays so until the reset",
+}
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    for placed in facts.actions:
+        setpoint = placed.action.args.get("setpoint")
+        if placed.spec in timers.SPECS and isinstance(setpoint, Integer) and setpoint.value == 0:
+            timer = placed.action.args["timer"]
+            name = facts.shown(timer.address) if isinstance(timer, Cell) else "this timer"
+            fault = f"the setpoint of {name} is 0: {_HAPPENS[placed.spec.name]}"
+            problems.add(CODE, setpoint.span, fault, "give it a time, or leave the timer out")
+        elif placed.spec is drums.TIME_DRUM:
+            for step, preset in _empty_steps(placed):
+                problems.add(
+                    CODE,
+                    preset.span,
+                    f"step {step} of this drum lasts 0: its outputs are not on for longer than a scan",
+                    "give it a time, or leave the step out",
+                )
+
+
+def _empty_steps(placed: Placed) -> list[tuple[int, Single]]:
+    """The steps that last no time and yet drive an output."""
+    presets, pattern = placed.action.args["presets"], placed.action.args["pattern"]
+    if not (isinstance(presets, Operands) and isinstance(pattern, Pattern)):
+        return []
+    return [
+        (step, preset)
+        for step, (preset, row) in enumerate(zip(presets.items, pattern.rows, strict=False), 1)
+        if isinstance(preset, Integer) and preset.value == 0 and any(row)
+    ]
+
+
+RULE = Rule(
+    CODE,
+    check,
+    """
+A timer with the setpoint 0 delays nothing: whoever reads `t.Delay` believes that something waits. It is mostly a number
+that was to be filled in later. Where the time is set on a panel, name the register: `setpoint=ds.Delay`; a register may
+be 0.
+
+A step of a time drum that lasts 0 and drives an output does not keep it on for longer than a scan. A step of 0 that
+drives nothing is left alone: that is how a step is taken out without counting the others anew.
+""",
+    wrong=(
+        Wrong(
+            """
+if x.Door:
+    ton(t.DoorOpen, setpoint=0, unit=Ts)  # <-
+    tof(t.Light, 0)  # <-
+"""
+        ),
+        Wrong(
+            """
+if c.Run:
+    time_drum(
+        outputs=[y.A, y.B],
+        presets=[20, 0],  # <-
+        unit=Ts,
+        pattern=[[1, 0], [0, 1]],
+        current_step=ds.Step,
+        accumulator=td.Passed,
+        completion_flag=c.Done,
+        reset=lambda: c.Clear,
+    )
+"""
+        ),
+    ),
+    right=(
+        """
+if x.Door:
+    ton(t.DoorOpen, setpoint=30, unit=Ts)
+    tof(t.Light, ds.LightTime)
+""",
+        """
+if c.Run:
+    time_drum(
+        outputs=[y.A, y.B],
+        presets=[20, 0, 5],
+        unit=Ts,
+        pattern=[[1, 0], [0, 0], [0, 1]],
+        current_step=ds.Step,
+        accumulator=td.Passed,
+        completion_flag=c.Done,
+        reset=lambda: c.Clear,
+    )
+""",
+        """
+if re(x.Part):
+    ctud(ct.Stock, setpoint=0).down(re(x.Taken)).reset(c.Clear)
+""",
+    ),
+)

@@ -1,0 +1,346 @@
+"""What clickgen.check.logic says of conditions, case by case and against trying every state of a small machine."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import product
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from clickgen.check.logic import always_holds, are_exclusive, can_hold, implies
+from clickgen.diagnostics import Diagnostics
+from clickgen.ir.conditions import All, Condition
+from clickgen.resolve.resolve import resolve
+from clickgen.resolve.table import AddressTable
+from clickgen.source import SourceFile
+from clickgen.syntax.files import read_program
+
+
+def read(text: str) -> Condition:
+    """The condition of ``if text:``, names resolved."""
+    problems = Diagnostics()
+    source = SourceFile("prog.py", f"def main():\n    if {text}:\n        out(c[2000])\n")
+    program, _ = read_program(source, lambda _: b"", problems)
+    assert program
+    resolved = resolve(program, AddressTable.empty(""), False, problems).program
+    assert not problems.has_errors, problems.found
+    return resolved.routines[0].rungs[0].condition
+
+
+# -- case by case -----------------------------------------------------------------------------------------------------
+
+POSSIBLE = """
+c[1]
+True
+all(c[1], nc(c[2]))
+any(c[1], nc(c[1]))
+all(any(c[1], c[2]), nc(c[1]))
+re(c[1])
+all(re(c[1]), c[1])
+all(fe(c[1]), nc(c[1]))
+all(re(c[1]), re(c[2]), fe(c[3]))
+all(c[1:4], c[4])
+any(c[1:4], nc(c[1:4]))
+all(x[1].immediate, nc(x[1]))
+all(x[1].immediate, nc(x[1].immediate))
+all(x[1:4].immediate, nc(x[2].immediate))
+all(ds[1] > 4, ds[1] < 6)
+all(ds[1] >= 5, ds[1] <= 5)
+all(ds[1] != 5, ds[1] != 6, ds[1] > 4, ds[1] < 8)
+all(ds[1] > 4.5, ds[1] < 5.5)
+all(df[1] > 4, df[1] < 5)
+all(5 < ds[1], 7 > ds[1])
+all(dh[1] == 0x00FF, dh[2] == "00FEh")
+all(dh[1] > 0xFFFE, dh[1] != 0)
+all(txt[1] == "A", txt[2] == "B")
+all(ds[1] == ds[2], ds[1] >= ds[2])
+all(ds[1] <= ds[2], ds[2] <= ds[1])
+all(ds[1] < ds[2], ds[2] < ds[3], ds[3] < ds[1])
+all(td[1] == 5, ds[1] == 6, ctd[1] == 7)
+all(ds[1] < ds[2], ds[2] < 5, ds[1] > 6)
+ds[1] == ds[1]
+ds[1]
+all(dd[1] == 16777217, dd[1] == 16777216.0)
+all(xd[0] == 0x0001, nc(x[1]))
+""".strip().split("\n")
+"""Some state makes these true, or it is not to be decided: three registers in a circle, a register and two others."""
+
+IMPOSSIBLE = """
+all(c[1], nc(c[1]))
+all(any(c[1], c[2]), nc(c[1]), nc(c[2]))
+all(re(c[1]), nc(c[1]))
+all(fe(c[1]), c[1])
+all(re(c[1]), fe(c[1]))
+all(c[1:4], nc(c[2]))
+all(nc(c[1:4]), c[3])
+all(c[1:4], nc(c[3:6]))
+all(any(c[1], c[2]), nc(c[1:3]))
+all(ds[1] == 1, ds[1] == 2)
+all(ds[1] > 5, ds[1] < 6)
+all(5 < ds[1], 6 > ds[1])
+all(ds[1] > 5, ds[1] <= 6, ds[1] != 6)
+all(ds[1] != 1, ds[1] != 2, ds[1] != 3, ds[1] > 0, ds[1] < 4)
+all(ds[1], ds[1] == 0)
+all(ds[1] > 4.2, ds[1] < 4.8)
+ds[1] == 2.5
+ds[1] > 32767
+ds[1] < -32768
+dd[1] > 2147483647
+dh[1] < 0
+dh[1] > 0xFFFF
+all(df[1] > 5, df[1] < 5)
+all(df[1] == 0.1, df[1] != 0.1)
+all(df[1] > 0.1, df[1] < 0.10000000001)
+all(dh[1] == 0x00FF, dh[1] == 254)
+all(txt[1] == "A", txt[1] == "B")
+all(ds[1] < ds[2], ds[2] < ds[1])
+all(ds[1] == ds[2], ds[2] != ds[1])
+ds[1] < ds[1]
+ds[1] != ds[1]
+all(td[1] > 10, td[1] < 10)
+all(any(ds[1] == 1, ds[1] == 2), any(ds[1] == 3, ds[1] == 4))
+""".strip().split("\n")
+
+CERTAIN = """
+True
+any(c[1], nc(c[1]))
+any(c[1:3], nc(c[1]), nc(c[2]))
+any(nc(c[1:3]), c[1], c[2])
+any(c[1], all(nc(c[1]), c[2]), nc(c[2]))
+any(ds[1] <= 5, ds[1] > 5)
+any(ds[1] == 1, ds[1] != 1)
+any(ds[1] < 3, ds[1] > 2)
+any(ds[1] < 3.5, ds[1] > 3.2)
+any(df[1] < 3, df[1] >= 3)
+any(ds[1] < ds[2], ds[1] >= ds[2])
+ds[1] == ds[1]
+ds[1] >= -32768
+dh[1] >= 0
+""".strip().split("\n")
+
+IMPLIED = """
+c[1] -> c[1]
+all(c[1], c[2]) -> c[1]
+c[1] -> any(c[1], c[2])
+c[1] -> True
+re(c[1]) -> c[1]
+fe(c[1]) -> nc(c[1])
+c[1:4] -> c[2]
+c[1:6] -> c[2:4]
+nc(c[1:6]) -> nc(c[2:4])
+ds[1] == 5 -> ds[1] > 4
+ds[1] > 4 -> ds[1] >= 5
+ds[1] > 4.5 -> ds[1] >= 5
+ds[1] == 5 -> 5 == ds[1]
+ds[1] < ds[2] -> ds[2] > ds[1]
+ds[1] == ds[2] -> ds[1] <= ds[2]
+any(ds[1] == 1, ds[1] == 2) -> ds[1] > 0
+all(c[1], nc(c[1])) -> c[2]
+dh[1] == 0x0010 -> dh[1] > 15
+txt[1] == "A" -> txt[1] != "B"
+""".strip().split("\n")
+
+NOT_IMPLIED = """
+c[1] -> c[2]
+c[1] -> re(c[1])
+any(c[1], c[2]) -> c[1]
+c[1:4] -> c[4]
+c[2] -> c[1:4]
+x[1].immediate -> x[1]
+x[1] -> x[1].immediate
+x[1].immediate -> x[1].immediate
+ds[1] > 4 -> ds[1] > 5
+df[1] > 4 -> df[1] >= 5
+ds[1] <= ds[2] -> ds[1] == ds[2]
+True -> c[1]
+""".strip().split("\n")
+
+
+@pytest.mark.parametrize("text", POSSIBLE)
+def test_what_may_hold(text: str) -> None:
+    assert can_hold(read(text))
+
+
+@pytest.mark.parametrize("text", IMPOSSIBLE)
+def test_what_never_holds(text: str) -> None:
+    condition = read(text)
+    assert not can_hold(condition)
+    assert not always_holds(condition)
+    if isinstance(condition, All):
+        assert are_exclusive(*condition.terms)
+
+
+@pytest.mark.parametrize("text", CERTAIN)
+def test_what_always_holds(text: str) -> None:
+    assert always_holds(read(text))
+
+
+@pytest.mark.parametrize("text", [text for text in POSSIBLE if text not in CERTAIN])
+def test_what_does_not_always_hold(text: str) -> None:
+    assert not always_holds(read(text))
+
+
+@pytest.mark.parametrize("text", IMPLIED)
+def test_what_follows(text: str) -> None:
+    one, other = map(read, text.split(" -> "))
+    assert implies(one, other)
+
+
+@pytest.mark.parametrize("text", NOT_IMPLIED)
+def test_what_does_not_follow(text: str) -> None:
+    one, other = map(read, text.split(" -> "))
+    assert not implies(one, other)
+
+
+# -- limits -----------------------------------------------------------------------------------------------------------
+
+
+def test_a_condition_too_large_to_decide_counts_as_possible() -> None:
+    # Each choice of one bit of a pair excludes a bit of the others: 2 to the 40th ways, and none of them works.
+    choices = ", ".join(f"any(c[{n}], c[{n + 1}])" for n in range(1, 81, 2))
+    never = ", ".join(f"any(nc(c[{n}]), nc(c[{n + 1}]))" for n in range(1, 81, 2))
+    condition = read(f"all({choices}, {never}, any(ds[1] == 1, ds[1] == 2), ds[1] > 2)")
+    assert can_hold(condition)
+    assert not are_exclusive(condition)
+
+
+def test_a_long_series_and_a_long_range_are_decided() -> None:
+    series = ", ".join(f"c[{n}]" for n in range(1, 1001))
+    assert can_hold(read(f"all({series})"))
+    assert not can_hold(read(f"all({series}, nc(c[1000]))"))
+    assert not can_hold(read("all(c[1:2000], nc(c[1999]))"))
+    assert implies(read("c[1:2000]"), read("c[1999]"))
+
+
+# -- every state of a small machine -----------------------------------------------------------------------------------
+
+_COMPARE: Mapping[str, Callable[[int, int], bool]] = {
+    "==": operator.eq,
+    "!=": operator.ne,
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
+}
+BITS = (1, 2, 3)
+VALUES = tuple(range(-2, 6))
+"""Around the constants 0 to 3: every order that two registers and the constants can have."""
+
+
+@dataclass(frozen=True)
+class State:
+    """Bits now and a scan before, and two registers."""
+
+    now: tuple[bool, ...]
+    before: tuple[bool, ...]
+    registers: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Term:
+    """A condition as text, and whether it holds in a state."""
+
+    text: str
+    holds: Callable[[State], bool]
+
+
+def _level(bit: int, word: str) -> Term:
+    wanted = word != "nc"
+    edges: dict[str, Callable[[State], bool]] = {
+        "re": lambda state: state.now[bit - 1] and not state.before[bit - 1],
+        "fe": lambda state: state.before[bit - 1] and not state.now[bit - 1],
+    }
+    text = f"{word}(c[{bit}])" if word else f"c[{bit}]"
+    return Term(text, edges.get(word, lambda state: state.now[bit - 1] is wanted))
+
+
+def _range(first: int, last: int, wanted: bool) -> Term:
+    text = f"c[{first}:{last + 1}]"
+    return Term(
+        text if wanted else f"nc({text})",
+        lambda state: all(state.now[bit - 1] is wanted for bit in range(first, last + 1)),
+    )
+
+
+def _constant(register: int, op: str, value: int, is_left: bool) -> Term:
+    compare = _COMPARE[op]
+    if is_left:
+        return Term(f"{value} {op} ds[{register}]", lambda state: compare(value, state.registers[register - 1]))
+    return Term(f"ds[{register}] {op} {value}", lambda state: compare(state.registers[register - 1], value))
+
+
+def _registers(one: int, op: str, other: int) -> Term:
+    compare = _COMPARE[op]
+    return Term(
+        f"ds[{one}] {op} ds[{other}]",
+        lambda state: compare(state.registers[one - 1], state.registers[other - 1]),
+    )
+
+
+def _group(word: str, terms: list[Term]) -> Term:
+    test = all if word == "all" else any
+    return Term(f"{word}({', '.join(term.text for term in terms)})", lambda state: test(t.holds(state) for t in terms))
+
+
+levels = st.builds(_level, st.sampled_from(BITS), st.sampled_from(["", "nc", "re", "fe"]))
+ranges = st.builds(_range, st.just(1), st.sampled_from([2, 3]), st.booleans())
+constants = st.builds(
+    _constant, st.sampled_from([1, 2]), st.sampled_from(sorted(_COMPARE)), st.integers(0, 3), st.booleans()
+)
+relations = st.builds(_registers, st.sampled_from([1, 2]), st.sampled_from(sorted(_COMPARE)), st.sampled_from([1, 2]))
+
+
+def _nested(leaves: st.SearchStrategy[Term]) -> st.SearchStrategy[Term]:
+    return st.recursive(
+        leaves,
+        lambda terms: st.builds(_group, st.sampled_from(["all", "any"]), st.lists(terms, min_size=1, max_size=4)),
+        max_leaves=8,
+    )
+
+
+decidable = _nested(levels | ranges | constants)
+"""Nothing here is beyond what logic.py can decide."""
+mixed = _nested(levels | ranges | constants | relations)
+
+
+def _states() -> Iterator[State]:
+    bits = list(product((False, True), repeat=len(BITS)))
+    for now, before in product(bits, bits):
+        for registers in product(VALUES, repeat=2):
+            yield State(now, before, registers)
+
+
+STATES = tuple(_states())
+
+
+@settings(deadline=None)
+@given(decidable, decidable)
+def test_it_agrees_with_trying_every_state(one: Term, other: Term) -> None:
+    first, second = read(one.text), read(other.text)
+    truths = [(one.holds(state), other.holds(state)) for state in STATES]
+    assert can_hold(first) is any(truth for truth, _ in truths)
+    assert always_holds(first) is all(truth for truth, _ in truths)
+    assert are_exclusive(first, second) is not any(both == (True, True) for both in truths)
+    assert implies(first, second) is not any(both == (True, False) for both in truths)
+
+
+@settings(deadline=None)
+@given(mixed, mixed)
+def test_it_never_denies_a_state_that_there_is(one: Term, other: Term) -> None:
+    first, second = read(one.text), read(other.text)
+    truths = [(one.holds(state), other.holds(state)) for state in STATES]
+    assert can_hold(first) or not any(truth for truth, _ in truths)
+    assert not always_holds(first) or all(truth for truth, _ in truths)
+    assert not are_exclusive(first, second) or (True, True) not in truths
+    assert not implies(first, second) or (True, False) not in truths
+
+
+@given(decidable, st.sampled_from(["x[1].immediate", "nc(x[1].immediate)", "x[1:3].immediate"]))
+def test_an_immediate_contact_says_nothing_of_another(term: Term, immediate: str) -> None:
+    condition = read(term.text)
+    assert can_hold(read(f"all({term.text}, {immediate})")) is can_hold(condition)
+    assert implies(read(immediate), condition) is always_holds(condition)
