@@ -27,9 +27,13 @@ def apply_fixes(text: str, fixes: Iterable[Fix]) -> tuple[str, int]:
         taken += [(start, end) for start, end, _ in pieces]
         chosen += pieces
         count += 1
-    for start, end, new in sorted(chosen, reverse=True):
-        text = text[:start] + new + text[end:]
-    return text, count
+    parts: list[str] = []
+    done = 0
+    # An insertion stands in front of what is replaced at its place; two insertions of one fix keep their order.
+    for start, end, new in sorted(chosen, key=lambda piece: piece[:2]):
+        parts += (text[done:start], new)
+        done = end
+    return "".join((*parts, text[done:])), count
 
 
 def _piece(places: _Places, edit: Edit) -> tuple[int, int, str]:
@@ -63,7 +67,7 @@ class _Places:
         # What the reader of the file leaves out: a byte order mark, and what stands before a form feed.
         if index == 0 and self._text.startswith("\ufeff"):
             start += 1
-        skipped = FORM_FEED.match(self._text, start, end)
+        skipped = FORM_FEED.match(self._text[start:end])
         if skipped:
-            start = skipped.end()
+            start += skipped.end()
         return min(start + col - 1, end)

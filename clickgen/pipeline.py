@@ -243,7 +243,7 @@ def _resolve(state: _Build) -> None:
 
 def _check(state: _Build) -> None:
     if state.resolved is not None:
-        facts = Facts(state.resolved.program)
+        facts = Facts(state.resolved.program, {source.path: source for source in state.sources})
         for rule in RULES:
             rule(facts, state.problems)
 

@@ -11,23 +11,27 @@ import sys
 import time
 import traceback
 import warnings
+from collections import Counter
 from collections.abc import Callable
 from typing import Any
 
 from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
 from hypothesis.errors import HypothesisWarning
+from strategies.given import TABLE, Given
 from test_meaning_properties import MEANING
 from test_power_properties import POWER
 from test_robustness import ROBUSTNESS
 
-Property = tuple[st.SearchStrategy[Any], Callable[[Any], None]]
+Check = Callable[[Any], None]
+Property = tuple[st.SearchStrategy[Any], Check]
 PROPERTIES: dict[str, Property] = {**POWER, **MEANING, **ROBUSTNESS}
 
 
-def one_round(strategy: st.SearchStrategy[Any], check: Callable[[Any], None], number: int, examples: int) -> str:
-    """Run a property on random examples; the report of its smallest failure, or an empty text."""
+def one_round(strategy: st.SearchStrategy[Any], check: Check, number: int, examples: int) -> tuple[str, int]:
+    """Run a property on random examples: the report of its smallest failure or an empty text, and how many ran."""
     failed: list[tuple[Any, str]] = []
+    count = 0
 
     @seed(number)
     @settings(
@@ -40,6 +44,8 @@ def one_round(strategy: st.SearchStrategy[Any], check: Callable[[Any], None], nu
     )
     @given(strategy)
     def run(example: Any) -> None:
+        nonlocal count
+        count += 1
         try:
             check(example)
         except Exception:
@@ -52,8 +58,40 @@ def one_round(strategy: st.SearchStrategy[Any], check: Callable[[Any], None], nu
         if isinstance(error, KeyboardInterrupt) or not failed:
             raise
         example, trace = failed[-1]  # hypothesis ends with the smallest
-        return f"{getattr(example, 'text', repr(example))}\n{trace}"
-    return ""
+        if isinstance(example, Given):
+            example = without_lines(example, check, fault_of(trace))
+        return f"{getattr(example, 'text', repr(example))}\n{trace}", count
+    return "", count
+
+
+def fault_of(trace: str) -> str:
+    """What a failure is known by: the first words of its last line."""
+    return trace.strip().splitlines()[-1][:60]
+
+
+def without_lines(files: Given, check: Check, fault: str) -> Given:
+    """The same files without the lines that the fault does not need."""
+
+    def fails(some: Given) -> bool:
+        try:
+            check(some)
+        except Exception:
+            return fault_of(traceback.format_exc(limit=-6)) == fault
+        return False
+
+    for name, _ in files.files:
+        at = 0
+        while name != TABLE:
+            lines = dict(files.files)[name].splitlines(keepends=True)
+            if at >= len(lines):
+                break
+            rest = b"".join(lines[:at] + lines[at + 1 :])
+            fewer = Given(tuple((other, rest if other == name else data) for other, data in files.files))
+            if fails(fewer):
+                files = fewer
+            else:
+                at += 1
+    return files
 
 
 def main() -> int:
@@ -67,20 +105,21 @@ def main() -> int:
     stop = time.monotonic() + 60 * options.minutes
     number = options.seed if options.seed is not None else random.randrange(2**32)
     print(f"seed {number}", flush=True)
-    reports: dict[str, int] = {}
-    rounds = 0
+    reports: Counter[str] = Counter()
+    ran: Counter[str] = Counter()
     while time.monotonic() < stop:
         for name in options.only or PROPERTIES:
-            report = one_round(*PROPERTIES[name], number, options.examples)
-            rounds += 1
+            report, count = one_round(*PROPERTIES[name], number, options.examples)
+            ran[name] += count
             number += 1
             if not report:
                 continue
             last = f"{name}: {report.strip().splitlines()[-1][:100]}"
-            reports[last] = reports.get(last, 0) + 1
+            reports[last] += 1
             if reports[last] <= 2:
                 print(f"\n{'=' * 100}\n{name}, seed {number - 1}\n{report}", flush=True)
-    print(f"\n{rounds} rounds of {options.examples} examples; {sum(reports.values())} failed")
+    print("\nexamples: " + ", ".join(f"{name} {count}" for name, count in ran.items()))
+    print(f"{sum(reports.values())} rounds failed")
     for last, count in reports.items():
         print(f"  {count} x {last}")
     return 1 if reports else 0

@@ -8,18 +8,18 @@ from __future__ import annotations
 import csv
 import io
 import os
-import random
 import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from strategies.edits import PLAIN, SCRATCH, Draft, Piece, edit, numbers_from, pieces, random_draft
 
 import clickgen
 from clickgen.pipeline import BuildResult
@@ -37,105 +37,12 @@ FOREIGN = (
 """Rows of the user's, some of them not in clickgen's own form and some where scratch would go."""
 
 
-# -- programs ----------------------------------------------------------------------------------------------------------
-
-RUNGS: tuple[str, ...] = (
-    "if {c0}:\n    out({c1})",
-    "if all({c0}, nc({c1})):\n    set({c2})\n    if re({c1}):\n        copy({d0}, {d1})",
-    'if {c0}:\n    calc("{d0} + {d1} * 2", {d2})',
-    # Scratch bits: the condition is written before a box with pins looks at it again.
-    "if all({c0}, nc({c1})):\n    set({c1})\n    rton({t0}, {d0}, unit=Ts, reset=lambda: {c2})",
-    "if any({c0}, {c1}):\n    reset({c0})\n    ctu({k0}, 10, reset=lambda: all({c1}, {c2}))",
-    # Formula pointers take scratch registers of several banks.
-    'if {c0}:\n    calc("ds[{d0}] + dd[{d1}]", {d2})',
-    'if {c0}:\n    math_hex("xd[0] AND dh[{d0}]", dh.Word{n})',
-    "if {c0}:\n    rtof({t0}, {d0}, unit=Tm, reset=lambda: {c1})\nif {t0}:\n    out({c2})",
-    "if {c0}:\n    copy_block(dd[900:903], ds.Block{n})",
-    "if x[1]:\n    copy_fill({d0}, ds[{n}:{n2}])",
-    "if c[{n}:{n2}]:\n    out(c.Whole{n})",
-    'if {c0}:\n    copy("TEXT{n}", txt.Text{n})',
-    "if " + "any({c0}, " + ", ".join(f"all(c[{1000 + 40 * k}:{1030 + 40 * k}], {{c1}})" for k in range(3)) + "):\n"
-    "    out({c2})",
-    "if all(td.Elapsed{n} > 3, {c0}):\n    out({c1})\nif {c2}:\n    ton(t.Elapsed{n}, 500)",
-    "if x.Input{n}:\n    out(y.Output{n})",
-)
-
-
-@dataclass(frozen=True)
-class Piece:
-    """Some rungs of main: a form, the names in it, and a number that makes its own names unique."""
-
-    form: int
-    number: int
-    bits: tuple[int, int, int]
-    words: tuple[int, int, int]
-
-    def text(self, renamed: dict[int, str]) -> str:
-        number = self.number
-        names: dict[str, object] = {"n": number, "n2": number + 3, "t0": f"t.Timer{number}", "k0": f"ct.Count{number}"}
-        for place, bit in enumerate(self.bits):
-            names[f"c{place}"] = f"c.{renamed.get(bit, f'Bit{bit}')}"
-        for place, word in enumerate(self.words):
-            names[f"d{place}"] = f"ds.Word_{word}"
-        return RUNGS[self.form].format_map(names)
-
-
-@dataclass
-class Draft:
-    """A program under way."""
-
-    pieces: list[Piece] = field(default_factory=list)
-    routine: list[Piece] = field(default_factory=list)
-    renamed: dict[int, str] = field(default_factory=dict)
-    extra: list[str] = field(default_factory=list)
-
-    def text(self) -> str:
-        def body(pieces: list[Piece]) -> str:
-            lines = "\n".join(piece.text(self.renamed) for piece in pieces).splitlines()
-            return "".join(f"    {line}\n" for line in lines)
-
-        declared = "".join(f"{line}\n" for line in self.extra)
-        return (
-            f"{declared}\n@sub\ndef helper():\n{body(self.routine)}    if True:\n        return\n\n"
-            f"def main():\n{body(self.pieces)}    if True:\n        call(helper)\n    if True:\n        end()\n"
-        )
-
-
-_small = st.integers(0, 6)
-
-
-@st.composite
-def pieces(draw: st.DrawFn, numbers: Iterator[int]) -> Piece:
-    bits = draw(st.lists(_small, min_size=3, max_size=3, unique=True))
-    words = draw(st.lists(_small, min_size=3, max_size=3, unique=True))
-    form = draw(st.integers(0, len(RUNGS) - 1))
-    return Piece(form, next(numbers), (bits[0], bits[1], bits[2]), (words[0], words[1], words[2]))
-
-
-def edit(data: st.DataObject, draft: Draft, numbers: Iterator[int]) -> None:
-    """Change the draft in one place."""
-    draw = data.draw
-    part = draft.routine if draw(st.integers(0, 4)) == 0 else draft.pieces
-    kind = draw(st.sampled_from(["insert", "insert", "remove", "swap", "rename", "declare", "double"]))
-    if kind == "insert" or (kind != "declare" and kind != "rename" and not part):
-        part.insert(draw(st.integers(0, len(part))), draw(pieces(numbers)))
-    elif kind == "remove":
-        del part[draw(st.integers(0, len(part) - 1))]
-    elif kind == "swap":
-        one, other = draw(st.integers(0, len(part) - 1)), draw(st.integers(0, len(part) - 1))
-        part[one], part[other] = part[other], part[one]
-    elif kind == "rename":
-        draft.renamed[draw(_small)] = f"Renamed{next(numbers)}"
-    elif kind == "declare":
-        number = next(numbers)
-        draft.extra.append(f'nickname(ds.Declared{number}, ds[{4000 + number}], initial={number}, comment="d{number}")')
-    else:
-        # The same need a second time: its scratch cells have the same purpose.
-        piece = part[draw(st.integers(0, len(part) - 1))]
-        part.insert(draw(st.integers(0, len(part))), Piece(piece.form, next(numbers), piece.bits, piece.words))
-
-
 # -- a desk ------------------------------------------------------------------------------------------------------------
+
+
+def put(folder: Path, texts: dict[str, str], change: Callable[[str], bytes] = str.encode) -> None:
+    for name, text in texts.items():
+        (folder / name).write_bytes(change(text))
 
 
 @dataclass
@@ -154,15 +61,18 @@ class Desk:
     def out(self) -> Path:
         return self.folder / "out"
 
-    def build(self, text: str | None = None, *, frozen: bool = False) -> BuildResult:
-        if text is not None:
-            self.program.write_text(text)
+    def build(self, program: str | dict[str, str] = "", *, frozen: bool = False) -> BuildResult:
+        """Build a program, given by its text or the texts of its files, or the one that stands there."""
+        if program:
+            for path in self.folder.glob("*.py"):
+                path.unlink()
+            put(self.folder, program if isinstance(program, dict) else {"prog.py": program})
         result = clickgen.build(self.program, frozen=frozen)
         assert result.ok, [(problem.code, problem.message, str(problem.span)) for problem in result.diagnostics]
         return result
 
-    def build_and_write(self, text: str | None = None) -> list[Path]:
-        return self.build(text).write(self.out)
+    def build_and_write(self, program: str | dict[str, str] = "") -> list[Path]:
+        return self.build(program).write(self.out)
 
     def everything(self) -> dict[str, bytes]:
         files = {path.relative_to(self.out).as_posix(): path.read_bytes() for path in self.out.rglob("*.*")}
@@ -217,10 +127,6 @@ SLOW = settings(
 )
 
 
-def numbers_from(first: int) -> Iterator[int]:
-    return iter(range(first, first + 900))
-
-
 @SLOW
 @given(st.data(), st.booleans())
 def test_edit_after_edit_nothing_moves(data: st.DataObject, with_foreign: bool) -> None:
@@ -233,7 +139,7 @@ def test_edit_after_edit_nothing_moves(data: st.DataObject, with_foreign: bool) 
             before = here.rows()
             for _ in range(data.draw(st.integers(1, 3))):
                 edit(data, draft, numbers)
-            here.build_and_write(draft.text())
+            here.build_and_write(draft.texts())
             check_nothing_moved(before, here.rows())
             check_no_address_serves_two(here)
             state = here.everything()
@@ -270,7 +176,7 @@ def test_scratch_of_unchanged_needs_stays(data: st.DataObject) -> None:
     # Every need has a purpose of its own here: bits that no other piece has.
     needs = [
         Piece(
-            data.draw(st.sampled_from([3, 4, 5, 7, 12])),
+            data.draw(st.sampled_from(SCRATCH)),
             next(numbers),
             (10 * k, 10 * k + 1, 10 * k + 2),
             (k, 20 + k, 40),
@@ -279,12 +185,12 @@ def test_scratch_of_unchanged_needs_stays(data: st.DataObject) -> None:
     ]
     draft = Draft(pieces=list(needs))
     with desk() as here:
-        here.build_and_write(draft.text())
+        here.build_and_write(draft.texts())
         first = {address: without_rung(reason) for address, reason in scratch_of(here.rows()).items()}
         for _ in range(3):
-            plain = Piece(data.draw(st.integers(0, 2)), next(numbers), (0, 1, 2), (0, 1, 2))
+            plain = Piece(data.draw(st.sampled_from(PLAIN)), next(numbers), (0, 1, 2), (0, 1, 2))
             draft.pieces.insert(data.draw(st.integers(0, len(draft.pieces))), plain)
-            here.build_and_write(draft.text())
+            here.build_and_write(draft.texts())
             assert {address: without_rung(reason) for address, reason in scratch_of(here.rows()).items()} == first
 
 
@@ -356,38 +262,42 @@ def test_a_change_in_one_routine_leaves_the_text_of_the_others(data: st.DataObje
         part += [data.draw(pieces(numbers)) for _ in range(data.draw(st.integers(1, 3)))]
     in_main = data.draw(st.booleans())
     with desk() as here:
-        first = here.build(draft.text())
+        first = here.build(draft.texts())
         first.write(here.out)
         changed = draft.pieces if in_main else draft.routine
         for _ in range(data.draw(st.integers(1, 3))):
             changed.insert(data.draw(st.integers(0, len(changed))), data.draw(pieces(numbers)))
-        second = here.build(draft.text())
+        second = here.build(draft.texts())
         other = "helper" if in_main else "main"
         assert sections(second.files["listing.txt"])[other] == sections(first.files["listing.txt"])[other]
         name = "subroutines/helper.csv" if in_main else "main.csv"
         assert second.files[name] == first.files[name]
 
 
+@SLOW
+@given(st.data())
+def test_a_routine_moves_to_a_file_of_its_own_and_nothing_else_changes(data: st.DataObject) -> None:
+    numbers = numbers_from(100)
+    draft = Draft()
+    for part in (draft.routine, draft.pieces):
+        part += [data.draw(pieces(numbers)) for _ in range(data.draw(st.integers(1, 3)))]
+    with desk() as here:
+        here.build_and_write(draft.texts())
+        first = here.everything()
+        draft.is_apart = True
+        here.build_and_write(draft.texts())
+        second = here.everything()
+    for name in first:
+        if name.endswith(".csv") or name == "table":
+            assert second[name] == first[name], name
+
+
 # -- the same bytes everywhere -----------------------------------------------------------------------------------------
 
 
-def _random_program(seed: int) -> str:
-    chance = random.Random(seed)
-
-    def some(first: int) -> list[Piece]:
-        found = []
-        for number in range(first, first + 12):
-            bits, words = chance.sample(range(7), 3), chance.sample(range(7), 3)
-            form = chance.randrange(len(RUNGS))
-            found.append(Piece(form, number, (bits[0], bits[1], bits[2]), (words[0], words[1], words[2])))
-        return found
-
-    return Draft(some(100), some(200)).text()
-
-
-def _in_other_process(folder: Path, seed: str, program: str) -> dict[str, bytes]:
+def _in_other_process(folder: Path, seed: str, program: dict[str, str]) -> dict[str, bytes]:
     folder.mkdir()
-    (folder / "prog.py").write_text(program)
+    put(folder, program)
     subprocess.run(
         [sys.executable, "-m", "clickgen", "build", "prog.py", "-o", "out"],
         cwd=folder,
@@ -402,14 +312,14 @@ def _in_other_process(folder: Path, seed: str, program: str) -> dict[str, bytes]
 
 @pytest.mark.parametrize("number", range(2))
 def test_an_empty_table_gives_the_same_bytes_under_any_hash_seed(tmp_path: Path, number: int) -> None:
-    program = _random_program(number)
+    program = random_draft(number)
     one, two = (_in_other_process(tmp_path / seed, seed, program) for seed in ("0", "4711"))
     assert one == two
     assert len(one) >= 6
 
 
 def test_the_folder_and_the_way_to_name_it_do_not_matter(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    program = _random_program(5)
+    program = random_draft(5)
     found = []
     ways: list[Callable[[Path], str]] = [
         lambda folder: str(folder / "prog.py"),
@@ -420,7 +330,7 @@ def test_the_folder_and_the_way_to_name_it_do_not_matter(tmp_path: Path, monkeyp
         folder = tmp_path / f"at {number}"
         folder.mkdir()
         monkeypatch.chdir(folder)
-        (folder / "prog.py").write_text(program)
+        put(folder, program)
         result = clickgen.build(way(folder))
         assert result.ok
         found.append((dict(result.files), result.table))
@@ -437,10 +347,10 @@ def test_the_folder_and_the_way_to_name_it_do_not_matter(tmp_path: Path, monkeyp
     ids=["crlf", "bom", "no final newline"],
 )
 def test_line_ends_and_marks_of_the_source_do_not_matter(change: Callable[[str], bytes]) -> None:
-    program = _random_program(7)
+    program = random_draft(7)
     with desk() as here:
         plain = here.build(program)
-        here.program.write_bytes(change(program))
+        put(here.folder, program, change)
         other = here.build()
         assert dict(other.files) == dict(plain.files)
         assert other.table == plain.table

@@ -135,6 +135,8 @@ def _argument(action: Action, param: Param, name: Namer) -> str:
         return _remote(value)
     if not isinstance(value, Operand):
         return ""
+    if isinstance(value, Range) and len(value) == 1 and value.bank in param.slot.cells and not param.extends_over:
+        value = Cell(Address(value.bank, value.first), value.span)
     is_keyword = param.default is None and not param.of_pin
     return f",{param.name}={name(value)}" if is_keyword else name(value)
 

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import ast
+import warnings
 
 from clickgen.device.banks import BANKS, Kind
-from clickgen.diagnostics import did_you_mean
+from clickgen.diagnostics import Diagnostics, Fix, did_you_mean
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real
+from clickgen.source import SourceFile
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import address_hint, looks_like_address, read_address, read_operand, shorten
+from clickgen.syntax.rewrite import in_language, python_logic
 
 COMPARISONS: dict[type[ast.cmpop], str] = {
     ast.Eq: "==",
@@ -50,9 +53,11 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
         return _read_comparison(context, node)
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in FUNCTIONS:
         return _read_function(context, node, node.func.id)
-    logic = _python_logic(node)
+    logic = python_logic(node)
     if logic:
-        context.problem("CG105", node, f"{logic[0]} is not part of the language", f"write {_in_dialect(context, node)}")
+        fault = f"{logic[0]} is not part of the language"
+        text, fix = _rewritten(context, node) or (_in_dialect(context, node), None)
+        context.problem("CG105", node, fault, f"write {' '.join(text.split())}", fix)
     elif isinstance(node, ast.Call):
         name = node.func.id if isinstance(node.func, ast.Name) else ""
         context.problem("CG107", node, "this call is not a condition", did_you_mean(name, FUNCTIONS) or _WAY_OUT)
@@ -68,21 +73,25 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
     return None
 
 
-def _python_logic(node: ast.expr) -> tuple[str, str, list[ast.expr]] | None:
-    """The Python operator of an expression, the function that the language has for it, and its terms."""
-    if isinstance(node, ast.BoolOp):
-        return ("and", "all", node.values) if isinstance(node.op, ast.And) else ("or", "any", node.values)
-    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not | ast.Invert):
-        return "not" if isinstance(node.op, ast.Not) else "~", "nc", [node.operand]
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitAnd | ast.BitOr):
-        terms = [node.left, node.right]
-        return ("&", "all", terms) if isinstance(node.op, ast.BitAnd) else ("|", "any", terms)
-    return None
+def _rewritten(context: Context, node: ast.expr) -> tuple[str, Fix] | None:
+    """An expression in the language and the fix that writes it so; None where that would be no condition."""
+    rewritten = in_language(context, node)
+    if rewritten is None:
+        return None
+    text, edit = rewritten
+    trial = Context(SourceFile(context.source.path, f"({text})"), Diagnostics())
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            read_condition(trial, ast.parse(trial.source.text, mode="eval").body)
+    except SyntaxError:
+        return None
+    return None if trial.problems.found else (text, Fix((edit,)))
 
 
 def _in_dialect(context: Context, node: ast.expr) -> str:
-    """An expression as the language writes it, for a message."""
-    logic = _python_logic(node)
+    """An expression about as the language writes it, for a message."""
+    logic = python_logic(node)
     if logic is None:
         return shorten(context.text(node))
     _, function, terms = logic

@@ -7,7 +7,7 @@ import io
 import tokenize
 from dataclasses import dataclass
 
-from clickgen.diagnostics import Diagnostics
+from clickgen.diagnostics import Diagnostics, Fix
 from clickgen.source import EmbeddedText, SourceFile, Span, embedded_text
 
 Located = ast.expr | ast.stmt | ast.keyword | ast.arg
@@ -55,5 +55,5 @@ class Context:
                 parts.append((token.string, span.line + row - 1, col + first))
         return embedded_text(self.source, parts, value)
 
-    def problem(self, code: str, node: Located, message: str, help: str = "") -> None:
-        self.problems.add(code, self.span(node), message, help)
+    def problem(self, code: str, node: Located, message: str, help: str = "", fix: Fix | None = None) -> None:
+        self.problems.add(code, self.span(node), message, help, fix=fix)

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 _SPLIT = "split it into several rungs"
 MAX_DEPTH = 100
 """How deep the syntax tree may be: far beyond any rung, and safe for every recursive walk."""
+_TERMS_MAX = 1000
+"""Terms of one ``and`` or ``or``: level for Python, but libcst's parser goes one deeper for each (it ends at 7,000)."""
 
 
 def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
@@ -74,7 +76,7 @@ def parse_trees(source: SourceFile, problems: Diagnostics) -> tuple[libcst.Modul
         problems.add(
             "CG118",
             source.span(line, col, line, col + 1),
-            f"this is nested more than {MAX_DEPTH} levels deep",
+            f"this is nested more than {MAX_DEPTH} levels deep, or has more than {_TERMS_MAX} terms",
             _SPLIT,
         )
         return None
@@ -114,7 +116,7 @@ def _too_deep(tree: ast.Module) -> ast.AST | None:
     waiting: list[tuple[ast.AST, int]] = [(tree, 0)]
     while waiting:
         node, depth = waiting.pop()
-        if depth > MAX_DEPTH:
+        if depth > MAX_DEPTH or (isinstance(node, ast.BoolOp) and len(node.values) > _TERMS_MAX):
             return node
         if isinstance(node, ast.expr) and _is_short(node, MAX_DEPTH - depth):
             continue

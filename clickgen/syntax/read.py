@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from clickgen.diagnostics import Diagnostics, did_you_mean
+from clickgen.diagnostics import Diagnostics, Edit, Fix, did_you_mean
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.ir.conditions import Always
@@ -21,6 +21,7 @@ from clickgen.syntax.conditions import read_condition
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import read_constant, read_operand
 from clickgen.syntax.parse import parse_trees
+from clickgen.syntax.rewrite import opposite
 
 if TYPE_CHECKING:
     import libcst
@@ -166,7 +167,7 @@ def _read_rungs(
 
 def _read_rung(context: Context, cst_node: libcst.CSTNode, node: ast.If) -> Rung:
     condition = read_condition(context, node.test)
-    _refuse_else(context, node)
+    _refuse_else(context, node, is_branch=False)
     items = _read_items(context, cst_node, node.body)
     span = context.span(node)
     if condition is None:
@@ -175,21 +176,59 @@ def _read_rung(context: Context, cst_node: libcst.CSTNode, node: ast.If) -> Rung
     return Rung(condition, items, rung_comment(getattr(cst_node, "leading_lines", ())), head, span)
 
 
-def _refuse_else(context: Context, node: ast.If) -> None:
+def _refuse_else(context: Context, node: ast.If, is_branch: bool) -> None:
     """A rung has no else; the problem stands at the ``else`` or ``elif`` itself."""
+    span = _else_span(context, node)
+    if span is not None:
+        word = context.source.line(span.line)[span.col - 1 : span.end_col - 1]
+        help = "write a rung of its own with the opposite condition: nc(...) or the opposite comparison"
+        context.problems.add("CG104", span, f"a rung has no {word}", help, fix=_as_rungs(context, node, is_branch))
+
+
+def _else_span(context: Context, node: ast.If) -> Span | None:
+    """Where the ``else`` or ``elif`` of an ``if`` stands; None when it has none."""
     if not node.orelse:
-        return
+        return None
     source, first = context.source, node.orelse[0]
     last_line = node.body[-1].end_lineno or node.body[-1].lineno
     for line in range(last_line + 1, first.lineno + 1):
         text = source.line(line)
-        word = text.strip()[:4]
-        if word in ("else", "elif"):
+        if text.strip()[:4] in ("else", "elif"):
             col = len(text) - len(text.lstrip()) + 1
-            span = Span(source.path, line, col, line, col + 4)
-            help = "write a rung of its own with the opposite condition: nc(...) or the opposite comparison"
-            context.problems.add("CG104", span, f"a rung has no {word}", help)
-            return
+            return Span(source.path, line, col, line, col + 4)
+    return None
+
+
+def _as_rungs(context: Context, node: ast.If, is_branch: bool) -> Fix | None:
+    """Conditions of their own for every elif and the else, where all are single bits and comparisons.
+
+    CLICK looks at the conditions of branches before any action, so there the fix is safe. A rung of its own looks again
+    after the actions of the one before, which may have changed what it looks at.
+    """
+    edits: list[Edit] = []
+    earlier: list[str] = []
+    while True:
+        # An immediate input may have changed when it is looked at again.
+        other = None if context.text(node.test).endswith(".immediate") else opposite(context, node.test)
+        span = _else_span(context, node)
+        if other is None or span is None:
+            return None
+        earlier.append(other)
+        head, following = context.source.line(span.line), node.orelse[0]
+        if head[span.col - 1 :].startswith("else"):
+            condition = earlier[0] if len(earlier) == 1 else f"all({', '.join(earlier)})"
+            return Fix((*edits, Edit(span, f"if {condition}")), is_branch)
+        assert isinstance(following, ast.If)
+        test = context.span(following.test)
+        if test.end_line != span.line or head[span.end_col - 1 : test.col - 1].strip():
+            return None
+        text = f"if all({', '.join((*earlier, context.text(following.test)))})"
+        edits.append(Edit(span._replace(end_col=test.end_col), text))
+        if not following.orelse:
+            # What cannot be said the other way round need not be: nothing follows.
+            is_condition = isinstance(following.test, ast.Attribute | ast.Subscript | ast.Compare | ast.Call)
+            return Fix(tuple(edits), is_branch) if is_condition else None
+        node = following
 
 
 # -- rung bodies ------------------------------------------------------------------------------------------------------
@@ -218,7 +257,7 @@ def _read_item(context: Context, cst_node: libcst.CSTNode | None, node: ast.stmt
         return read_call(context, node.value)
     if isinstance(node, ast.If):
         condition = read_condition(context, node.test)
-        _refuse_else(context, node)
+        _refuse_else(context, node, is_branch=True)
         items = _read_items(context, cst_node, node.body)
         return Branch(condition or Always(context.span(node.test)), items, context.span(node))
     if isinstance(node, ast.For | ast.AsyncFor):

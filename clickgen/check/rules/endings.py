@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
-from clickgen.diagnostics import Diagnostics
+from clickgen.diagnostics import Diagnostics, Edit, Fix
 from clickgen.instructions.control import END, RETURN
+from clickgen.ir.program import Routine
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
@@ -29,11 +30,29 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         if routine.name in ended or not routine.is_whole:
             continue
         if routine.is_main:
-            problems.add("CG403", routine.span, "main has no unconditional end()", "add at its end: if True: end()")
+            help = "add at its end: if True: end()"
+            fix = _added(facts, routine, "end()")
+            problems.add("CG403", routine.span, "main has no unconditional end()", help, fix=fix)
         else:
             problems.add(
                 "CG404",
                 routine.span,
                 f"{routine.name} does not end in an unconditional return",
                 "add as its last rung: if True: return",
+                fix=_added(facts, routine, "return"),
             )
+
+
+def _added(facts: Facts, routine: Routine, action: str) -> Fix | None:
+    """A last rung with this action; None in a routine without rungs, and in a file whose text is not at hand."""
+    source = facts.sources.get(routine.span.path, facts.program.source)
+    if not routine.rungs or source.path != routine.span.path:
+        return None
+    last = routine.rungs[-1].span
+    indent = source.line(last.line)[: last.col - 1]
+    # A blank line goes in front where the rungs before have one between them.
+    between = range(routine.rungs[-2].span.end_line + 1, last.line) if len(routine.rungs) > 1 else ()
+    blank = "\n" if any(not source.line(line).strip() for line in between) else ""
+    col = len(source.line(last.end_line)) + 1
+    place = source.span(last.end_line, col, last.end_line, col)
+    return Fix((Edit(place, f"\n{blank}{indent}if True:\n{indent * 2}{action}"),))

@@ -1,0 +1,200 @@
+"""Python's and, or, not, &, | and ~ rewritten with all(...), any(...) and nc(...), every other character kept."""
+
+from __future__ import annotations
+
+import ast
+import re
+from dataclasses import dataclass
+from itertools import accumulate
+
+from clickgen.device.banks import Kind
+from clickgen.diagnostics import Edit
+from clickgen.source import Span
+from clickgen.syntax.context import Context
+from clickgen.syntax.operands import BANK_NAMES
+
+_SWAPPED = {"all": "any", "any": "all"}
+_OPPOSITE = {
+    ast.Eq: ("==", "!="),
+    ast.NotEq: ("!=", "=="),
+    ast.Lt: ("<", ">="),
+    ast.LtE: ("<=", ">"),
+    ast.Gt: (">", "<="),
+    ast.GtE: (">=", "<"),
+}
+_OPERATOR = re.compile(r"(?P<close>[\s)\\]*?)(?P<before>[\s\\]*)(?:and|or|&|\|)(?P<behind>[\s\\]*)(?P<open>[\s(\\]*)")
+
+
+def python_logic(node: ast.expr) -> tuple[str, str, list[ast.expr]] | None:
+    """The Python operator of an expression, the function that the language has for it, and its terms."""
+    if isinstance(node, ast.BoolOp):
+        return ("and", "all", node.values) if isinstance(node.op, ast.And) else ("or", "any", node.values)
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not | ast.Invert):
+        return "not" if isinstance(node.op, ast.Not) else "~", "nc", [node.operand]
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitAnd | ast.BitOr):
+        terms = [node.left, node.right]
+        return ("&", "all", terms) if isinstance(node.op, ast.BitAnd) else ("|", "any", terms)
+    return None
+
+
+def in_language(context: Context, node: ast.expr) -> tuple[str, Edit] | None:
+    """An expression in the language, and the edit that puts it there; None where that is not plain."""
+    return _Rewriter(context).rewritten(node)
+
+
+def opposite(context: Context, node: ast.expr) -> str | None:
+    """The opposite of one bit or comparison as the language writes it; None for anything else."""
+    piece = _Rewriter(context).opposite(node)
+    return None if piece is None else piece.whole
+
+
+@dataclass(frozen=True)
+class _Piece:
+    """Text that stands by itself, or the arguments of ``function``; ``is_loose`` are those of an operator."""
+
+    text: str
+    function: str = ""
+    is_loose: bool = False
+
+    @property
+    def whole(self) -> str:
+        return f"{self.function}({self.text})" if self.function else self.text
+
+
+class _Rewriter:
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._text = context.source.text
+        self._starts = [0, *accumulate(len(line) + 1 for line in context.source.lines)]
+
+    def rewritten(self, node: ast.expr) -> tuple[str, Edit] | None:
+        start, end = self._extent(node)
+        piece = None if "#" in self._text[start:end] else self.piece(node, wanted=True)
+        if piece is None:
+            return None
+        span = self._context.span(node)
+        bracket = self._bracket_around(start, end) if piece.function else None
+        if bracket is None:
+            return piece.whole, Edit(span, piece.whole)
+        # Parentheses around the expression become those of the function.
+        line = self._text.count("\n", 0, bracket)
+        place = Span(span.path, line + 1, bracket - self._starts[line] + 1, span.end_line, span.end_col)
+        return piece.whole, Edit(place, piece.function + self._text[bracket:start] + piece.text)
+
+    def piece(self, node: ast.expr, wanted: bool) -> _Piece | None:
+        """The expression, or its opposite where it is not wanted; None where the language has no such thing."""
+        start, end = self._extent(node)
+        logic = python_logic(node)
+        if logic and logic[1] == "nc":
+            return self._negated(node, logic[2][0], wanted)
+        if logic:
+            _, function, terms = logic
+            function = function if wanted else _SWAPPED[function]
+            text = self._joined(function, terms, (start, end), wanted)
+            return None if text is None else _Piece(text, function, is_loose=True)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _SWAPPED and node.args:
+            return self._call(node, node.func.id, wanted)
+        return _Piece(self._text[start:end]) if wanted else self.opposite(node)
+
+    def _call(self, node: ast.Call, name: str, wanted: bool) -> _Piece | None:
+        """all(...) or any(...): as it stands, where nothing in it changes."""
+        start, end = self._extent(node)
+        if wanted and not any(python_logic(inner) for inner in ast.walk(node) if isinstance(inner, ast.expr)):
+            return _Piece(self._text[start:end])
+        opening = self._text.index("(", self._extent(node.func)[1])
+        function = name if wanted else _SWAPPED[name]
+        text = self._joined(function, node.args, (opening + 1, end - 1), wanted)
+        return None if text is None else _Piece(text, function)
+
+    def _negated(self, node: ast.expr, operand: ast.expr, wanted: bool) -> _Piece | None:
+        piece = self.piece(operand, not wanted)
+        if piece is None:
+            return None
+        (start, end), (first, last) = self._extent(node), self._extent(operand)
+        before = re.sub(r"^(not|~)\s*", "", self._text[start:first])
+        behind = self._text[last:end]
+        if piece.function:
+            # These parentheses become those of the function.
+            text = before.replace("(", "") + piece.text + behind.replace(")", "")
+            return _Piece(text, piece.function, piece.is_loose)
+        return _Piece(before + piece.text + behind)
+
+    def opposite(self, node: ast.expr) -> _Piece | None:
+        """The opposite of a single condition."""
+        text = self._text[slice(*self._extent(node))]
+        if isinstance(node, ast.Compare) and len(node.ops) == 1 and type(node.ops[0]) in _OPPOSITE:
+            sign, other = _OPPOSITE[type(node.ops[0])]
+            start, end = self._extent(node)
+            left, right = self._extent(node.left)[1], self._extent(node.comparators[0])[0]
+            return _Piece(self._text[start:left] + self._text[left:right].replace(sign, other) + self._text[right:end])
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "nc":
+            bit = node.args[0] if len(node.args) == 1 and not node.keywords else None
+            return _Piece(self._text[slice(*self._extent(bit))]) if bit and _is_single(bit) else None
+        if not _is_single(node):
+            return None
+        bank = BANK_NAMES[_bank_of(node)]
+        if bank.is_bit:
+            return _Piece(text, "nc")
+        return None if bank.kind is Kind.TEXT else _Piece(f"{text} == 0")
+
+    def _joined(self, function: str, terms: list[ast.expr], extent: tuple[int, int], wanted: bool) -> str | None:
+        """The terms with commas between them, and what stands around them in this stretch of the file."""
+        edges = [extent[0], *(offset for term in terms for offset in self._extent(term)), extent[1]]
+        gaps = [_with_comma(self._text[start:end]) for start, end in zip(edges[::2], edges[1::2], strict=True)]
+        texts: list[str] = []
+        for index, term in enumerate(terms):
+            piece = self.piece(term, wanted)
+            if piece is None:
+                return None
+            opening = gaps[index].rfind("(")
+            if piece.is_loose and piece.function == function:
+                gaps[index] = gaps[index].replace("(", "")
+                gaps[index + 1] = gaps[index + 1].replace(")", "")
+                texts.append(piece.text)
+            elif piece.function and opening >= 0:
+                # Parentheses around a term become those of its function.
+                gaps[index] = gaps[index][:opening] + piece.function + gaps[index][opening:]
+                texts.append(piece.text)
+            else:
+                texts.append(piece.whole)
+        return "".join(part for pair in zip(gaps, [*texts, ""], strict=True) for part in pair)
+
+    def _extent(self, node: ast.expr) -> tuple[int, int]:
+        """Where a node stands in the text, its own parentheses left out."""
+        span = self._context.span(node)
+        return self._starts[span.line - 1] + span.col - 1, self._starts[span.end_line - 1] + span.end_col - 1
+
+    def _bracket_around(self, start: int, end: int) -> int | None:
+        """Where the parenthesis stands that opens around this stretch, when it belongs to no call."""
+        before = self._text[:start].rstrip()
+        if not before.endswith("(") or not self._text[end:].lstrip().startswith(")"):
+            return None
+        bracket = len(before) - 1
+        line = before[before.rfind("\n") + 1 : bracket]
+        word = re.search(r"[\w\])]*$", line.rstrip())
+        is_call = word is not None and word[0] and not (word[0] in ("if", "elif") and line[-1:].isspace())
+        return None if is_call or "#" in line else bracket
+
+
+def _with_comma(gap: str) -> str:
+    """What stands between two terms, with a comma for the operator; the line is broken where it was."""
+    match = _OPERATOR.fullmatch(gap)
+    if match is None:
+        return gap
+    space = match["before"] if "\n" in match["before"] else match["behind"] or " "
+    return f"{match['close']},{space}{match['open']}"
+
+
+def _is_single(node: ast.expr) -> bool:
+    """True for one address: no range, no pointer."""
+    if isinstance(node, ast.Attribute) and node.attr == "immediate":
+        node = node.value
+    if isinstance(node, ast.Subscript) and not isinstance(node.slice, ast.Constant):
+        return False
+    return isinstance(node, ast.Attribute | ast.Subscript) and _bank_of(node) in BANK_NAMES
+
+
+def _bank_of(node: ast.expr) -> str:
+    while isinstance(node, ast.Attribute | ast.Subscript):
+        node = node.value
+    return node.id if isinstance(node, ast.Name) else ""

@@ -1,0 +1,20 @@
+"""How Hypothesis prints what was generated."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+
+class Printer(Protocol):
+    def text(self, obj: str) -> None: ...
+
+
+class ShownAsText:
+    """Printed as its text. How it was made would take a time exponential in the depth of the strategies to print."""
+
+    @property
+    def text(self) -> str:
+        raise NotImplementedError
+
+    def _repr_pretty_(self, printer: Printer, _cycle: bool) -> None:
+        printer.text(f"\n{self.text}")
