@@ -93,6 +93,24 @@ def test_what_was_found(name: str) -> None:
     check_whole(given_program(FOUND[name]))
 
 
+FAULTS = {
+    # fails today: the problem has no help
+    "a sign that no formula has": """
+def main():
+    if x[1]:
+        calc("ds[1] @ 1", ds[2])
+    if True:
+        end()
+""",
+}
+"""Programs with a fault that was not told well."""
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_what_was_not_told_well(name: str) -> None:
+    check_build(given_program(FAULTS[name]))
+
+
 def test_a_condition_without_end_is_told(tmp_path: Path) -> None:
     """What Python reads and nobody else can ends in a problem, not in a fault of the process."""
     program = tmp_path / "prog.py"

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
-from clickgen.device.banks import TWIN_BANKS, Address
+from clickgen.device.banks import TWIN_BANKS, Address, points_of
 from clickgen.instructions.spec import ParamKind
 from clickgen.ir.conditions import Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
@@ -64,7 +64,7 @@ class Uses:
             self._pointed[operand.bank, use.is_written].append(use)
         else:
             for address in addresses_of(operand):
-                for one in (address, *_points(address)):
+                for one in (address, *points_of(address)):
                     self._by_address[one].append(use)
                     if use.is_written:
                         self._written[one].append(use)
@@ -137,7 +137,7 @@ def extents_of(operand: Operand) -> list[tuple[str, int, int]]:
     extents = [(bank, first, last)]
     if bank in ("XD", "YD"):
         for word in addresses_of(operand):
-            points = _points(word)
+            points = points_of(word)
             extents.append((bank[0], points[0].number, points[-1].number))
     return extents
 
@@ -162,14 +162,6 @@ def _covers(operand: Operand, address: Address) -> bool:
     if not isinstance(target, Range):
         return False
     return min(target.first, target.last) <= address.number <= max(target.first, target.last)
-
-
-def _points(word: Address) -> list[Address]:
-    """The inputs or outputs that a word of XD or YD holds: XD0 is X001 to X016, XD0u X021 to X036, XD3 X301 to X316."""
-    if word.bank not in ("XD", "YD"):
-        return []
-    first = 21 if word.upper else word.number * 100 + 1
-    return [Address(word.bank[0], number) for number in range(first, first + 16)]
 
 
 # -- walking ----------------------------------------------------------------------------------------------------------

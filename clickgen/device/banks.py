@@ -163,6 +163,17 @@ def current_value(bit: Address) -> Address:
     return Address(VALUE_BANK.get(bit.bank, bit.bank), bit.number, bit.upper)
 
 
+def points_of(word: Address) -> list[Address]:
+    """The inputs or outputs that a word of XD or YD holds: XD0 is X001 to X016, XD0u X021 to X036, XD3 X301 to X316.
+
+    So the numbers of slots and words say (click-facts, section 1); any other address holds no points.
+    """
+    if word.bank not in UPPER_BYTE_BANKS:
+        return []
+    first = 21 if word.upper else word.number * 100 + 1
+    return [Address(TWIN_BANKS[word.bank], number) for number in range(first, first + 16)]
+
+
 def parse_address(text: str) -> Address | None:
     """Read an address as CLICK writes it (``X001``, ``DS17``, ``XD0u``; any case), or None if it is none."""
     text = text.strip()

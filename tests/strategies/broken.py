@@ -240,19 +240,22 @@ def sound_python(draw: st.DrawFn) -> Given:
     return given_program(text)
 
 
-def _broken(texts: Texts, todo: list[Change]) -> Given:
-    (name, text), *_ = texts.items()
-    return given_files({**texts, name: changed(text, todo)})
+def _broken(texts: Texts, todo: list[Change], which: int) -> Given:
+    name = tuple(texts)[which % len(texts)]
+    return given_files({**texts, name: changed(texts[name], todo)})
 
 
-broken_programs = st.builds(_broken, valid, changes)
+_any_file = st.integers(0, 3)
+broken_programs = st.builds(_broken, valid, changes, _any_file)
 _salad = st.lists(st.sampled_from(PIECES), max_size=40).map(" ".join)
 _RUNG = "def main():\n    if {}:\n        {}\n    if True:\n        end()\n"
 
 
-def _with_bytes(texts: Texts, at: int, data: bytes) -> Given:
-    (name, whole), *others = given_files(texts).files
-    return Given(((name, whole[:at] + data + whole[at:]), *others))
+def _with_bytes(texts: Texts, at: int, data: bytes, which: int) -> Given:
+    files = list(given_files(texts).files)
+    name, whole = files[which % len(files)]
+    files[which % len(files)] = name, whole[:at] + data + whole[at:]
+    return Given(tuple(files))
 
 
 random_programs = st.one_of(
@@ -264,5 +267,5 @@ random_programs = st.one_of(
     _salad.map(given_program),
     _salad.map(lambda text: given_program(_RUNG.format(text, "out(c[1])"))),
     _salad.map(lambda text: given_program(_RUNG.format("True", text))),
-    st.builds(_with_bytes, whole_programs, st.integers(0, 500), st.binary(max_size=4)),
+    st.builds(_with_bytes, whole_programs, st.integers(0, 500), st.binary(max_size=4), _any_file),
 )

@@ -54,9 +54,9 @@ def given_program(text: str | bytes) -> Given:
 def case_texts(path: Path) -> Texts:
     """A golden case, or a program with a fault, with the files beside it."""
     if path.name != PROGRAM:
-        return {PROGRAM: path.read_text("utf-8")}
+        return {PROGRAM: path.read_text("utf-8", "replace")}
     others = sorted(other for other in path.parent.glob("*.py") if other != path)
-    return {file.name: file.read_text("utf-8") for file in (path, *others)}
+    return {file.name: file.read_text("utf-8", "replace") for file in (path, *others)}
 
 
 WHOLE = [case_texts(path) for path in CASES if path.stat().st_size <= LARGE]

@@ -116,7 +116,7 @@ def power_programs(draw: st.DrawFn) -> Program:
     if draw(st.integers(0, 4)):
         return Program(main, (("other", ()),))
     # A subroutine calls none, so what hers would call is left out.
-    module = draw(st.sampled_from(("parts", "")))
+    module = draw(st.sampled_from(("", "parts")))
     return Program(main, (("other", tuple(map(_without_calls, rungs(0, 1)))),), (module,), draw(st.booleans()))
 
 
