@@ -11,14 +11,14 @@ from strategies.programs import Act, Branch, Loop, Pin, Program, Rung
 
 
 @given(meaning_programs())
-@settings(max_examples=170, deadline=None, print_blob=True)
+@settings(max_examples=200, deadline=None, print_blob=True)
 def test_the_ladder_does_what_the_source_says(program: Program) -> None:
     note(program.text)
     check_meaning(program)
 
 
 @given(meaning_programs(immediate_places="rungs"))
-@settings(max_examples=70, deadline=None, print_blob=True)
+@settings(max_examples=80, deadline=None, print_blob=True)
 def test_a_rung_looks_at_a_moving_input_once(program: Program) -> None:
     """An immediate contact of a rung's own condition is the same for all of its instructions."""
     note(program.text)

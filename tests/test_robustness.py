@@ -31,7 +31,7 @@ def test_a_valid_program_builds(files: Given) -> None:
 
 
 @given(mutants)
-@settings(max_examples=150, deadline=None, print_blob=True)
+@settings(max_examples=250, deadline=None, derandomize=True, database=None)
 def test_a_program_with_one_fault_is_told_or_builds(files: Given) -> None:
     note(files.text)
     check_build(files)

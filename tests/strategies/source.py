@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+import warnings
 from functools import cached_property
 from itertools import accumulate
 
@@ -23,7 +24,10 @@ class Source:
     @cached_property
     def nodes(self) -> list[ast.AST]:
         try:
-            return [node for node in ast.walk(ast.parse(self.text)) if hasattr(node, "end_col_offset")]
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                tree = ast.parse(self.text)
+            return [node for node in ast.walk(tree) if hasattr(node, "end_col_offset")]
         except (SyntaxError, ValueError, RecursionError, MemoryError):
             return []
 
