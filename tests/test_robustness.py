@@ -94,7 +94,6 @@ def test_what_was_found(name: str) -> None:
 
 
 FAULTS = {
-    # fails today: the problem has no help
     "a sign that no formula has": """
 def main():
     if x[1]:

@@ -36,7 +36,8 @@ def explain(error: UnexpectedInput, mode: Mode, report: Report) -> None:
         _explain_spelling(SPELLINGS[written], at, at + len(written), mode, report)
         return
     if isinstance(error, UnexpectedCharacters):
-        report.add("CG116", start, start + 1, f"`{_printable(value[start])}` has no place in a formula")
+        fault = f"`{_printable(value[start])}` has no place in a formula"
+        report.add("CG116", start, start + 1, fault, "take it out; the signs of formulas are + - * / ^ ( ) , : and [ ]")
         return
     expected = error.expected if isinstance(error, UnexpectedToken) else set()
     before = _LAST.search(value, max(0, start - 100), start)
