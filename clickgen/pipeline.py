@@ -252,7 +252,7 @@ def _lint(state: _Build) -> None:
     from clickgen.check.lint import RULES as LINT_RULES
 
     assert state.resolved is not None
-    facts = Facts(state.resolved.program, {source.path: source for source in state.sources}, _nicknames(state))
+    facts = Facts(state.resolved.program, {source.path: source for source in state.sources}, _rows(state))
     for rule in LINT_RULES:
         if state.settings.wants(rule.code):
             rule.check(facts, state.problems)

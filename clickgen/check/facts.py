@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
 
 from clickgen.check.logic import are_exclusive
 from clickgen.check.uses import Uses, addresses_of
-from clickgen.device.banks import CURRENT_VALUE_OF, Address
+from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.system import ALWAYS_ON, system_name_of
-from clickgen.instructions.control import CALL
+from clickgen.instructions.control import CALL, NEXT
 from clickgen.instructions.spec import Spec
 from clickgen.ir.conditions import All, Always, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Single
 from clickgen.ir.program import Action, Branch, Declaration, Item, Loop, Program, Routine, Rung
 from clickgen.ir.walk import condition_operands, leaves
+from clickgen.resolve.rows import Row
 from clickgen.source import SourceFile, Span
 from clickgen.syntax.operands import shorten
 
@@ -32,12 +33,14 @@ class Placed:
     action: Action
     routine: Routine
     rung: Rung
-    loop: Loop | None
-    """The loop whose body it stands in."""
-    is_top: bool
-    """True in a rung of the routine itself, False in a rung of a loop's body."""
+    loop: Action | None
+    """The ``for`` of the loop that it stands in, whether its body closes it or next_loop()."""
+    in_body: bool
+    """True in a rung of a loop's body, False in a rung of the routine itself."""
     condition: Condition
     """All that must hold for the action to run: its rung's condition, those of branches, of an outer loop."""
+    opens_loop: bool = False
+    """True for a ``for`` that next_loop() closes."""
 
     @property
     def spec(self) -> Spec:
@@ -70,18 +73,23 @@ class Site:
 
 @dataclass(frozen=True)
 class Facts:
-    """``sources`` are the program's files by path, ``nicknames`` what each address is called."""
+    """``sources`` are the program's files by path, ``rows`` what the address table will say after a build."""
 
     program: Program
     sources: Mapping[str, SourceFile] = field(default_factory=dict)
-    nicknames: Mapping[Address, str] = field(default_factory=dict)
+    rows: Mapping[Address, Row] = field(default_factory=dict)
 
     def shown(self, address: Address) -> str:
         """An address with its nickname, for a message: ``C5 (Motor)``."""
-        own = self.nicknames.get(address) or system_name_of(address)
+        own = self.nickname(address) or system_name_of(address)
         bit = Address(CURRENT_VALUE_OF.get(address.bank, address.bank), address.number)
-        name = own or self.nicknames.get(bit)
+        name = own or self.nickname(bit)
         return f"{address} ({name})" if name else str(address)
+
+    def nickname(self, address: Address) -> str:
+        """What the address is called; ``""`` where it has no nickname."""
+        row = self.rows.get(address)
+        return row.nickname if row else ""
 
     def listed(self, addresses: Sequence[Address]) -> str:
         """Several addresses for a message: up to three with their nicknames, a long run by its ends."""
@@ -124,17 +132,30 @@ class Facts:
     @cached_property
     def actions(self) -> tuple[Placed, ...]:
         """Every action in source order; a loop comes before its body."""
-        return tuple(
-            placed
-            for routine in self.program.routines
-            for rung in routine.rungs
-            for placed in _placed(rung.items, routine, rung, None, (rung.condition,))
-        )
+        return tuple(placed for routine in self.program.routines for placed in _placed_in(routine))
 
     @cached_property
     def declared(self) -> Mapping[Address, Declaration]:
         """What ``nickname(...)`` says in the source, by address."""
         return {declaration.cell.address: declaration for declaration in self.program.declarations}
+
+    def initial(self, address: Address) -> str:
+        """What the address begins with, as the table writes it; ``""`` where it says nothing."""
+        row = self.rows.get(address)
+        return row.initial if row else ""
+
+    def is_retentive(self, address: Address) -> bool:
+        """True when the address keeps its value over a power cycle."""
+        row = self.rows.get(address)
+        return row.retentive if row else BANKS[address.bank].retentive
+
+    def is_set_up(self, address: Address) -> bool:
+        """True where the source or the table says what the address begins with or keeps, beyond what CLICK assumes."""
+        declared = self.declared.get(address)
+        if declared and (declared.initial is not None or declared.retentive is not None):
+            return True
+        row = self.rows.get(address)
+        return row is not None and not replace(row, nickname="", comment="").is_default
 
     def writers(self, address: Address) -> tuple[Placed, ...]:
         """The actions that write an address by its own number, each once, in source order."""
@@ -189,17 +210,31 @@ _Path = tuple[Condition, ...]
 """The conditions on the way to an action, outermost first."""
 
 
-def _placed(items: tuple[Item, ...], routine: Routine, rung: Rung, loop: Loop | None, path: _Path) -> Iterator[Placed]:
+def _placed_in(routine: Routine) -> Iterator[Placed]:
+    opened: Action | None = None
+    for rung in routine.rungs:
+        for placed in _placed(rung.items, routine, rung, None, (rung.condition,)):
+            yield replace(placed, loop=opened) if opened and placed.loop is None else placed
+            if placed.spec is NEXT:
+                opened = None
+            elif placed.opens_loop:
+                opened = opened or placed.action
+
+
+def _placed(
+    items: tuple[Item, ...], routine: Routine, rung: Rung, loop: Action | None, path: _Path
+) -> Iterator[Placed]:
     condition = path[0] if len(path) == 1 else All(path, path[0].span)
+    in_body = loop is not None
     for item in items:
         if isinstance(item, Branch):
             yield from _placed(item.items, routine, rung, loop, (*path, item.condition))
         elif isinstance(item, Loop):
-            yield Placed(item.action, routine, rung, loop, loop is None, condition)
+            yield Placed(item.action, routine, rung, loop, in_body, condition, item.body is None)
             for inner in item.body or ():
-                yield from _placed(inner.items, routine, inner, item, (*path, inner.condition))
+                yield from _placed(inner.items, routine, inner, item.action, (*path, inner.condition))
         else:
-            yield Placed(item, routine, rung, loop, loop is None, condition)
+            yield Placed(item, routine, rung, loop, in_body, condition)
 
 
 def _rung_sites(rung: Rung, routine: Routine) -> Iterator[Site]:

@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+
 from clickgen.check.facts import Facts, Placed
 from clickgen.check.rule import Rule, Wrong
+from clickgen.check.uses import addresses_of
 from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions.coils import OUT
-from clickgen.ir.operands import Cell, Immediate, Range
 
 CODE = "CG501"
 
+_COILS_MAX = 100
+"""A coil is compared with so many coils of the same bit before it."""
+
 
 def check(facts: Facts, problems: Diagnostics) -> None:
-    driven: dict[Address, Placed] = {}
+    driven: dict[Address, list[Placed]] = defaultdict(list)
     for placed in facts.actions:
         if placed.spec is not OUT:
             continue
-        for address in _bits(placed):
-            earlier = driven.setdefault(address, placed)
-            if earlier is not placed and not facts.run_apart(earlier.routine, placed.routine):
+        bits = addresses_of(placed.action.args["address"])
+        for address in bits:
+            before = driven[address][:_COILS_MAX]
+            earlier = next((one for one in before if not facts.run_apart(one.routine, placed.routine)), None)
+            if earlier is not None:
                 problems.add(
                     CODE,
                     placed.action.span,
@@ -29,14 +36,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                     (Label(earlier.action.span, "driven here first"),),
                 )
                 break
-
-
-def _bits(placed: Placed) -> list[Address]:
-    operand = placed.action.args["address"]
-    target = operand.target if isinstance(operand, Immediate) else operand
-    if isinstance(target, Cell):
-        return [target.address]
-    return target.addresses() if isinstance(target, Range) else []
+        for address in bits:
+            driven[address].append(placed)
 
 
 RULE = Rule(
@@ -48,7 +49,8 @@ With two of them the later rung decides alone, and the earlier one does nothing 
 motor does not start although its rung is green. CLICK warns about it too (C1001).
 
 Subroutines that are never called in the same scan may drive the same bit: their calls must stand on conditions that
-exclude each other.
+exclude each other. When one of them changes the step that the calls look at, both run in that one scan; the rule takes
+this for intended, because a sequence hands over so.
 """,
     wrong=(
         Wrong(

@@ -54,14 +54,14 @@ def _is_exact(facts: Facts, one: Single, other: Single) -> bool:
 
 
 def _copied_numbers(facts: Facts, address: Address) -> Iterator[int | float]:
-    """The constants that copies and the declaration put into a register."""
-    declared = facts.declared.get(address)
+    """The constants that copies put into a register, and what it begins with."""
     sources = [
         writer.action.args.get("source") for writer in facts.writers(address) if writer.spec in (COPY, COPY_FILL)
     ]
-    for constant in (*sources, declared.initial if declared else None):
+    for constant in sources:
         if isinstance(constant, Integer | Real):
             yield constant.value
+    yield float(facts.initial(address) or 0)
 
 
 def _copied_registers(facts: Facts, address: Address) -> Iterator[Address]:

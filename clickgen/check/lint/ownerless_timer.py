@@ -54,7 +54,7 @@ def _report(facts: Facts, problems: Diagnostics, operand: Operand, addresses: li
 
 def _near_name(facts: Facts, number: Address) -> str:
     others = (address for address in facts.uses.addresses if address.bank == number.bank and facts.uses.writes(address))
-    return did_you_mean(facts.nicknames.get(number, ""), filter(None, map(facts.nicknames.get, others)))
+    return did_you_mean(facts.nickname(number), filter(None, map(facts.nickname, others)))
 
 
 RULE = Rule(

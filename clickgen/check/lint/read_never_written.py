@@ -28,7 +28,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         addresses = addresses_of(use.operand)
         if said.issuperset(addresses) or facts.uses.may_be_written(use.operand):
             continue
-        if any(_is_given(facts, address) for address in addresses):
+        if any(map(facts.is_set_up, addresses)):
             continue
         said.update(addresses)
         one = len(addresses) == 1
@@ -40,12 +40,6 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             f"correct the name, declare a value with nickname(..., initial=...), or write # clickgen: ignore[{CODE}] "
             "where a panel or another device writes it",
         )
-
-
-def _is_given(facts: Facts, address: Address) -> bool:
-    """True where a declaration says what the address begins with or keeps."""
-    declared = facts.declared.get(address)
-    return declared is not None and (declared.initial is not None or declared.retentive is not None)
 
 
 RULE = Rule(

@@ -12,7 +12,7 @@ from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.coils import RESET
 from clickgen.ir.conditions import Contact
-from clickgen.ir.operands import Cell, Integer
+from clickgen.ir.operands import Cell
 from clickgen.ir.walk import condition_operands
 
 CODE = "CG503"
@@ -44,8 +44,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 def _stays_off(facts: Facts, bit: Address) -> bool:
     if bit.bank not in ("Y", "C") or facts.uses.is_pointed(bit.bank, is_written=True):
         return False
-    declared = facts.declared.get(bit)
-    if declared and isinstance(declared.initial, Integer) and declared.initial.value:
+    if facts.initial(bit) == "1":
         return False
     return all(placed.spec is RESET for placed in facts.writers(bit))
 

@@ -26,8 +26,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         held = [bit for bit in bits if _stays_on(facts, bit)]
         if held:
             one = len(held) == 1
-            kept = all(declared.retentive for bit in held if (declared := facts.declared.get(bit)))
-            until = "for good" if kept and all(bit in facts.declared for bit in held) else "until the PLC restarts"
+            until = "for good" if all(map(facts.is_retentive, held)) else "until the PLC restarts"
             problems.add(
                 CODE,
                 placed.action.span,

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from clickgen.check.facts import Facts
+from clickgen.check.facts import Facts, Placed
 from clickgen.diagnostics import Diagnostics, Edit, Fix
-from clickgen.instructions.control import END, RETURN
+from clickgen.instructions.control import END, NEXT, RETURN
 from clickgen.ir.program import Routine
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
     ended: set[str] = set()
+    closed = {id(placed.loop) for placed in facts.actions if placed.spec is NEXT}
     for placed in facts.actions:
         routine = placed.routine
         if placed.spec is END:
@@ -17,14 +18,14 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 problems.add(
                     "CG410", placed.action.span, "end() belongs in main; a subroutine ends in return", "write return"
                 )
-            elif placed.is_unconditional and placed.is_top:
+            elif placed.is_unconditional and _is_reached(placed, closed):
                 ended.add(routine.name)
         elif placed.spec is RETURN:
             if routine.is_main:
                 problems.add(
                     "CG411", placed.action.span, "return belongs in a subroutine; main ends in end()", "write end()"
                 )
-            elif placed.is_unconditional and placed.is_top and placed.rung is routine.rungs[-1]:
+            elif placed.is_unconditional and _is_reached(placed, closed) and placed.rung is routine.rungs[-1]:
                 ended.add(routine.name)
     for routine in facts.program.routines:
         if routine.name in ended or not routine.is_whole:
@@ -41,6 +42,11 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 "add as its last rung: if True: return",
                 fix=_added(facts, routine, "return"),
             )
+
+
+def _is_reached(placed: Placed, closed: set[int]) -> bool:
+    """True outside of loops, which may run no times; a loop that nothing closes is CG408's."""
+    return placed.loop is None or not (placed.in_body or id(placed.loop) in closed)
 
 
 def _added(facts: Facts, routine: Routine, action: str) -> Fix | None:

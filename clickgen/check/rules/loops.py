@@ -7,18 +7,17 @@ from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions import timers
 from clickgen.instructions.control import FOR, NEXT
 from clickgen.instructions.drums import TIME_DRUM
-from clickgen.ir.program import Loop, Routine, actions_in, loops_in
+from clickgen.ir.program import Routine, actions_in
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
-    with_body = {id(loop.action) for loop in _loops(facts) if loop.body is not None}
     open_loop: Placed | None = None
     routine: Routine | None = None
     for placed in facts.actions:
         if placed.routine is not routine:
             _refuse_open(open_loop, problems)
             open_loop, routine = None, placed.routine
-        outer = placed.loop.action if placed.loop else open_loop.action if open_loop else None
+        outer = placed.loop
         if placed.spec is FOR:
             if outer is not None:
                 problems.add(
@@ -28,7 +27,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                     "CLICK has no loop in a loop: unroll one of them, or close the first with next_loop() before",
                     (Label(outer.span, "the outer loop"),),
                 )
-            elif id(placed.action) not in with_body:
+            elif placed.opens_loop:
                 open_loop = placed
                 _check_opening(placed, problems)
         elif placed.spec is NEXT:
@@ -57,17 +56,6 @@ def _check_opening(placed: Placed, problems: Diagnostics) -> None:
         )
 
 
-def _loops(facts: Facts) -> list[Loop]:
-    found: list[Loop] = []
-    for routine in facts.program.routines:
-        waiting = list(routine.rungs)
-        while waiting:
-            for loop in loops_in(waiting.pop().items):
-                found.append(loop)
-                waiting += loop.body or ()
-    return found
-
-
 def _refuse_open(loop: Placed | None, problems: Diagnostics) -> None:
     if loop is not None and loop.routine.is_whole:
         problems.add(
@@ -80,7 +68,7 @@ def _refuse_open(loop: Placed | None, problems: Diagnostics) -> None:
 
 def _check_next(placed: Placed, open_loop: Placed | None, problems: Diagnostics) -> None:
     span = placed.action.span
-    if placed.loop is not None:
+    if placed.in_body:
         problems.add("CG409", span, "a loop with a body closes by itself", "leave next_loop() out")
     elif open_loop is None and not placed.routine.is_whole:
         return
