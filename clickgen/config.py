@@ -5,9 +5,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from clickgen.codes import CODES
 from clickgen.diagnostics import CouldNotRun, did_you_mean
@@ -22,8 +21,7 @@ class ConfigError(CouldNotRun):
     """The settings cannot be used. The message names the file, the key and the way out."""
 
 
-@dataclass(frozen=True)
-class ProgramSettings:
+class ProgramSettings(NamedTuple):
     """One PLC of a repository: its main file, address table and output folder. None is the default place."""
 
     path: Path
@@ -31,8 +29,7 @@ class ProgramSettings:
     output: Path | None = None
 
 
-@dataclass(frozen=True)
-class CheckSettings:
+class CheckSettings(NamedTuple):
     """Which rules run where. Codes may be prefixes: ``CG5`` is every rule of that group."""
 
     select: tuple[str, ...] | None = None
@@ -43,8 +40,7 @@ class CheckSettings:
     per_file_ignores: tuple[tuple[str, tuple[str, ...]], ...] = ()
 
 
-@dataclass(frozen=True)
-class Config:
+class Config(NamedTuple):
     """The settings of a repository. Paths and patterns are relative to ``root``, the folder of ``file``."""
 
     root: Path
@@ -52,7 +48,7 @@ class Config:
     programs: tuple[ProgramSettings, ...] = ()
     reserved: tuple[Address, ...] = ()
     """Addresses that allocation leaves alone."""
-    check: CheckSettings = field(default_factory=CheckSettings)
+    check: CheckSettings = CheckSettings()
 
     def program(self, path: Path) -> ProgramSettings:
         """The settings of the program at ``path``; without any of its own, the defaults."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from clickgen.codes import CODES, Severity
 from clickgen.source import Span
@@ -13,32 +13,28 @@ class CouldNotRun(Exception):
     """There is nothing to judge: a file is missing or unreadable, an output folder unusable. The message says which."""
 
 
-@dataclass(frozen=True)
-class Label:
+class Label(NamedTuple):
     """A second place that a problem speaks of, such as the earlier of two owners."""
 
     span: Span
     text: str
 
 
-@dataclass(frozen=True)
-class Edit:
+class Edit(NamedTuple):
     """Text that replaces a stretch of a source file; an empty stretch is an insertion."""
 
     span: Span
     text: str
 
 
-@dataclass(frozen=True)
-class Fix:
+class Fix(NamedTuple):
     """Edits that take a problem away. A safe one cannot change what the program does."""
 
     edits: tuple[Edit, ...]
     is_safe: bool = True
 
 
-@dataclass(frozen=True)
-class Diagnostic:
+class Diagnostic(NamedTuple):
     """One problem. ``span`` is None only for a problem that has no place in a file."""
 
     code: str
@@ -62,11 +58,11 @@ class Diagnostic:
         return (span.path, span.line, span.col, self.code, self.message)
 
 
-@dataclass
 class Diagnostics:
     """What the stages found so far. Stages add; nothing stops at the first."""
 
-    found: list[Diagnostic] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.found: list[Diagnostic] = []
 
     def add(
         self,

@@ -143,6 +143,7 @@ class _Build:
     table: AddressTable = field(default_factory=lambda: AddressTable.empty(""))
     table_before: bytes | None = None
     resolved: Resolved | None = None
+    facts: Facts | None = None
     scratch: Scratch = field(default_factory=Scratch)
     scratch_rows: tuple[Row, ...] = ()
     routines: tuple[ClickRoutine, ...] = ()
@@ -243,19 +244,19 @@ def _resolve(state: _Build) -> None:
 
 def _check(state: _Build) -> None:
     if state.resolved is not None:
-        facts = Facts(state.resolved.program, {source.path: source for source in state.sources})
+        sources = {source.path: source for source in state.sources}
+        state.facts = Facts(state.resolved.program, sources, _rows(state))
         for rule in RULES:
-            rule(facts, state.problems)
+            rule(state.facts, state.problems)
 
 
 def _lint(state: _Build) -> None:
     from clickgen.check.lint import RULES as LINT_RULES
 
-    assert state.resolved is not None
-    facts = Facts(state.resolved.program, {source.path: source for source in state.sources}, _rows(state))
+    assert state.facts is not None
     for rule in LINT_RULES:
         if state.settings.wants(rule.code):
-            rule.check(facts, state.problems)
+            rule.check(state.facts, state.problems)
 
 
 def _lower(state: _Build) -> None:

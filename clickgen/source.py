@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -28,12 +27,12 @@ class Span(NamedTuple):
         return f"line {self.line}" if self.path == other.path else str(self)
 
 
-@dataclass(frozen=True)
 class SourceFile:
     """One file of a program: the path as the user named it, and its text with ``\\n`` line ends."""
 
-    path: str
-    text: str
+    def __init__(self, path: str, text: str) -> None:
+        self.path = path
+        self.text = text
 
     @cached_property
     def lines(self) -> list[str]:
@@ -58,8 +57,7 @@ class SourceFile:
         return Span(self.path, line, col, end_line, end_col)
 
 
-@dataclass(frozen=True)
-class EmbeddedText:
+class EmbeddedText(NamedTuple):
     """The value of a string literal together with where each of its characters stands in the file.
 
     ``positions`` has one (line, column) per character, and a last one for the end.

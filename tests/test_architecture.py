@@ -72,3 +72,18 @@ def test_building_a_program_without_formulas_loads_no_lark(tmp_path: Path) -> No
     code = f"import sys, clickgen\nassert clickgen.build('prog.py').ok\nprint(sorted(set(sys.modules) & {HEAVY!r}))"
     done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert done.stdout == "['libcst']\n"
+
+
+def test_a_check_out_of_the_cache_loads_only_what_it_needs(tmp_path: Path) -> None:
+    (tmp_path / "prog.py").write_text("def main():\n    if x[1]:\n        out(y[1])\n    if True:\n        end()\n")
+    slow = ["dataclasses", "inspect", "clickgen.pipeline", "clickgen.report.frames", *HEAVY]
+    code = (
+        f"import sys\nfrom clickgen.cli import main\nassert main(['check', 'prog.py', '-q', '-o', 'report.txt']) == 0\n"
+        f"print(sorted(set(sys.modules) & {set(slow)!r}))"
+    )
+    runs = [
+        subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+        for _ in range(2)
+    ]
+    assert "clickgen.pipeline" in runs[0]
+    assert runs[1] == "[]\n"

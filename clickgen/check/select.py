@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
+from typing import NamedTuple
 
 from clickgen.codes import CODES, Severity
 
 
-@dataclass(frozen=True)
-class Selection:
+class Selection(NamedTuple):
     """Codes may be prefixes: ``CG5`` is a whole group. ``select`` None is every rule that is on by default."""
 
     select: tuple[str, ...] | None = None

@@ -6,9 +6,9 @@ import hashlib
 import json
 import os
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
 from clickgen import __version__
 from clickgen.diagnostics import Diagnostic, Edit, Fix, Label
@@ -18,8 +18,7 @@ FOLDER = ".clickgen_cache"
 _FORMAT = 1
 
 
-@dataclass(frozen=True)
-class Cached:
+class Cached(NamedTuple):
     """The findings of one program before anything is selected or silenced, and the files that it was made of."""
 
     findings: tuple[Diagnostic, ...]

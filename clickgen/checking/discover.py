@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path
+from typing import NamedTuple
 
 from clickgen.config import Config
 from clickgen.diagnostics import CouldNotRun
@@ -16,8 +16,7 @@ _USUAL_EXCLUDES = ("build", "dist", "venv", "node_modules", "__pycache__", "site
 """Folders that hold no sources; those with a dot in front are left out too."""
 
 
-@dataclass(frozen=True)
-class Target:
+class Target(NamedTuple):
     """One program to check. A file without a main that no program imports is judged as a part of one."""
 
     path: str

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from clickgen.check.select import Selection
 from clickgen.checking.cache import Cache, Cached, key_of
@@ -21,8 +20,7 @@ Judged = tuple[Cached, Mapping[str, bytes | None]]
 """The findings of a program, and what was read for them."""
 
 
-@dataclass(frozen=True)
-class Judge:
+class Judge(NamedTuple):
     """``overlay`` gives files contents other than those on disk, by real path; such programs are not cached.
 
     ``progress`` is told after each program how many are done.
@@ -31,8 +29,8 @@ class Judge:
     cache: Cache
     selection: Selection
     reserved: tuple[Address, ...] = ()
-    overlay: Mapping[str, bytes] = field(default_factory=dict)
-    progress: Callable[[int], None] = field(default=lambda _: None)
+    overlay: Mapping[str, bytes] = {}
+    progress: Callable[[int], None] = lambda _: None
 
     def __call__(self, targets: Sequence[Target]) -> dict[Target, Cached]:
         """The findings of each target. Raises CouldNotRun when one cannot be read."""

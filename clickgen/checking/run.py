@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from fnmatch import fnmatch
-from functools import cache, cached_property
+from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from clickgen.check.select import Selection
 from clickgen.checking.cache import FOLDER, Cache, Cached
@@ -25,33 +24,31 @@ _ROUNDS_MAX = 10
 """Fixes may make room for others; so often, and a fix that undoes another ends."""
 
 
-@dataclass(frozen=True)
-class Request:
+class Request(NamedTuple):
     """What to check and how. ``stdin`` is the text of the only path, which need not exist then."""
 
     config: Config
-    selection: Selection = field(default_factory=Selection)
+    selection: Selection = Selection()
     paths: tuple[str, ...] = ()
     exclude: tuple[str, ...] = ()
     force_exclude: bool = False
     use_cache: bool = True
     stdin: bytes | None = None
-    progress: Callable[[int, int], None] = field(default=lambda *_: None)
+    progress: Callable[[int, int], None] = lambda *_: None
 
 
-@dataclass(frozen=True)
-class Outcome:
+class Outcome(NamedTuple):
     """What was found in the files that were ``checked``. ``overlay`` has those that fixes changed, by real path."""
 
     findings: tuple[Diagnostic, ...]
     checked: tuple[str, ...]
-    overlay: Mapping[str, bytes] = field(default_factory=dict)
+    overlay: Mapping[str, bytes] = {}
     fixed: int = 0
-    before: Mapping[str, bytes] = field(default_factory=dict)
+    before: Mapping[str, bytes] = {}
     """Files that fixes change, as they are on disk."""
-    after: Mapping[str, bytes] = field(default_factory=dict)
+    after: Mapping[str, bytes] = {}
 
-    @cached_property
+    @property
     def line_of(self) -> Callable[[str, int], str]:
         """The text of a line of a file as it was judged; "" where there is none."""
 
@@ -101,7 +98,7 @@ def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
             after[path] = overlay[os.path.realpath(path)] = new
             count += number
         outcome = _look(request, found, overlay)
-    return replace(outcome, fixed=count, before=before, after=after)
+    return outcome._replace(fixed=count, before=before, after=after)
 
 
 def add_ignores(outcome: Outcome) -> Outcome:
@@ -119,7 +116,7 @@ def add_ignores(outcome: Outcome) -> Outcome:
             before[path], after[path] = data, _fixed(data, [fix])[0]
             own = [finding for finding in outcome.findings if finding.span and finding.span.path == path]
             count += sum(not finding.is_error for finding in own)
-    return replace(outcome, fixed=count, before=before, after=after)
+    return outcome._replace(fixed=count, before=before, after=after)
 
 
 def _table(request: Request, path: str) -> str | None:

@@ -18,8 +18,7 @@ from clickgen.codes import CODES
 from clickgen.config import Config, find_config, read_config
 from clickgen.diagnostics import CouldNotRun, Diagnostic, did_you_mean
 from clickgen.formats import FORMATS
-from clickgen.report import Report, render, shown_path
-from clickgen.report.frames import printable, use_color
+from clickgen.report import Report, render, shown_path, use_color
 from clickgen.wording import counted
 
 _MANY_FILES = 8
@@ -35,11 +34,17 @@ def run(options: argparse.Namespace) -> int:
     try:
         return _run(options)
     except CouldNotRun as error:
-        print(f"clickgen: {printable(str(error))}", file=sys.stderr)
+        _complain(str(error))
     except OSError as error:
         place = f"{error.filename}: " if error.filename else ""
-        print(f"clickgen: {printable(place)}{error.strerror or error}; nothing was written", file=sys.stderr)
+        _complain(f"{place}{error.strerror or error}; nothing was written")
     return COULD_NOT_RUN
+
+
+def _complain(text: str) -> None:
+    from clickgen.report.frames import printable
+
+    print(f"clickgen: {printable(text)}", file=sys.stderr)
 
 
 def _run(options: argparse.Namespace) -> int:

@@ -7,7 +7,6 @@ import errno
 import os
 import stat
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 
 from clickgen.diagnostics import CouldNotRun
@@ -50,24 +49,24 @@ def put_in_place(
     return work.changed
 
 
-@dataclass
 class _Step:
     """One file: what is to stand at ``target`` (None: nothing), and where its former content is kept meanwhile."""
 
-    path: Path
-    target: Path
-    staged: Path | None
-    former: Path
-    existed: bool
-    begun: bool = False
+    def __init__(self, path: Path, target: Path, staged: Path | None, former: Path, existed: bool) -> None:
+        self.path = path
+        self.target = target
+        self.staged = staged
+        self.former = former
+        self.existed = existed
+        self.begun = False
 
 
-@dataclass
 class _Work:
-    steps: list[_Step] = field(default_factory=list)
-    made_folders: list[Path] = field(default_factory=list)
-    targets: dict[str, list[Path]] = field(default_factory=dict)
-    """Every file to be written, by its folded name."""
+    def __init__(self) -> None:
+        self.steps: list[_Step] = []
+        self.made_folders: list[Path] = []
+        self.targets: dict[str, list[Path]] = {}
+        """Every file to be written, by its folded name."""
 
     @property
     def changed(self) -> list[Path]:

@@ -149,9 +149,9 @@ class Variant:
     pairs: tuple[Pair, ...] = ()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Spec:
-    """One instruction of the language.
+    """One instruction of the language: each stands once, and is equal to itself alone.
 
     ``height`` is in grid rows, pins included (click-facts, sections 3 and 5). ``sets_flags`` are the system bits that
     running it can change. ``alone`` instructions get a CLICK rung of their own.

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import PurePath
+from typing import NamedTuple, TextIO
 
 from clickgen.codes import Severity
 from clickgen.diagnostics import Diagnostic
 from clickgen.formats import FORMATS
 
-__all__ = ["FORMATS", "LineOf", "Report", "by_file", "render", "shown_path"]
+__all__ = ["FORMATS", "LineOf", "Report", "by_file", "render", "shown_path", "use_color"]
 
 LineOf = Callable[[str, int], str]
 """The text of a line of a file; "" where there is none."""
 
 
-@dataclass(frozen=True)
-class Report:
+class Report(NamedTuple):
     """What is left to say after selection, suppressions and fixes.
 
     ``findings`` are in the order of files and places; ``checked`` names every file that was looked at.
@@ -27,12 +26,12 @@ class Report:
 
     findings: tuple[Diagnostic, ...]
     checked: tuple[str, ...] = ()
-    line_of: LineOf = field(default=lambda *_: "")
+    line_of: LineOf = lambda *_: ""
     fixed: int = 0
     """Findings that a fix took away."""
     deny_warnings: bool = False
     color: bool = False
-    skipped: Mapping[str, int] = field(default_factory=dict)
+    skipped: Mapping[str, int] = {}
     """How many findings were not shown, by reason, such as the baseline."""
 
     def severity(self, finding: Diagnostic) -> Severity:
@@ -54,6 +53,11 @@ def render(format: str, report: Report) -> str:
     """The report as text in one of ``FORMATS``; it ends with a line end unless it is empty."""
     text: str = import_module(f"{__name__}.{format}").render(report)
     return text
+
+
+def use_color(stream: TextIO) -> bool:
+    """Colour only on a terminal, and never with NO_COLOR set (https://no-color.org)."""
+    return stream.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
 
 
 def shown_path(path: str, base: str | None = None) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import unicodedata
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
@@ -10,17 +9,13 @@ from typing import TextIO
 
 from clickgen.codes import Severity
 from clickgen.diagnostics import Diagnostic
+from clickgen.report import use_color
 from clickgen.source import SourceFile, Span
 from clickgen.wording import counted
 
 _COLORS = {Severity.ERROR: "31", Severity.WARNING: "33", Severity.INFO: "36"}
 _FRAME_WIDTH = 110
 """How much of a long source line is shown, in characters."""
-
-
-def use_color(stream: TextIO) -> bool:
-    """Colour only on a terminal, and never with NO_COLOR set (https://no-color.org)."""
-    return stream.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
 
 
 class Renderer:

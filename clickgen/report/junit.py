@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import replace
 from xml.etree import ElementTree as ET
 
 from clickgen.codes import Severity
@@ -60,8 +59,8 @@ def _texts(report: Report) -> Callable[[Diagnostic], str]:
         return span._replace(path=path)
 
     def text_of(finding: Diagnostic) -> str:
-        labels = tuple(replace(label, span=shown(label.span)) for label in finding.labels)
-        return renderer.render(replace(finding, span=finding.span and shown(finding.span), labels=labels))
+        labels = tuple(label._replace(span=shown(label.span)) for label in finding.labels)
+        return renderer.render(finding._replace(span=finding.span and shown(finding.span), labels=labels))
 
     renderer = Renderer(False, lambda path, line: report.line_of(named[path], line), report.severity)
     return text_of

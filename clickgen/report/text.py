@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from clickgen.report import Report
-from clickgen.report.frames import Renderer, summary
 from clickgen.wording import counted
 
 
 def render(report: Report) -> str:
+    if not report.findings:
+        return ""
+    from clickgen.report.frames import Renderer
+
     renderer = Renderer(report.color, report.line_of, report.severity)
     return "".join(renderer.render(finding) + "\n\n" for finding in report.findings)
 
@@ -18,6 +21,8 @@ def summary_line(report: Report) -> str:
         what = f"{counted(len(report.checked), 'file')} checked, all is well"
     else:
         files = len({finding.span.path for finding in report.findings if finding.span})
+        from clickgen.report.frames import summary
+
         what = summary(map(report.severity, report.findings))
         what += f" in {counted(files, 'file')}" if files else ""
     notes = [what]
