@@ -11,9 +11,10 @@ from clickgen.check.logic import are_exclusive
 from clickgen.check.uses import Uses, addresses_of
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.system import ALWAYS_ON, system_name_of
+from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import CALL, NEXT
 from clickgen.instructions.spec import Spec
-from clickgen.ir.conditions import All, Always, Compare, Condition, Contact
+from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Single
 from clickgen.ir.program import Action, Branch, Declaration, Item, Loop, Program, Routine, Rung
 from clickgen.ir.walk import condition_operands, leaves
@@ -178,8 +179,41 @@ class Facts:
         """True for two subroutines that are never called in the same scan: all their calls exclude each other."""
         if one is other or one.is_main or other.is_main:
             return False
-        pairs = product(self.calls.get(one.name, ()), self.calls.get(other.name, ()))
-        return all(are_exclusive(first.condition, second.condition) for first, second in pairs)
+        key = frozenset((one.name, other.name))
+        if key not in self._apart:
+            pairs = product(self.calls.get(one.name, ()), self.calls.get(other.name, ()))
+            self._apart[key] = all(self.exclude_each_other(first, second) for first, second in pairs)
+        return self._apart[key]
+
+    @cached_property
+    def _apart(self) -> dict[frozenset[str], bool]:
+        return {}
+
+    def exclude_each_other(self, one: Placed, other: Placed) -> bool:
+        """True when two actions never run in the same scan, as far as the program changes nothing in between."""
+        return are_exclusive(*self.ways_to(one), *self.ways_to(other))
+
+    def ways_to(self, placed: Placed) -> tuple[Condition, Condition]:
+        """What must hold for an action to run, and the same seen through the coils that stand for conditions."""
+        return placed.condition, self.seen_through(placed.condition)
+
+    def seen_through(self, condition: Condition) -> Condition:
+        """The condition with what drives it in the place of each coil of main that ``out`` alone drives."""
+        if isinstance(condition, All | Any):
+            return type(condition)(tuple(map(self.seen_through, condition.terms)), condition.span)
+        if isinstance(condition, Contact) and isinstance(condition.operand, Cell):
+            if not condition.negated and not condition.edge:
+                return self._stands_for(condition.operand.address) or condition
+        return condition
+
+    def _stands_for(self, bit: Address) -> Condition | None:
+        writers = self.writers(bit)
+        if len(writers) != 1 or self.uses.is_pointed(bit.bank, is_written=True):
+            return None
+        (writer,) = writers
+        is_level = not any(isinstance(leaf, Contact) and leaf.edge for leaf in leaves(writer.condition))
+        is_steady = writer.routine.is_main and not writer.loop and not writer.action.flag("oneshot")
+        return writer.condition if writer.spec is OUT and is_steady and is_level else None
 
     @cached_property
     def sites(self) -> tuple[Site, ...]:

@@ -49,7 +49,7 @@ With two of them the later rung decides alone, and the earlier one does nothing 
 motor does not start although its rung is green. CLICK warns about it too (C1001).
 
 Subroutines that are never called in the same scan may drive the same bit: their calls must stand on conditions that
-exclude each other. When one of them changes the step that the calls look at, both run in that one scan; the rule takes
+exclude each other; a coil of main that `out` alone drives counts as its condition. When one of them changes the step that the calls look at, both run in that one scan; the rule takes
 this for intended, because a sequence hands over so.
 """,
     wrong=(

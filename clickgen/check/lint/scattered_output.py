@@ -67,8 +67,13 @@ def _meet(facts: Facts, one: _Drivers, other: _Drivers) -> bool:
             return False  # Turned off at the end of the scan, whatever was before.
     if facts.run_apart(one[0].routine, other[0].routine):
         return False
-    pairs = islice(product(one, other), _PAIRS_MAX)
+    pairs = [pair for pair in islice(product(one, other), _PAIRS_MAX) if not _agree(*pair)]
     return not all(_are_apart(facts, first, second) for first, second in pairs)
+
+
+def _agree(one: Placed, other: Placed) -> bool:
+    """True for two that do the same, whoever comes first: turn the output on, or off."""
+    return one.spec is other.spec and one.spec in (SET, RESET)
 
 
 def _moments(facts: Facts, drivers: _Drivers) -> list[Span]:
@@ -83,10 +88,10 @@ def _are_apart(facts: Facts, one: Placed, other: Placed) -> bool:
 
 def _ways(facts: Facts, placed: Placed) -> list[list[Condition]]:
     """What must hold for the action to write, for each call that leads to it."""
-    own = [] if placed.spec in _ALWAYS_ACTIVE else [placed.condition]
+    own = [] if placed.spec in _ALWAYS_ACTIVE else facts.ways_to(placed)
     if placed.routine.is_main:
-        return [own]
-    return [[call.condition, *own] for call in facts.calls.get(placed.routine.name, ())]
+        return [[*own]]
+    return [[*facts.ways_to(call), *own] for call in facts.calls.get(placed.routine.name, ())]
 
 
 def _report(facts: Facts, problems: Diagnostics, output: Address, together: list[_Drivers]) -> None:
@@ -111,7 +116,7 @@ Several routines write this output, and in one scan more than one of them may ru
 flickers or does not come although the rung in front of you is on; and nobody finds from one place why it is on.
 
 Drive an output in one routine, from C bits that the others write. Routines whose calls stand on conditions that
-exclude each other may share an output; a latch that one routine sets may be reset in any other; and a reset that runs
+exclude each other may share an output; a latch that some routines set may be reset in one other; and a reset that runs
 behind all the rest of the scan may turn off what it likes. Where each of them uses `out`, CG501 speaks.
 """,
     wrong=(
