@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -78,22 +78,40 @@ class BuildResult:
         Raises CouldNotRun when the folder holds files that are not clickgen's and in the way; OSError when something
         cannot be written; ChangedMeanwhile when the table changed since it was read.
         """
-        if not self.ok:
+        return write_all([(self, folder)])
+
+
+def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
+    """Write several results, each into its folder, as ``BuildResult.write`` does: all of them or none.
+
+    Of programs that share an address table each must have been built with the table that the one before it made.
+    """
+    writes: dict[Path, bytes] = {}
+    removals: list[Path] = []
+    tables: dict[str, tuple[Path, bytes | None, bytes]] = {}
+    for result, folder in results:
+        if not result.ok:
             raise CouldNotRun("a program with errors is not written")
-        outputs = {name: text.encode() for name, text in self.files.items()}
-        writes = {folder / name: data for name, data in outputs.items()}
-        if any(_same_file(path, self.table_path) for path in writes):
-            raise CouldNotRun(f"{folder} holds the address table {self.table_path.name}; choose another folder with -o")
+        outputs = {name: text.encode() for name, text in result.files.items()}
+        writes.update((folder / name, data) for name, data in outputs.items())
         try:
-            removals = stale_files(folder, outputs)
+            removals += stale_files(folder, outputs)
         except ForeignFiles as error:
             raise CouldNotRun(str(error)) from None
-        if self.table == self._table_before:
-            return put_in_place(writes, removals, {self.table_path: self._table_before})
+        place = os.path.realpath(result.table_path)
+        first = tables.get(place, (result.table_path, result._table_before, b""))
+        tables[place] = (*first[:2], result.table)
+    for path in writes:
+        if os.path.realpath(path) in tables:
+            raise CouldNotRun(f"{path.parent} holds the address table {path.name}; choose another folder with -o")
+    unchanged: dict[Path, bytes | None] = {}
+    for path, before, after in tables.values():
         # A result that is written a second time finds the table as it wants it.
-        written = self.table_path.is_file() and self.table_path.read_bytes() == self.table
-        writes[self.table_path] = self.table
-        return put_in_place(writes, removals, {self.table_path: self.table if written else self._table_before})
+        written = path.is_file() and path.read_bytes() == after
+        unchanged[path] = after if written else before
+        if after != before:
+            writes[path] = after
+    return put_in_place(writes, removals, unchanged)
 
 
 @dataclass(frozen=True)
@@ -122,10 +140,6 @@ class Settings:
     reserved: tuple[Address, ...] = ()
     overlay: Mapping[str, bytes] = field(default_factory=dict)
     wants: Callable[[str], bool] = field(default=lambda _: True)
-
-
-def _same_file(one: Path, other: Path) -> bool:
-    return os.path.realpath(one) == os.path.realpath(other)
 
 
 @dataclass
@@ -205,12 +219,13 @@ def _run(path: str | os.PathLike[str], settings: Settings, stages: _Stages) -> _
 
 def _read_table(state: _Build) -> None:
     path, shown = state.table_path, str(state.table_path)
-    if not path.exists() and not path.is_symlink() and not state.settings.table_must_exist:
+    data = state.settings.overlay.get(os.path.realpath(path))
+    if data is None and not path.exists() and not path.is_symlink() and not state.settings.table_must_exist:
         state.table = AddressTable.empty(shown)
         state.reads[shown] = None
         return
     try:
-        state.table = read_table(path, shown, state.problems)
+        state.table = read_table(path, shown, state.problems, data)
     except TableUnreadable as error:
         raise CouldNotRun(str(error)) from None
     state.table_before = state.reads[shown] = state.table.to_bytes()

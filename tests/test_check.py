@@ -256,7 +256,7 @@ def silenced(comment_at: int, comment: str) -> str:
         (5, "# a word # clickgen: ignore[ CG501 , CG513 ]"),
         (4, "    # clickgen: ignore[CG501]"),
         (5, "        # clickgen: ignore[CG501]"),
-        (1, "# clickgen: file-ignore[CG501]"),
+        (4, "    # clickgen: file-ignore[CG501]"),
     ],
 )
 def test_a_comment_silences(check: Check, line: int, comment: str) -> None:

@@ -193,3 +193,34 @@ def test_check_looks_at_the_configured_programs(plant: Path, capsys: pytest.Capt
     (plant / "one/plc.py").unlink()
     assert main(["check"]) == 2
     assert "which" in capsys.readouterr().err
+
+
+def test_programs_that_share_a_table_are_built_one_on_the_other(
+    plant: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """In one go: the second finds the names of the first in the table, and all is written together."""
+    shared = "def main():\n    if c.{}:\n        out(c.Common)\n    if True:\n        end()\n"
+    for name in ("a", "b"):
+        (plant / f"{name}.py").write_text(shared.format(name.upper()))
+    settings(plant, 'programs = ["a.py", "b.py"]\n')
+    monkeypatch.chdir(plant)
+    assert main(["build"]) == 0
+    said = capsys.readouterr()
+    assert said.err == ""
+    assert said.out.startswith("Built a.py: ")
+    assert "Files: build/b" in said.out.replace("\\", "/")
+    rows = (plant / "nicknames.csv").read_text("utf-8").splitlines()[1:]
+    assert [row.split(",")[:3:2] for row in rows] == [["C1", '"A"'], ["C2", '"Common"'], ["C3", '"B"']]
+    assert main(["build", "--frozen"]) == 0
+
+
+def test_programs_that_share_a_table_are_written_all_or_none(plant: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, text in (("a", "out(c.X)"), ("b", "out(c.Y)")):
+        (plant / f"{name}.py").write_text(f"def main():\n    if x[1]:\n        {text}\n    if True:\n        end()\n")
+    settings(plant, 'programs = ["a.py", "b.py"]\n')
+    monkeypatch.chdir(plant)
+    (plant / "build" / "b").mkdir(parents=True)
+    (plant / "build" / "b" / "main.csv").mkdir()
+    assert main(["build"]) == 2
+    assert not (plant / "nicknames.csv").exists()
+    assert not (plant / "build" / "a").exists()

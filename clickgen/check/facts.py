@@ -201,10 +201,10 @@ class Facts:
         """The condition with what drives it in the place of each coil of main that ``out`` alone drives."""
         if isinstance(condition, All | Any):
             return type(condition)(tuple(map(self.seen_through, condition.terms)), condition.span)
-        if isinstance(condition, Contact) and isinstance(condition.operand, Cell):
-            if not condition.negated and not condition.edge:
-                return self._stands_for(condition.operand.address) or condition
-        return condition
+        if not isinstance(condition, Contact) or condition.negated or condition.edge:
+            return condition
+        operand = condition.operand
+        return (isinstance(operand, Cell) and self._stands_for(operand.address)) or condition
 
     def _stands_for(self, bit: Address) -> Condition | None:
         writers = self.writers(bit)

@@ -16,7 +16,9 @@ from clickgen.codes import CODES, Severity
 from clickgen.diagnostics import Diagnostic, Diagnostics, Edit, Fix, did_you_mean
 from clickgen.source import SourceFile, Span
 
-_DIRECTIVE = re.compile(r"#\s*clickgen:\s*(?P<word>[\w-]*)\s*(?:\[(?P<codes>[^\]]*)\])?")
+_DIRECTIVE = re.compile(
+    r"#\s*(?P<name>clickgen)(?P<colon>\s*:)?\s*(?P<word>[\w-]*)\s*(?:\[(?P<codes>[^\]]*)\])?", re.IGNORECASE
+)
 _WORDS = ("ignore", "file-ignore")
 _UNUSED = "CG525"
 
@@ -58,7 +60,7 @@ def silenced(
 
 def read_directives(source: SourceFile, problems: Diagnostics) -> list[Directive]:
     """Every directive of a file; what looks like one and is none is a problem."""
-    if "clickgen:" not in source.text:
+    if "clickgen" not in source.text.lower():
         return []
     try:
         tokens = list(tokenize.generate_tokens(io.StringIO(source.text).readline))
@@ -69,12 +71,23 @@ def read_directives(source: SourceFile, problems: Diagnostics) -> list[Directive
     code_lines = {token.start[0] for token in tokens if token.type not in _BLANK}
     found: list[Directive] = []
     for token in tokens:
-        match = _DIRECTIVE.search(token.string) if token.type == tokenize.COMMENT else None
-        if match:
+        for match in _directives_in(token):
             line, col = token.start
             span = source.span(line, col + match.start() + 1, line, col + match.end() + 1)
             found += _read(source, span, match, line not in code_lines, statements, problems)
     return found
+
+
+def _directives_in(token: tokenize.TokenInfo) -> Iterator[re.Match[str]]:
+    """What speaks to clickgen in a comment; one that only names it does not."""
+    if token.type == tokenize.COMMENT:
+        for match in _DIRECTIVE.finditer(token.string):
+            if match["colon"] or (match["word"].lower() in _WORDS and match["codes"] is not None):
+                yield match
+
+
+def _is_well_written(match: re.Match[str]) -> bool:
+    return match["name"] == "clickgen" and match["colon"] == ":" and match["word"] in _WORDS
 
 
 _BLANK = (tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER)
@@ -96,6 +109,14 @@ def _read(
     problems: Diagnostics,
 ) -> Iterator[Directive]:
     word, listed = match["word"], match["codes"]
+    if word.lower() in _WORDS and not _is_well_written(match):
+        way = f"write # clickgen: {word.lower()}[{listed or 'CG501'}]"
+        problems.add(_UNUSED, span, "clickgen does not hear this", way)
+        return
+    if word == "file-ignore" and not stands_alone:
+        way = "put it on a line of its own, or write # clickgen: ignore[...] for this line"
+        problems.add(_UNUSED, span, "file-ignore speaks of the whole file and stands behind code", way)
+        return
     if word not in _WORDS or listed is None or not listed.strip():
         help = did_you_mean(word, _WORDS) or "write # clickgen: ignore[CG501] and the reason"
         fault = "this names no codes" if word in _WORDS else f"there is no {word!r} to tell clickgen"
@@ -111,26 +132,36 @@ def _read(
     if word == "file-ignore":
         yield Directive(span, codes, 1, len(source.lines))
     elif not stands_alone:
-        yield Directive(span, codes, span.line, span.line)
+        heads = [extent for line, extent in statements.items() if extent[0] <= span.line <= line == extent[1]]
+        yield Directive(span, codes, *max(heads, default=(span.line, span.line)))
     else:
         below = span.line + 1
         while source.line(below).lstrip().startswith("#"):
             below += 1
-        starts = [extent for extent in statements.values() if extent[0] == below]
-        first, last = max(starts, key=lambda extent: extent[1]) if starts else (span.line, span.line)
-        yield Directive(span, codes, first, last)
+        # Between a decorator and its routine a comment speaks of the routine.
+        starts = [extent for line, extent in statements.items() if below in (line, extent[0])]
+        yield Directive(span, codes, *max(starts, key=lambda extent: extent[1], default=(span.line, span.line)))
 
 
 # -- writing them ----------------------------------------------------------------------------------------------------
 
 
+def silenceable(source: SourceFile, findings: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """The findings of a file that a comment can silence: no errors, and not what is wrong with such comments."""
+    return [
+        finding
+        for finding in findings
+        if finding.span and finding.span.path == source.path and not finding.is_error and finding.code != _UNUSED
+    ]
+
+
 def ignoring(source: SourceFile, findings: Iterable[Diagnostic]) -> Fix | None:
     """The edits that silence these findings of a file, each where it stands; None when there is nothing to silence."""
     wanted: dict[int, list[str]] = {}
-    for finding in findings:
-        if finding.span and finding.span.path == source.path and not finding.is_error:
-            codes = wanted.setdefault(finding.span.line, [])
-            codes += [finding.code] if finding.code not in codes else []
+    for finding in silenceable(source, findings):
+        assert finding.span is not None
+        codes = wanted.setdefault(finding.span.line, [])
+        codes += [finding.code] if finding.code not in codes else []
     if not wanted:
         return None
     tokens = list(tokenize.generate_tokens(io.StringIO(source.text).readline))
@@ -154,7 +185,7 @@ def _ignoring_line(
 ) -> Edit:
     text = source.line(line)
     match = _DIRECTIVE.search(comment.string) if comment else None
-    if comment and match and match["word"] == "ignore" and match["codes"]:
+    if comment and match and match["word"] == "ignore" and match["codes"] and _is_well_written(match):
         start = comment.start[1] + match.start("codes") + 1
         span = source.span(line, start, line, start + len(match["codes"]))
         known = [code.strip() for code in match["codes"].split(",")]

@@ -6,6 +6,7 @@ import json
 from collections import Counter
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import NamedTuple
 
 from clickgen.diagnostics import CouldNotRun, Diagnostic
 
@@ -38,8 +39,8 @@ def read_baseline(path: Path) -> Counter[Key] | None:
         return None
     except OSError as error:
         raise CouldNotRun(f"{path} cannot be read: {error.strerror or error}") from None
-    except (ValueError, KeyError, TypeError) as error:
-        raise CouldNotRun(f"{path} is no baseline: {error!r}; delete it and make it anew") from None
+    except (ValueError, KeyError, TypeError):
+        raise CouldNotRun(f"{path} is no baseline that clickgen made; delete it and make it anew") from None
 
 
 def baseline_text(keys: Iterable[Key]) -> str:
@@ -53,13 +54,19 @@ def baseline_text(keys: Iterable[Key]) -> str:
     return f'{{\n  "format": {_FORMAT},\n  "findings": [{inner}]\n}}\n'
 
 
-def without_known(findings: list[Diagnostic], keys: list[Key], known: Counter[Key]) -> tuple[list[Diagnostic], int]:
-    """The findings that the baseline does not know, errors always, and how many it does."""
-    left = Counter(known)
-    new = []
-    for finding, key in zip(findings, keys, strict=True):
-        if not finding.is_error and left[key] > 0:
-            left[key] -= 1
-        else:
-            new.append(finding)
-    return new, len(findings) - len(new)
+class Baseline(NamedTuple):
+    """What was found when a repository began: how often each key, with ``name`` as ``keys_of`` takes it."""
+
+    known: Counter[Key]
+    name: Callable[[str], str]
+
+    def news(self, findings: list[Diagnostic], line_of: Callable[[str, int], str]) -> list[Diagnostic]:
+        """The findings that the baseline does not know; errors always."""
+        left = Counter(self.known)
+        new = []
+        for finding, key in zip(findings, keys_of(findings, self.name, line_of), strict=True):
+            if not finding.is_error and left[key] > 0:
+                left[key] -= 1
+            else:
+                new.append(finding)
+        return new

@@ -18,6 +18,7 @@ from clickgen.config import Config
 from clickgen.diagnostics import Diagnostic, Diagnostics, Fix
 
 if TYPE_CHECKING:
+    from clickgen.checking.baseline import Baseline
     from clickgen.source import SourceFile
 
 _ROUNDS_MAX = 10
@@ -35,6 +36,8 @@ class Request(NamedTuple):
     use_cache: bool = True
     stdin: bytes | None = None
     progress: Callable[[int, int], None] = lambda *_: None
+    baseline: Baseline | None = None
+    """What is known already: neither told nor mended nor silenced."""
 
 
 class Outcome(NamedTuple):
@@ -42,6 +45,8 @@ class Outcome(NamedTuple):
 
     findings: tuple[Diagnostic, ...]
     checked: tuple[str, ...]
+    known: int = 0
+    """How many findings the baseline keeps back."""
     overlay: Mapping[str, bytes] = {}
     fixed: int = 0
     before: Mapping[str, bytes] = {}
@@ -103,7 +108,7 @@ def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
 
 def add_ignores(outcome: Outcome) -> Outcome:
     """The outcome with a comment in the source for each finding that a comment can silence."""
-    from clickgen.check.suppress import ignoring
+    from clickgen.check.suppress import ignoring, silenceable
 
     before: dict[str, bytes] = {}
     after: dict[str, bytes] = {}
@@ -112,10 +117,9 @@ def add_ignores(outcome: Outcome) -> Outcome:
         data = Path(path).read_bytes()
         source = _decoded(path, data)
         fix = ignoring(source, outcome.findings) if source else None
-        if fix is not None:
+        if source is not None and fix is not None:
             before[path], after[path] = data, _fixed(data, [fix])[0]
-            own = [finding for finding in outcome.findings if finding.span and finding.span.path == path]
-            count += sum(not finding.is_error for finding in own)
+            count += len(silenceable(source, outcome.findings))
     return outcome._replace(fixed=count, before=before, after=after)
 
 
@@ -142,7 +146,11 @@ def _look(request: Request, found: Sequence[Target], overlay: Mapping[str, bytes
     findings = list(dict.fromkeys(finding for cached in judged.values() for finding in cached.findings))
     left, about = _heard(request, findings, checked, judged, overlay)
     shown = [finding for finding in (*left, *about) if not _is_ignored_there(finding, request.config)]
-    return Outcome(tuple(sorted(shown, key=lambda finding: finding.sort_key)), checked, dict(overlay))
+    outcome = Outcome(tuple(sorted(shown, key=lambda finding: finding.sort_key)), checked, 0, dict(overlay))
+    if request.baseline is None:
+        return outcome
+    news = request.baseline.news(list(outcome.findings), outcome.line_of)
+    return outcome._replace(findings=tuple(news), known=len(outcome.findings) - len(news))
 
 
 def _heard(
@@ -153,7 +161,7 @@ def _heard(
     overlay: Mapping[str, bytes],
 ) -> tuple[list[Diagnostic], list[Diagnostic]]:
     """The findings that no comment silences, and what is wrong with such comments."""
-    speaking = {path: data for path in checked if b"clickgen:" in (data := _bytes(path, overlay))}
+    speaking = {path: data for path in checked if b"clickgen" in (data := _bytes(path, overlay)).lower()}
     if not speaking:
         return findings, []
     from clickgen.check.suppress import Directive, read_directives, report_unused, silenced

@@ -24,13 +24,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         return parse(sys.argv[1:] if arguments is None else arguments)
     except KeyboardInterrupt:
-        print("clickgen: interrupted; nothing was written", file=sys.stderr)
-        return 130
+        return _interrupted()
     except BrokenPipeError:
         # The reader of our output went away, as head does.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return COULD_NOT_RUN
     except Exception as error:
+        if isinstance(error.__cause__, KeyboardInterrupt):  # Python wraps one that comes while a class is made.
+            return _interrupted()
         if os.environ.get(TRACEBACK):
             raise
         print(
@@ -42,6 +43,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return COULD_NOT_RUN
 
 
+def _interrupted() -> int:
+    print("clickgen: interrupted; nothing was written", file=sys.stderr)
+    return 130
+
+
 def run() -> NoReturn:
     """The command as a process of its own: run it and end.
 
@@ -49,6 +55,9 @@ def run() -> NoReturn:
     apart at the end, costs a fifth of the time; the system takes the memory back anyway.
     """
     gc.disable()
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # Closed by who called us, as >&- does.
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
     try:
         code = main()
     except SystemExit as stop:

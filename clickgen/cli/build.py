@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
 from clickgen.config import Config, ProgramSettings, find_config, read_config
 from clickgen.diagnostics import CouldNotRun
-from clickgen.pipeline import BuildResult, Settings, build
+from clickgen.pipeline import BuildResult, Settings, build, write_all
 from clickgen.report.frames import printable, summary, write_problems
 from clickgen.wording import counted
 
@@ -28,14 +29,14 @@ def run(program: str | None, output: str | None, nicknames: str | None, frozen: 
     """Build and write, without a program every configured one, all of them or none; returns the exit code."""
     try:
         jobs = _jobs(program, output, nicknames, frozen, config)
-        results = [build(job.program, settings=job.settings) for job in jobs]
+        results = _built(jobs)
         for result in results:
             write_problems(result.diagnostics, result.sources, sys.stderr)
         if not all(result.ok for result in results):
             print(f"clickgen: {_summary(results)}; nothing was written", file=sys.stderr)
             return PROBLEMS
+        write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
         for job, result in zip(jobs, results, strict=True):
-            result.write(job.folder)
             print(_report(result, job.folder))
     except CouldNotRun as error:
         print(f"clickgen: {printable(str(error))}", file=sys.stderr)
@@ -47,6 +48,18 @@ def run(program: str | None, output: str | None, nicknames: str | None, frozen: 
     return OK
 
 
+def _built(jobs: Iterable[_Job]) -> list[BuildResult]:
+    """Each program built, with the address table that those before it made of theirs."""
+    results: list[BuildResult] = []
+    tables: dict[str, bytes] = {}
+    for job in jobs:
+        result = build(job.program, settings=replace(job.settings, overlay=dict(tables)))
+        if result.ok:
+            tables[os.path.realpath(result.table_path)] = result.table
+        results.append(result)
+    return results
+
+
 def _jobs(
     program: str | None, output: str | None, nicknames: str | None, frozen: bool, config: str | None
 ) -> list[_Job]:
@@ -55,7 +68,7 @@ def _jobs(
     settings = read_config(Path(config)) if config else find_config(Path.cwd())
     if program is not None:
         own = settings.program(Path(program))
-        folder = own.output or Path("build") / Path(program).stem
+        folder = _near(own.output) if own.output else Path("build") / Path(program).stem
         return [_job(program, own, folder if output is None else Path(output), nicknames, frozen, settings)]
     if not settings.programs:
         raise CouldNotRun("no program is named: write clickgen build prog.py, or name programs in clickgen.toml")
@@ -63,8 +76,8 @@ def _jobs(
         raise CouldNotRun("several programs are configured: -o and --nicknames go with one, so name it")
     jobs = []
     for own in settings.programs:
-        folder = own.output or settings.root / "build" / own.path.stem
-        jobs.append(_job(str(own.path), own, Path(output) if output else folder, nicknames, frozen, settings))
+        folder = _near(own.output or settings.root / "build" / own.path.stem)
+        jobs.append(_job(str(_near(own.path)), own, Path(output) if output else folder, nicknames, frozen, settings))
     folders = [job.folder for job in jobs]
     twice = next((folder for folder in folders if folders.count(folder) > 1), None)
     if twice:
@@ -73,8 +86,14 @@ def _jobs(
 
 
 def _job(program: str, own: ProgramSettings, folder: Path, nicknames: str | None, frozen: bool, config: Config) -> _Job:
-    table = nicknames if nicknames is not None else own.nicknames
+    table = nicknames if nicknames is not None else own.nicknames and _near(own.nicknames)
     return _Job(program, Settings(table, nicknames is not None, frozen, config.reserved), folder)
+
+
+def _near(path: Path) -> Path:
+    """A path out of the settings as seen from the working folder, where it lies below."""
+    absolute, here = path.absolute(), Path.cwd()
+    return absolute.relative_to(here) if absolute.is_relative_to(here) else path
 
 
 def _report(result: BuildResult, folder: Path) -> str:
@@ -84,7 +103,7 @@ def _report(result: BuildResult, folder: Path) -> str:
         rungs = sum(len(routine.rungs) for routine in subroutines)
         counts.append(f"{counted(rungs, 'rung')} in {counted(len(subroutines), 'subroutine')}")
     new = result.new_rows
-    lines = [f"Built {result.program.name}: {', '.join(counts)}."]
+    lines = [f"Built {_near(result.program)}: {', '.join(counts)}."]
     if new:
         lines.append(f"{counted(len(new), 'new address', 'new addresses')} in {result.table_path}: commit it.")
     noted = _summary([result])

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from clickgen.check.select import Selection
 from clickgen.checking.run import Outcome, Request, add_ignores
@@ -16,10 +18,13 @@ from clickgen.checking.run import run as run_check
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
 from clickgen.codes import CODES
 from clickgen.config import Config, find_config, read_config
-from clickgen.diagnostics import CouldNotRun, Diagnostic, did_you_mean
+from clickgen.diagnostics import CouldNotRun, did_you_mean
 from clickgen.formats import FORMATS
 from clickgen.report import Report, render, shown_path, use_color
 from clickgen.wording import counted
+
+if TYPE_CHECKING:
+    from clickgen.checking.baseline import Baseline
 
 _MANY_FILES = 8
 """From so many programs on a terminal shows how far the check is."""
@@ -35,6 +40,8 @@ def run(options: argparse.Namespace) -> int:
         return _run(options)
     except CouldNotRun as error:
         _complain(str(error))
+    except BrokenPipeError:
+        raise
     except OSError as error:
         place = f"{error.filename}: " if error.filename else ""
         _complain(f"{place}{error.strerror or error}; nothing was written")
@@ -53,20 +60,42 @@ def _run(options: argparse.Namespace) -> int:
     with _progress() as progress:
         request = _request(options, config, progress)
         outcome = run_check(request, options.fix or options.diff, options.unsafe_fixes)
+    if options.baseline and request.baseline is None:
+        outcome = _begin_baseline(Path(options.baseline), outcome)
     if options.diff:
-        diff = "".join(_diffs(outcome))
-        _put(diff, options.output)
-        return PROBLEMS if diff and not options.exit_zero else OK
+        return _tell_diff(options, outcome)
     if options.add_ignore:
-        outcome = add_ignores(outcome)
-    elif request.stdin is not None and options.fix:
-        sys.stdout.write(outcome.after.get(request.paths[0], request.stdin).decode("utf-8"))
+        return _silence(options, outcome)
     if request.stdin is None:
         outcome.write()
-    if options.add_ignore:
-        print(f"{counted(outcome.fixed, 'finding')} silenced in {counted(len(outcome.after), 'file')}", file=sys.stderr)
-        return OK
+    elif options.fix:
+        # Bytes, as they came: a pipe's encoding must not change the program.
+        sys.stdout.flush()
+        sys.stdout.buffer.write(outcome.after.get(request.paths[0], request.stdin))
+        sys.stdout.buffer.flush()
     return _tell(options, outcome, to_stderr=request.stdin is not None and options.fix)
+
+
+def _tell_diff(options: argparse.Namespace, outcome: Outcome) -> int:
+    """What fixes would change; on the standard error how much is left that none mends."""
+    diff = "".join(_diffs(outcome))
+    _put(diff, options.output)
+    left = _report(options, outcome)
+    if left.findings and not options.quiet:
+        from clickgen.report.text import summary_line
+
+        print(f"clickgen: besides what this mends: {summary_line(left)}", file=sys.stderr)
+    return PROBLEMS if (diff or left.fails) and not options.exit_zero else OK
+
+
+def _silence(options: argparse.Namespace, outcome: Outcome) -> int:
+    silenced = add_ignores(outcome)
+    silenced.write()
+    done = f"{counted(silenced.fixed, 'finding')} silenced in {counted(len(silenced.after), 'file')}"
+    left = len(outcome.findings) - silenced.fixed
+    rest = f"; {counted(left, 'finding')} that no comment silences: see clickgen check" if left else ""
+    print(done + rest, file=sys.stderr)
+    return PROBLEMS if left and not options.exit_zero else OK
 
 
 def _refuse_contradictions(options: argparse.Namespace) -> None:
@@ -81,6 +110,14 @@ def _refuse_contradictions(options: argparse.Namespace) -> None:
         raise _Wrong("- stands alone: the standard input is one program")
     if options.add_ignore and "-" in options.paths:
         raise _Wrong("--add-ignore needs a file to write to")
+    if options.add_ignore and options.output:
+        raise _Wrong("--add-ignore makes no report: leave -o out")
+    if options.stdin_filename and "-" not in options.paths:
+        raise _Wrong(
+            "--stdin-filename names what comes from the standard input: clickgen check - --stdin-filename FILE"
+        )
+    if options.statistics and options.output_format not in _COUNTED:
+        raise _Wrong(f"--statistics is told as {' or '.join(_COUNTED)}")
 
 
 def _request(options: argparse.Namespace, config: Config, progress: Callable[[int, int], None]) -> Request:
@@ -96,7 +133,15 @@ def _request(options: argparse.Namespace, config: Config, progress: Callable[[in
     if stdin is not None:
         paths = (options.stdin_filename or "stdin.py",)
     return Request(
-        config, selection, paths, tuple(options.exclude), options.force_exclude, not options.no_cache, stdin, progress
+        config,
+        selection,
+        paths,
+        tuple(options.exclude),
+        options.force_exclude,
+        not options.no_cache,
+        stdin,
+        progress,
+        _baseline(Path(options.baseline)) if options.baseline else None,
     )
 
 
@@ -108,54 +153,75 @@ def _joined(lists: list[list[str]] | None) -> tuple[str, ...] | None:
 
 
 def _tell(options: argparse.Namespace, outcome: Outcome, to_stderr: bool) -> int:
-    findings = list(outcome.findings)
-    skipped: dict[str, int] = {}
-    if options.baseline:
-        findings, skipped["in the baseline"] = _since(Path(options.baseline), findings, outcome)
-    stream = sys.stderr if to_stderr else sys.stdout
-    report = Report(
-        tuple(findings),
-        outcome.checked,
-        outcome.line_of,
-        outcome.fixed,
-        options.deny_warnings,
-        use_color(stream) and not options.output,
-        skipped,
-    )
-    text = _statistics(report) if options.statistics else render(options.output_format, report)
+    report = _report(options, outcome, use_color(sys.stderr if to_stderr else sys.stdout) and not options.output)
+    text = _statistics(report, options.output_format) if options.statistics else render(options.output_format, report)
     if options.output_format in ("text", "concise") and not options.quiet:
         from clickgen.report.text import summary_line
 
         text += summary_line(report) + "\n"
-    if to_stderr:
+    if to_stderr and not options.output:
         sys.stderr.write(text)
     else:
         _put(text, options.output)
     return PROBLEMS if report.fails and not options.exit_zero else OK
 
 
-def _since(path: Path, findings: list[Diagnostic], outcome: Outcome) -> tuple[list[Diagnostic], int]:
-    """What is new since the baseline was made, and how many findings are not; a new baseline is made here."""
-    from clickgen.checking.baseline import baseline_text, keys_of, read_baseline, without_known
+def _report(options: argparse.Namespace, outcome: Outcome, color: bool = False) -> Report:
+    return Report(
+        outcome.findings,
+        outcome.checked,
+        outcome.line_of,
+        outcome.fixed,
+        options.deny_warnings,
+        color,
+        {"in the baseline": outcome.known} if options.baseline else {},
+    )
 
-    keys = keys_of(findings, lambda file: shown_path(file, str(path.absolute().parent)), outcome.line_of)
+
+def _baseline(path: Path) -> Baseline | None:
+    """What was found when the repository began; None where this run is to write it."""
+    from clickgen.checking.baseline import Baseline, read_baseline
+
     known = read_baseline(path)
-    if known is None:
-        kept = [key for finding, key in zip(findings, keys, strict=True) if not finding.is_error]
-        _put_in_file(path, baseline_text(kept))
-        print(f"clickgen: {counted(len(kept), 'finding')} written to {path}", file=sys.stderr)
-        known = Counter(kept)
-    return without_known(findings, keys, known)
+    return None if known is None else Baseline(known, _named_from(path))
 
 
-def _statistics(report: Report) -> str:
+def _begin_baseline(path: Path, outcome: Outcome) -> Outcome:
+    """Write what was found into a new baseline; what is left are the errors."""
+    from clickgen.checking.baseline import Baseline, baseline_text, keys_of
+
+    findings = [finding for finding in outcome.findings if not finding.is_error]
+    keys = keys_of(findings, _named_from(path), outcome.line_of)
+    _put_in_file(path, baseline_text(keys))
+    print(f"clickgen: {counted(len(keys), 'finding')} written to {path}", file=sys.stderr)
+    news = Baseline(Counter(keys), _named_from(path)).news(list(outcome.findings), outcome.line_of)
+    return outcome._replace(findings=tuple(news), known=len(keys))
+
+
+def _named_from(path: Path) -> Callable[[str], str]:
+    """How a baseline names files: as seen from its own folder."""
+    folder = os.path.dirname(os.path.abspath(path))
+    return lambda file: shown_path(file, folder)
+
+
+_COUNTED = ("text", "concise", "json")
+
+
+def _statistics(report: Report, output_format: str) -> str:
     """How often each code was found, the most frequent first; ``[*]`` marks those that a safe fix mends."""
     counts = Counter(finding.code for finding in report.findings)
-    mended = {finding.code for finding in report.findings if finding.fix and finding.fix.is_safe}
+    mended = Counter(finding.code for finding in report.findings if finding.fix and finding.fix.is_safe)
     width = max((len(str(count)) for count in counts.values()), default=0)
+    rows = sorted(counts.items(), key=lambda item: (-item[1], item[0]))
+    if output_format == "json":
+        import json
+
+        entries = [
+            {"code": code, "count": count, "fixable": mended[code], "title": CODES[code].title} for code, count in rows
+        ]
+        return json.dumps(entries, indent=2) + "\n"
     return "".join(
-        f"{count:>{width}}  {code}  {'[*]' if code in mended else '   '}  {CODES[code].title}\n"
-        for code, count in sorted(counts.items(), key=lambda item: (-item[1], item[0]))
+        f"{count:>{width}}  {code}  {'[*]' if code in mended else '   '}  {CODES[code].title}\n" for code, count in rows
     )
 
 
@@ -163,10 +229,15 @@ def _diffs(outcome: Outcome) -> Iterator[str]:
     import difflib
 
     for path, new in sorted(outcome.after.items()):
-        old = outcome.before[path].decode("utf-8").splitlines(keepends=True)
-        lines = difflib.unified_diff(old, new.decode("utf-8").splitlines(keepends=True), path, path)
+        old = outcome.before[path].decode("utf-8")
+        lines = difflib.unified_diff(_lines(old), _lines(new.decode("utf-8")), path, path)
         for line in lines:
             yield line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
+
+
+def _lines(text: str) -> list[str]:
+    """Lines with their ends, as patch knows them: only a line feed ends one."""
+    return [line for line in re.split(r"(?<=\n)", text) if line]
 
 
 def _put(text: str, output: str | None) -> None:

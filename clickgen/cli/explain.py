@@ -14,7 +14,8 @@ def run(code: str) -> int:
     """Print the page of a code; returns the exit code."""
     name = code.upper()
     if name not in CODES:
-        hint = did_you_mean(name, CODES) or "clickgen rules lists them"
+        group = [known for known in CODES if known.startswith(name)]
+        hint = f"it begins {', '.join(group)}" if group else did_you_mean(name, CODES) or "clickgen rules lists them"
         print(f"clickgen: there is no code {code}; {hint}", file=sys.stderr)
         return COULD_NOT_RUN
     print(plain(explanation(name)), end="")

@@ -48,6 +48,11 @@ class Report(NamedTuple):
         """How many findings have a safe fix."""
         return sum(finding.fix is not None and finding.fix.is_safe for finding in self.findings)
 
+    @property
+    def unsafely_fixable(self) -> int:
+        """How many findings have a fix that could change what the program does."""
+        return sum(finding.fix is not None and not finding.fix.is_safe for finding in self.findings)
+
 
 def render(format: str, report: Report) -> str:
     """The report as text in one of ``FORMATS``; it ends with a line end unless it is empty."""

@@ -30,5 +30,8 @@ def summary_line(report: Report) -> str:
         notes.append(f"{report.fixed} fixed")
     if report.fixable:
         notes.append(f"{report.fixable} can be fixed with --fix")
+    if report.unsafely_fixable:
+        more = f"{report.unsafely_fixable} more" if report.fixable else f"{report.unsafely_fixable} can be fixed"
+        notes.append(f"{more} with --fix --unsafe-fixes")
     notes += [f"{count} not shown ({reason})" for reason, count in report.skipped.items() if count]
     return "; ".join(notes)

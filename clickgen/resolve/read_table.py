@@ -23,13 +23,13 @@ class TableUnreadable(Exception):
     """The file cannot be read as an address table at all; the message says why and what to do."""
 
 
-def read_table(path: Path, shown: str, problems: Diagnostics) -> AddressTable:
-    """Read an address table. ``shown`` is the path as the user knows it.
+def read_table(path: Path, shown: str, problems: Diagnostics, data: bytes | None = None) -> AddressTable:
+    """Read an address table. ``shown`` is the path as the user knows it, ``data`` what to read in the file's stead.
 
     Raises TableUnreadable when the file is no address table. Everything wrong with single rows goes to ``problems``,
     all at once; a row whose address can be read is in the table all the same, so that its name is known.
     """
-    text, bom = _decoded(path, shown)
+    text, bom = _decoded(_bytes_of(path, shown) if data is None else data, shown)
     # Only \n ends a line, as in SourceFile; the \r of \r\n stays on the line, and the csv module knows it.
     lines = io.StringIO(text, newline="\n").readlines()
     _check_header(lines[0] if lines else "", shown)
@@ -38,9 +38,9 @@ def read_table(path: Path, shown: str, problems: Diagnostics) -> AddressTable:
     return AddressTable(shown, tuple(reader.entries), reader.entries[0].end or "\n", bom)
 
 
-def _decoded(path: Path, shown: str) -> tuple[str, bool]:
+def _bytes_of(path: Path, shown: str) -> bytes:
     try:
-        data = path.read_bytes()
+        return path.read_bytes()
     except FileNotFoundError:
         raise TableUnreadable(f"there is no address table at {shown}") from None
     except IsADirectoryError:
@@ -49,6 +49,9 @@ def _decoded(path: Path, shown: str) -> tuple[str, bool]:
         if path.is_dir():  # Windows answers a folder with PermissionError.
             raise TableUnreadable(f"{shown} is a folder; name the nickname CSV in it") from None
         raise TableUnreadable(f"{shown} cannot be read: {error.strerror or error}") from error
+
+
+def _decoded(data: bytes, shown: str) -> tuple[str, bool]:
     if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
         raise TableUnreadable(f"{shown} is an Excel workbook; save its table as CSV UTF-8 and name that")
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
