@@ -11,20 +11,45 @@ FORM_FEED = re.compile(r"(?m)^[ \t]*\f")
 
 
 class Span(NamedTuple):
-    """A stretch of one source file. Lines and columns count from 1, in characters; the end is exclusive."""
+    """A stretch of one source file. Lines and columns count from 1, in characters; the end is exclusive.
+
+    In a workbook it is a cell: ``sheet`` is the name of its sheet, line and column are those of the cell.
+    """
 
     path: str
     line: int
     col: int
     end_line: int
     end_col: int
+    sheet: str = ""
+
+    @staticmethod
+    def of_cell(path: str, sheet: str, row: int, column: int) -> Span:
+        """A cell of a workbook; row and column count from 1."""
+        return Span(path, row, column, row, column + 1, sheet)
+
+    @property
+    def cell(self) -> str:
+        """``IO!B7`` in a workbook; else an empty text."""
+        return f"{self.sheet}!{_letters(self.col)}{self.line}" if self.sheet else ""
 
     def __str__(self) -> str:
-        return f"{self.path}:{self.line}:{self.col}"
+        return f"{self.path}:{self.cell or f'{self.line}:{self.col}'}"
 
     def seen_from(self, other: Span) -> str:
-        """``line 5``, or with its file where that is another one."""
-        return f"line {self.line}" if self.path == other.path else str(self)
+        """``line 5``, or with its file where that is another one; ``IO!B7`` in a workbook."""
+        if self.path != other.path:
+            return str(self)
+        return self.cell or f"line {self.line}"
+
+
+def _letters(column: int) -> str:
+    """How a spreadsheet names a column: 1 is A, 27 is AA."""
+    letters = ""
+    while column:
+        column, rest = divmod(column - 1, 26)
+        letters = chr(ord("A") + rest) + letters
+    return letters
 
 
 class SourceFile:

@@ -154,7 +154,7 @@ def test_what_the_rules_really_find_goes_into_every_format(tmp_path: Path, monke
 
 def test_json_holds_everything() -> None:
     tree = json.loads(render("json", REPORTS["odd"]))
-    nowhere = dict.fromkeys(("file", "line", "column", "end_line", "end_column"))
+    nowhere = dict.fromkeys(("file", "line", "column", "end_line", "end_column", "cell"))
     odd, long, placeless = tree.pop("findings")
     assert tree == {
         "format": 1,
@@ -180,15 +180,48 @@ def test_json_holds_everything() -> None:
         "column": 16,
         "end_line": 2,
         "end_column": 19,
+        "cell": None,
         "labels": [
-            {"text": "here [x]", "file": ODD_PATH, "line": 3, "column": 9, "end_line": 3, "end_column": 21},
-            {"text": "and there", "file": "other.py", "line": 7, "column": 1, "end_line": 8, "end_column": 2},
+            {
+                "text": "here [x]",
+                "file": ODD_PATH,
+                "line": 3,
+                "column": 9,
+                "end_line": 3,
+                "end_column": 21,
+                "cell": None,
+            },
+            {
+                "text": "and there",
+                "file": "other.py",
+                "line": 7,
+                "column": 1,
+                "end_line": 8,
+                "end_column": 2,
+                "cell": None,
+            },
         ],
         "fix": {
             "safe": True,
             "edits": [
-                {"text": "set(y.Motor)", "file": ODD_PATH, "line": 5, "column": 9, "end_line": 5, "end_column": 21},
-                {"text": "    # now\n", "file": ODD_PATH, "line": 4, "column": 1, "end_line": 4, "end_column": 1},
+                {
+                    "text": "set(y.Motor)",
+                    "file": ODD_PATH,
+                    "line": 5,
+                    "column": 9,
+                    "end_line": 5,
+                    "end_column": 21,
+                    "cell": None,
+                },
+                {
+                    "text": "    # now\n",
+                    "file": ODD_PATH,
+                    "line": 4,
+                    "column": 1,
+                    "end_line": 4,
+                    "end_column": 1,
+                    "cell": None,
+                },
             ],
         },
     }
@@ -605,3 +638,22 @@ def test_no_text_breaks_a_report(format: str, message: str, path: str) -> None:
         ET.fromstring(text)
     elif format != "github":
         json.loads(text)
+
+
+CELL = Span.of_cell("plant/io.xlsx", "Inputs 2", 7, 28)
+
+
+@pytest.mark.parametrize("format", FORMATS)
+def test_a_cell_of_a_workbook_is_named_in_every_format(format: str) -> None:
+    finding = Diagnostic("CG603", "a bad name", CELL, "rename it")
+    text = render(format, Report((finding,), ("plant/io.xlsx",)))
+    assert "Inputs 2!AB7" in text.replace("%20", " ")
+
+
+def test_places_in_a_workbook() -> None:
+    assert str(CELL) == "plant/io.xlsx:Inputs 2!AB7"
+    assert [Span.of_cell("a", "S", 1, column).cell for column in (1, 26, 27, 52, 53, 702, 703)] == [
+        "S!A1", "S!Z1", "S!AA1", "S!AZ1", "S!BA1", "S!ZZ1", "S!AAA1"
+    ]  # fmt: skip
+    assert CELL.seen_from(Span("plant/io.xlsx", 1, 1, 1, 2, "Other")) == "Inputs 2!AB7"
+    assert CELL.seen_from(Span("prog.py", 1, 1, 1, 2)) == "plant/io.xlsx:Inputs 2!AB7"

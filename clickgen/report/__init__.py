@@ -71,6 +71,12 @@ def shown_path(path: str, base: str | None = None) -> str:
     return (absolute.relative_to(folder) if absolute.is_relative_to(folder) else absolute).as_posix()
 
 
+def message_of(finding: Diagnostic) -> str:
+    """The message for machines that know lines only: in a workbook it begins with the cell."""
+    cell = finding.span.cell if finding.span else ""
+    return f"{cell}: {finding.message}" if cell else finding.message
+
+
 def by_file(findings: Iterable[Diagnostic]) -> dict[str, list[Diagnostic]]:
     """The findings of each file, in the order of the files; those without a place under ""."""
     files: dict[str, list[Diagnostic]] = {}

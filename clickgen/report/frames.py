@@ -34,20 +34,20 @@ class Renderer:
     def render(self, problem: Diagnostic) -> str:
         severity = self._severity_of(problem)
         head = self._paint(f"{severity.value}[{problem.code}]", f"1;{_COLORS[severity]}")
-        place = f"{printable(problem.span.path)}:{problem.span.line}:{problem.span.col}: " if problem.span else ""
+        place = f"{printable(str(problem.span))}: " if problem.span else ""
         lines = [f"{self._paint(place, '1')}{head}: {printable(problem.message)}"]
         if problem.span:
             lines += self._frame(problem.span, "^", _COLORS[severity])
         for label in problem.labels:
-            where = label.span.line if problem.span and label.span.path == problem.span.path else str(label.span)
-            lines.append(f"  {self._paint('note', '1')}: {printable(label.text)} ({_line_or_place(where)})")
+            where = label.span.seen_from(problem.span) if problem.span else str(label.span)
+            lines.append(f"  {self._paint('note', '1')}: {printable(label.text)} ({printable(where)})")
             lines += self._frame(label.span, "-", "36")
         if problem.help:
             lines.append(f"  {self._paint('help', '1;32')}: {printable(problem.help)}")
         return "\n".join(lines)
 
     def _frame(self, span: Span, mark: str, color: str) -> Iterator[str]:
-        text = self._line_of(span.path, span.line)
+        text = "" if span.sheet else self._line_of(span.path, span.line)
         if not text.strip():
             return
         number = str(span.line)
@@ -62,10 +62,6 @@ class Renderer:
 
     def _paint(self, text: str, style: str) -> str:
         return f"\x1b[{style}m{text}\x1b[0m" if self._color and text else text
-
-
-def _line_or_place(where: int | str) -> str:
-    return f"line {where}" if isinstance(where, int) else where
 
 
 def printable(text: str) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from clickgen.codes import Severity
 from clickgen.diagnostics import Diagnostic
-from clickgen.report import Report, shown_path
+from clickgen.report import Report, message_of, shown_path
 from clickgen.report.frames import printable, summary
 from clickgen.source import Span
 
@@ -61,7 +61,7 @@ def _place(span: Span) -> Iterator[tuple[str, str]]:
 
 
 def _text(finding: Diagnostic) -> str:
-    lines = [finding.message]
+    lines = [message_of(finding)]
     for label in finding.labels:
         here = finding.span and label.span.path == finding.span.path
         place = f"line {label.span.line}" if here else f"{shown_path(label.span.path)}:{label.span.line}"

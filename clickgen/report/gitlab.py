@@ -6,7 +6,7 @@ import json
 
 from clickgen.codes import Severity
 from clickgen.diagnostics import Diagnostic
-from clickgen.report import Report, shown_path
+from clickgen.report import Report, message_of, shown_path
 from clickgen.report.fingerprints import fingerprints
 
 SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
@@ -25,7 +25,7 @@ def _issue(report: Report, finding: Diagnostic, mark: str) -> dict[str, object]:
     # A place is required; what has none stands at the beginning of the first file.
     path = finding.span.path if finding.span else next(iter(report.checked), ".")
     return {
-        "description": f"{finding.code}: {finding.message}" + (f"; {finding.help}" if finding.help else ""),
+        "description": f"{finding.code}: {message_of(finding)}" + (f"; {finding.help}" if finding.help else ""),
         "check_name": finding.code,
         "fingerprint": mark,
         "severity": SEVERITIES[report.severity(finding)],

@@ -51,13 +51,14 @@ def _edit(edit: Edit) -> dict[str, object]:
 
 def _place(span: Span | None) -> dict[str, object]:
     if span is None:
-        return dict.fromkeys(("file", "line", "column", "end_line", "end_column"))
+        return dict.fromkeys(("file", "line", "column", "end_line", "end_column", "cell"))
     return {
         "file": shown_path(span.path),
         "line": span.line,
         "column": span.col,
         "end_line": span.end_line,
         "end_column": span.end_col,
+        "cell": span.cell or None,
     }
 
 

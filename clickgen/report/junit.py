@@ -12,7 +12,7 @@ from xml.etree import ElementTree as ET
 
 from clickgen.codes import Severity
 from clickgen.diagnostics import Diagnostic
-from clickgen.report import Report, by_file, shown_path
+from clickgen.report import Report, by_file, message_of, shown_path
 from clickgen.report.frames import Renderer
 from clickgen.source import Span
 
@@ -34,7 +34,7 @@ def render(report: Report) -> str:
             case = _case(suite, path, f"{_name(finding)} ({again})" if again > 1 else _name(finding))
             severity = report.severity(finding)
             result = ET.SubElement(case, "skipped" if severity is Severity.INFO else "failure", type=severity.value)
-            result.set("message", _xml(finding.message))
+            result.set("message", _xml(message_of(finding)))
             result.text = _xml(text_of(finding))
         if not findings:
             _case(suite, path, "no findings")

@@ -16,7 +16,7 @@ from clickgen import __version__
 from clickgen.codes import CODES, Severity
 from clickgen.diagnostics import Diagnostic, Edit, Fix, Label
 from clickgen.explain import explanation, plain
-from clickgen.report import Report, shown_path
+from clickgen.report import Report, message_of, shown_path
 from clickgen.report.fingerprints import fingerprints
 from clickgen.source import Span
 
@@ -119,7 +119,7 @@ def _beginning(report: Report) -> Span | None:
 
 
 def _message(finding: Diagnostic) -> Iterator[str]:
-    yield _literal(finding.message)
+    yield _literal(message_of(finding))
     for id, label in enumerate(finding.labels, 1):
         # GitHub shows a related location only where the message links to it.
         text = re.sub(r"([\\\[\]])", r"\\\1", _braces(label.text))

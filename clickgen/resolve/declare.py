@@ -155,7 +155,7 @@ class _Declarations:
             self.problems.add(
                 "CG205",
                 declaration.span,
-                f"{named.name} is {address} here and {row.address} in line {row.line} of {self.table.path}",
+                f"{named.name} is {address} here and {row.address} in {self.table.place(row)}",
                 "change one of them; a PLC keeps its data by address",
                 self._table_label(row),
             )
@@ -165,7 +165,7 @@ class _Declarations:
             self.problems.add(
                 "CG205",
                 declaration.span,
-                f"{address} is {named.name} here and {row.nickname} in line {row.line} of {self.table.path}",
+                f"{address} is {named.name} here and {row.nickname} in {self.table.place(row)}",
                 "change one of them",
                 self._table_label(row),
             )

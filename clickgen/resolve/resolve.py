@@ -76,7 +76,7 @@ def _guard_scratch(program: Program, table: AddressTable, problems: Diagnostics)
                 problems.add(
                     "CG205",
                     operand.span,
-                    f"{address} is {row.nickname}, which clickgen uses for itself ({table.path}, line {row.line})",
+                    f"{address} is {row.nickname}, which clickgen uses for itself ({table.place(row)})",
                     "use another address here, or delete that row of the table: then clickgen chooses another cell",
                 )
                 break
@@ -99,8 +99,7 @@ class _Resolver:
         self.frozen = frozen
         self.problems = problems
         self.meanings: dict[str, Meaning] = {
-            name: Meaning(row.address, f"line {row.line} of {table.path}", table.span(row))
-            for name, row in table.by_nickname.items()
+            name: Meaning(row.address, table.place(row), table.span(row)) for name, row in table.by_nickname.items()
         }
         self.meanings.update(declared.meanings)
         self.misdeclared = declared.misdeclared

@@ -30,13 +30,17 @@ class Entry(NamedTuple):
 
 @dataclass(frozen=True)
 class AddressTable:
-    """The rows of an address table and the exact text around them."""
+    """The rows of an address table and the exact text around them.
+
+    ``base`` are the rows of a workbook that it adds to: they count first, and are never written.
+    """
 
     path: str
     _entries: tuple[Entry, ...]
     newline: str = "\n"
     """The line end of the header, which new rows take too."""
     bom: bool = False
+    base: tuple[Row, ...] = ()
 
     @staticmethod
     def empty(path: str) -> AddressTable:
@@ -45,7 +49,13 @@ class AddressTable:
 
     @cached_property
     def rows(self) -> tuple[Row, ...]:
-        """Every row in file order."""
+        """Every row: those of the workbook, then those of the file, each in its order."""
+        given = {row.address for row in self.base}
+        return (*self.base, *(row for row in self.own_rows if row.address not in given))
+
+    @property
+    def own_rows(self) -> tuple[Row, ...]:
+        """The rows of the file itself."""
         return tuple(entry.row for entry in self._entries if entry.row is not None)
 
     @cached_property
@@ -66,8 +76,14 @@ class AddressTable:
         return self._entries[-1].end != ""
 
     def span(self, row: Row) -> Span | None:
-        """Where a row stands in the file, or None for a new one."""
+        """Where a row stands, or None for a new one."""
+        if row.cell is not None:
+            return row.cell
         return text_span(self.path, row.line, row.raw, 0, len(row.raw)) if row.line else None
+
+    def place(self, row: Row) -> str:
+        """Where a row stands, in words: ``line 5 of nicknames.csv``."""
+        return f"{row.cell.cell} of {row.cell.path}" if row.cell else f"line {row.line} of {self.path}"
 
     def named(self, address: Address, nickname: str, comment: str = "") -> Row:
         """A row that gives an address its nickname and keeps what an unnamed row there already says."""
@@ -86,6 +102,7 @@ class AddressTable:
         replaced: dict[Address, Row] = {}
         names = {name: row.address for name, row in self.by_nickname.items()}
         given: dict[Address, Row] = {}
+        in_base = {row.address for row in self.base}
         for row in sorted(rows, key=lambda row: row.address.sort_key):
             stands = self.by_address.get(row.address)
             if stands is not None and stands.nickname and stands.nickname != row.nickname:
@@ -95,7 +112,7 @@ class AddressTable:
             first = given.setdefault(row.address, row)
             if first.content != row.content:
                 raise ValueError(f"{row.address} is given twice: {first.nickname} and {row.nickname}")
-            if first is not row:
+            if first is not row or row.address in in_base:
                 continue
             if stands is None:
                 added.append(replace(row, line=0, raw=""))
@@ -117,7 +134,7 @@ class AddressTable:
         if not self.final_newline:
             entries = [entry if entry.end else entry._replace(end=self.newline) for entry in entries]
             entries[-1] = entries[-1]._replace(end="")
-        return AddressTable(self.path, tuple(entries), self.newline, self.bom)
+        return replace(self, _entries=tuple(entries))
 
     def text(self) -> str:
         """The file's text, without a byte order mark."""
