@@ -5,24 +5,15 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
-from clickgen.config import Config, ProgramSettings, find_config, read_config
+from clickgen.cli.jobs import Job, jobs, near
 from clickgen.diagnostics import CouldNotRun
-from clickgen.pipeline import BuildResult, Settings, build, write_all
+from clickgen.pipeline import BuildResult, build, write_all
 from clickgen.report.frames import printable, summary, write_problems
 from clickgen.wording import counted
-
-
-@dataclass(frozen=True)
-class _Job:
-    """One program to build: where it is, what with, where to."""
-
-    program: str
-    settings: Settings
-    folder: Path
 
 
 def run(program: str | None, output: str | None, nicknames: str | None, frozen: bool, config: str | None) -> int:
@@ -48,7 +39,7 @@ def run(program: str | None, output: str | None, nicknames: str | None, frozen: 
     return OK
 
 
-def _built(jobs: Iterable[_Job]) -> list[BuildResult]:
+def _built(jobs: Iterable[Job]) -> list[BuildResult]:
     """Each program built, with the address table that those before it made of theirs."""
     results: list[BuildResult] = []
     tables: dict[str, bytes] = {}
@@ -62,38 +53,19 @@ def _built(jobs: Iterable[_Job]) -> list[BuildResult]:
 
 def _jobs(
     program: str | None, output: str | None, nicknames: str | None, frozen: bool, config: str | None
-) -> list[_Job]:
+) -> list[Job]:
     if output == "":
         raise CouldNotRun("the output folder after -o is empty")
-    settings = read_config(Path(config)) if config else find_config(Path.cwd())
-    if program is not None:
-        own = settings.program(Path(program))
-        folder = _near(own.output) if own.output else Path("build") / Path(program).stem
-        return [_job(program, own, folder if output is None else Path(output), nicknames, frozen, settings)]
-    if not settings.programs:
-        raise CouldNotRun("no program is named: write clickgen build prog.py, or name programs in clickgen.toml")
-    if len(settings.programs) > 1 and (output or nicknames):
+    found = jobs([program] if program is not None else [], nicknames, frozen, config)
+    if len(found) > 1 and (output or nicknames):
         raise CouldNotRun("several programs are configured: -o and --nicknames go with one, so name it")
-    jobs = []
-    for own in settings.programs:
-        folder = _near(own.output or settings.root / "build" / own.path.stem)
-        jobs.append(_job(str(_near(own.path)), own, Path(output) if output else folder, nicknames, frozen, settings))
-    folders = [job.folder for job in jobs]
+    if output:
+        return [replace(job, folder=Path(output)) for job in found]
+    folders = [job.folder for job in found]
     twice = next((folder for folder in folders if folders.count(folder) > 1), None)
     if twice:
-        raise CouldNotRun(f"two programs would be built into {twice}: give each an output in {settings.file}")
-    return jobs
-
-
-def _job(program: str, own: ProgramSettings, folder: Path, nicknames: str | None, frozen: bool, config: Config) -> _Job:
-    table = nicknames if nicknames is not None else own.nicknames and _near(own.nicknames)
-    return _Job(program, Settings(table, nicknames is not None, frozen, config.reserved), folder)
-
-
-def _near(path: Path) -> Path:
-    """A path out of the settings as seen from the working folder, where it lies below."""
-    absolute, here = path.absolute(), Path.cwd()
-    return absolute.relative_to(here) if absolute.is_relative_to(here) else path
+        raise CouldNotRun(f"two programs would be built into {twice}: give each an output in the settings")
+    return found
 
 
 def _report(result: BuildResult, folder: Path) -> str:
@@ -103,7 +75,7 @@ def _report(result: BuildResult, folder: Path) -> str:
         rungs = sum(len(routine.rungs) for routine in subroutines)
         counts.append(f"{counted(rungs, 'rung')} in {counted(len(subroutines), 'subroutine')}")
     new = result.new_rows
-    lines = [f"Built {_near(result.program)}: {', '.join(counts)}."]
+    lines = [f"Built {near(result.program)}: {', '.join(counts)}."]
     if new:
         lines.append(f"{counted(len(new), 'new address', 'new addresses')} in {result.table_path}: commit it.")
     noted = _summary([result])

@@ -1,0 +1,50 @@
+"""Which programs a command works on: those that are named, else every configured one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from clickgen.config import Config, ProgramSettings, find_config, read_config
+from clickgen.diagnostics import CouldNotRun
+from clickgen.pipeline import Settings
+
+
+@dataclass(frozen=True)
+class Job:
+    """One program: where it is, what with, and the folder that it is built into."""
+
+    program: str
+    settings: Settings
+    folder: Path
+
+
+def settings_of(config: str | None) -> Config:
+    """The settings in the file that is named, else those that hold in the working folder. Raises CouldNotRun."""
+    return read_config(Path(config)) if config else find_config(Path.cwd())
+
+
+def jobs(
+    programs: Sequence[str], nicknames: str | None = None, frozen: bool = False, config: str | None = None
+) -> list[Job]:
+    """The programs that are named, else all that the settings name. Raises CouldNotRun when there are none."""
+    settings = settings_of(config)
+    if programs:
+        return [_job(program, settings.program(Path(program)), nicknames, frozen, settings) for program in programs]
+    if not settings.programs:
+        raise CouldNotRun("no program is named: name one, such as prog.py, or name programs in clickgen.toml")
+    return [_job(str(near(own.path)), own, nicknames, frozen, settings) for own in settings.programs]
+
+
+def _job(program: str, own: ProgramSettings, nicknames: str | None, frozen: bool, config: Config) -> Job:
+    root = config.root if any(own is configured for configured in config.programs) else Path()
+    folder = own.output or root / "build" / Path(program).stem
+    table = nicknames if nicknames is not None else own.nicknames and near(own.nicknames)
+    return Job(program, Settings(table, nicknames is not None, frozen, config.reserved), near(folder))
+
+
+def near(path: Path) -> Path:
+    """A path as seen from the working folder, where it lies below."""
+    absolute, here = path.absolute(), Path.cwd()
+    return absolute.relative_to(here) if absolute.is_relative_to(here) else path
