@@ -66,6 +66,7 @@ CODES: dict[str, Code] = {
     "CG211": Code(_W, "ClickNick mishandles nicknames of XD and YD"),
     "CG212": Code(_E, "a pointer goes through a DS register"),
     "CG213": Code(_E, "this bank cannot be pointed into"),
+    "CG214": Code(_E, "this is no member of a block"),
     # -- operands and types ---------------------------------------------------------------------------------------
     "CG301": Code(_E, "the instruction does not take this operand"),
     "CG302": Code(_E, "the constant is out of range"),
@@ -134,8 +135,11 @@ CODES: dict[str, Code] = {
     "CG523": Code(_I, "a state number is repeated", is_on=False),
     "CG524": Code(_I, "a comparison is written as a word"),
     "CG525": Code(_W, "a suppression suppresses nothing"),
+    "CG526": Code(_W, "a range in any(...) means all of its bits"),
+    "CG527": Code(_W, "a subroutine with timers or edges may run twice in a scan"),
     # -- the address table ----------------------------------------------------------------------------------------
     "CG601": Code(_E, "a row of the address table is malformed"),
     "CG602": Code(_E, "the address table gives a nickname or an address twice"),
     "CG603": Code(_E, "the address table holds a nickname that CLICK does not take"),
+    "CG604": Code(_W, "part of a row of the workbook is left out"),
 }

@@ -146,8 +146,11 @@ class _Table:
             tuple(self._list("select", self._code)) if "select" in self._tree else None,
             tuple(self._list("extend-select", self._code)),
             tuple(self._list("ignore", self._code)),
-            tuple(self._list("exclude", self._text)),
-            tuple((pattern, tuple(patterns._list(pattern, patterns._code))) for pattern in patterns._tree),
+            tuple(self._list("exclude", self._pattern)),
+            tuple(
+                (patterns._pattern(patterns._place, pattern), tuple(patterns._list(pattern, patterns._code)))
+                for pattern in patterns._tree
+            ),
         )
 
     # -- values -------------------------------------------------------------------------------------------------------
@@ -183,6 +186,17 @@ class _Table:
         if isinstance(value, str):
             return value
         raise ConfigError(f"{self._file}: {place} must be a text in quotes, not {value!r}")
+
+    def _pattern(self, place: str, value: object) -> str:
+        """A pattern that can name a path: what it begins with is the folder of the settings or a name in it."""
+        text = self._text(place, value)
+        names = [name for name in text.split("/") if name not in ("", ".")]
+        if names and ".." not in names and "\\" not in text and not text.startswith("!"):
+            return text
+        raise ConfigError(
+            f"{self._file}: {place}: no path is like {value!r}; a pattern is a name or a path below this file with /, "
+            'such as "old", "plc/*.py" or "plc/**/old"'
+        )
 
     def _optional_text(self, key: str) -> str | None:
         return self._text(self._key(key), self._tree[key]) if key in self._tree else None

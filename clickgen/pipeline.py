@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -23,6 +24,7 @@ from clickgen.ir.program import Program
 from clickgen.lower.place import PlaceScratch
 from clickgen.lower.scratch import Scratch
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
+from clickgen.resolve.blocks import Block, marked_blocks
 from clickgen.resolve.read_table import TableUnreadable, read_table
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.resolve.rows import Row
@@ -31,7 +33,7 @@ from clickgen.source import SourceFile
 from clickgen.syntax.files import read_program
 from clickgen.syntax.parse import decode
 
-__all__ = ["BuildResult", "CheckResult", "CouldNotRun", "Settings", "build", "check"]
+__all__ = ["BuildResult", "CheckResult", "CouldNotRun", "KnownNames", "Settings", "build", "check", "known_names"]
 
 TABLE_NAME = "nicknames.csv"
 """The address table beside a program, when none is named."""
@@ -53,6 +55,10 @@ class BuildResult:
     routines: tuple[ClickRoutine, ...]
     new_rows: tuple[Row, ...]
     """The addresses that clickgen chose in this build, scratch included."""
+    rows: tuple[Row, ...]
+    """Every row of the address table as it should be after the build; empty when there are errors."""
+    scratch_rows: tuple[Row, ...]
+    """Those of ``rows`` that clickgen needs for itself in this program."""
     table_path: Path
     table: bytes
     _table_before: bytes | None
@@ -126,6 +132,18 @@ class CheckResult:
 
 
 @dataclass(frozen=True)
+class KnownNames:
+    """Every name that a program can use: those of the address table, and those that it declares or would give."""
+
+    rows: tuple[Row, ...]
+    blocks: tuple[Block, ...]
+    diagnostics: tuple[Diagnostic, ...]
+    table_path: Path
+    table: bytes
+    """The address table with the names of the program, where these agree with it."""
+
+
+@dataclass(frozen=True)
 class Settings:
     """What a program is built with beside its own text.
 
@@ -140,6 +158,7 @@ class Settings:
     reserved: tuple[Address, ...] = ()
     overlay: Mapping[str, bytes] = field(default_factory=dict)
     wants: Callable[[str], bool] = field(default=lambda _: True)
+    is_part: bool = False
 
 
 @dataclass
@@ -188,6 +207,8 @@ def build(
         state.files if ok else {},
         state.routines if ok else (),
         state.new_rows if ok else (),
+        tuple(_rows(state).values()) if ok else (),
+        state.scratch_rows if ok else (),
         state.table_path,
         state.table.to_bytes(),
         state.table_before,
@@ -201,6 +222,20 @@ def check(path: str | os.PathLike[str], settings: Settings | None = None) -> Che
     """
     state = _run(path, settings or Settings(), CHECKS)
     return CheckResult(state.path, state.sources, state.problems.in_order(), state.reads)
+
+
+def known_names(path: str | os.PathLike[str], settings: Settings | None = None) -> KnownNames:
+    """The names of the program at ``path``; of one with errors those that are known. Nothing is written.
+
+    Raises CouldNotRun when the program or the table cannot be read.
+    """
+    state = _run(path, settings or Settings(), NAMES)
+    rows, table = tuple(_rows(state).values()), state.table
+    # Rows that contradict the table have their problem.
+    with suppress(ValueError):
+        table = table.extended(state.resolved.rows if state.resolved is not None else ())
+    blocks = tuple(marked_blocks(table).values())
+    return KnownNames(rows, blocks, state.problems.in_order(), state.table_path, table.to_bytes())
 
 
 def _run(path: str | os.PathLike[str], settings: Settings, stages: _Stages) -> _Build:
@@ -263,6 +298,9 @@ def _check(state: _Build) -> None:
         state.facts = Facts(state.resolved.program, sources, _rows(state))
         for rule in RULES:
             rule(state.facts, state.problems)
+        if state.settings.is_part:
+            # A part has no main of its own.
+            state.problems.drop("CG401")
 
 
 def _lint(state: _Build) -> None:
@@ -270,7 +308,7 @@ def _lint(state: _Build) -> None:
 
     assert state.facts is not None
     for rule in LINT_RULES:
-        if state.settings.wants(rule.code):
+        if state.settings.wants(rule.code) and (rule.holds_in_parts or not state.settings.is_part):
             rule.check(state.facts, state.problems)
 
 
@@ -338,9 +376,9 @@ def _within_limits(rungs: tuple[ClickRung, ...]) -> Iterator[tuple[ClickRung, ..
 
 def _rows(state: _Build) -> dict[Address, Row]:
     """The rows of the table with those that the program adds."""
-    assert state.resolved is not None
     rows = {row.address: row for row in state.table.rows}
-    rows.update((row.address, row) for row in (*state.resolved.rows, *state.scratch_rows))
+    added = state.resolved.rows if state.resolved is not None else ()
+    rows.update((row.address, row) for row in (*added, *state.scratch_rows))
     return rows
 
 
@@ -374,3 +412,6 @@ STAGES: _Stages = (
 
 CHECKS: _Stages = (*(stage for stage in STAGES if stage[0] is not _emit), (_lint, True))
 """The stages of a check: it makes no files."""
+
+NAMES: _Stages = tuple(stage for stage in STAGES if stage[0] in (_read_source, _read_table, _resolve))
+"""The stages that find out the names of a program."""

@@ -5,6 +5,7 @@ The tests fail while one of them is stale, missing or left over.
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -12,7 +13,7 @@ from pathlib import Path
 from docs_instruction import MADE, instruction_page
 from docs_markdown import bullets, quoted, table
 
-from clickgen.codes import CODES
+from clickgen.codes import CODES, Severity
 from clickgen.device.banks import BANKS, UPPER_BYTE_BANKS
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.explain import explanation
@@ -23,6 +24,7 @@ ROOT = Path(__file__).parents[1]
 LANGUAGE = ROOT / "docs" / "language.md"
 INSTRUCTIONS = ROOT / "docs" / "instructions"
 PROBLEMS = ROOT / "docs" / "problems"
+MATCHER = ROOT / ".github" / "clickgen-problem-matcher.json"
 MADE_FOLDERS = (INSTRUCTIONS, PROBLEMS)
 """Folders that hold nothing else."""
 
@@ -33,11 +35,25 @@ def made() -> dict[Path, str]:
     """Every page that is made from the code or has a part that is, with the text that it should have."""
     pages = {INSTRUCTIONS / f"{spec.name}.md": instruction_page(spec) for _, specs in families() for spec in specs}
     pages[INSTRUCTIONS / "README.md"] = index()
+    pages[MATCHER] = problem_matcher()
     pages |= {PROBLEMS / f"{code}.md": _with_origin(explanation(code)) for code in CODES}
     for page in (LANGUAGE, PROBLEMS / "README.md"):
         text = page.read_text("utf-8")
         pages[page] = _PART.sub(lambda match: f"{match[1]}\n{PARTS[match[2]]()}\n\n{match[3]}", text)
     return pages
+
+
+def problem_matcher() -> str:
+    """How GitHub reads the concise format, with the severity that each code has."""
+    words = {Severity.ERROR: ("errors", "error"), Severity.WARNING: ("warnings", "warning")}
+    words[Severity.INFO] = ("notes", "notice")
+    matchers = []
+    for severity, (owner, word) in words.items():
+        codes = "|".join(code for code, entry in CODES.items() if entry.severity is severity)
+        pattern = rf"^(?:(.+?):(\d+):(\d+): )?({codes})(?: \[\*\])? (\S.*)$"
+        places = {"file": 1, "line": 2, "column": 3, "code": 4, "message": 5}
+        matchers.append({"owner": f"clickgen-{owner}", "severity": word, "pattern": [{"regexp": pattern, **places}]})
+    return json.dumps({"problemMatcher": matchers}, indent=2) + "\n"
 
 
 def _with_origin(page: str) -> str:

@@ -132,7 +132,7 @@ def test_a_value_that_the_table_gives_is_not_missing(row: str, found: int, tmp_p
 def test_a_float_may_be_compared_with_what_the_table_lets_it_begin_with(
     initial: str, found: int, tmp_path: Path
 ) -> None:
-    rungs = "if x.Set:\n    copy(df.New, df.Limit)\nif df.Limit == 2.5:\n    out(y.Lamp)\n"
+    rungs = "if x.Set:\n    calc('df.New * 2', df.Limit)\nif df.Limit == 2.5:\n    out(y.Lamp)\n"
     codes = _with_table(tmp_path, rungs, f'DF1,FLOAT,"Limit",{initial},Yes,""')
     assert codes.count("CG520") == found
 

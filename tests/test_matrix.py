@@ -164,7 +164,7 @@ _ANY_VALUE = {
 """Of the kinds that an instruction can leave out."""
 
 _WRONG_VALUES = {
-    ParamKind.OPERANDS: ("5", "c.Name", "{c[1]}", "lambda: c[1]"),
+    ParamKind.OPERANDS: ("5", "{c[1]}", "lambda: c[1]"),
     ParamKind.PATTERN: ("5", '"10"', "[[1, 2]]", "[5]", "c[1]"),
     ParamKind.TARGET: ('"192.168.1.10"', "5", "c[1]", "TcpTarget()"),
     ParamKind.REMOTE: ("5", "ds[1]", "lambda: ds[1]", "Address(address=1)"),

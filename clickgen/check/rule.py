@@ -33,3 +33,5 @@ class Rule:
     why: str
     wrong: tuple[Wrong, ...]
     right: tuple[str, ...]
+    holds_in_parts: bool = False
+    """True when a finding in one file stays one, whatever other files bring."""

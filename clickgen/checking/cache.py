@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from clickgen import __version__
+from clickgen.codes import CODES
 from clickgen.diagnostics import Diagnostic, Edit, Fix, Label
 from clickgen.source import Span
 
@@ -37,10 +38,10 @@ class Cache:
             return None
         try:
             entry = json.loads((self._folder / _name(key)).read_bytes())
-            if entry["key"] != key or any(_digest_of(path) != digest for path, digest in entry["reads"].items()):
+            if entry["key"] != key or not _is_as_it_was(entry["reads"]):
                 return None
-            return Cached(tuple(map(_finding, entry["findings"])), tuple(entry["sources"]))
-        except (OSError, ValueError, KeyError, TypeError, IndexError):
+            return Cached(tuple(map(_finding, entry["findings"])), _sources(entry))
+        except (OSError, ValueError, LookupError, TypeError, RecursionError):
             return None
 
     def put(self, key: str, cached: Cached, reads: Mapping[str, bytes | None]) -> None:
@@ -97,6 +98,20 @@ def _digest_of(path: str) -> str | None:
         return None
 
 
+def _is_as_it_was(reads: object) -> bool:
+    if not isinstance(reads, dict) or not reads:
+        raise ValueError("a program is read from somewhere")
+    return all(_digest_of(path) == digest for path, digest in reads.items())
+
+
+def _sources(entry: Mapping[str, Mapping[str, object]]) -> tuple[str, ...]:
+    """The files of the program, each of which was read."""
+    sources, reads = entry["sources"], entry["reads"]
+    if not isinstance(sources, list) or any(reads[path] is None for path in sources):
+        raise ValueError("a source was not read")
+    return tuple(sources)
+
+
 # -- findings as JSON -------------------------------------------------------------------------------------------------
 
 
@@ -114,7 +129,8 @@ def _entry(finding: Diagnostic) -> list[object]:
 
 def _finding(entry: list[object]) -> Diagnostic:
     code, message, span, help, labels, fix = entry
-    assert isinstance(labels, list)
+    if code not in CODES or not isinstance(labels, list):
+        raise ValueError("this is no finding")
     return Diagnostic(
         str(code),
         str(message),
@@ -133,7 +149,12 @@ def _fix(entry: object) -> Fix | None:
 
 
 def _span(entry: object) -> Span | None:
-    return Span(*entry) if isinstance(entry, list) else None
+    if not isinstance(entry, list):
+        return None
+    span = Span(*entry)
+    if tuple(map(type, span)) != (str, int, int, int, int, str):
+        raise ValueError("this is no place")
+    return span
 
 
 def _sure(span: Span | None) -> Span:

@@ -67,12 +67,9 @@ def judge(target: Target, selection: Selection, reserved: tuple[Address, ...], o
     """What is to be said about one program, of what is wanted. Raises CouldNotRun."""
     from clickgen.pipeline import Settings, check
 
-    settings = Settings(target.nicknames, reserved=reserved, overlay=overlay, wants=selection.wants)
-    result = check(target.path, settings)
-    # A part of a program has no main of its own, and what it lacks another file may bring.
-    findings = tuple(
-        finding
-        for finding in result.diagnostics
-        if selection.wants(finding.code) and not (target.is_part and finding.code == "CG401")
+    settings = Settings(
+        target.nicknames, reserved=reserved, overlay=overlay, wants=selection.wants, is_part=target.is_part
     )
+    result = check(target.path, settings)
+    findings = tuple(finding for finding in result.diagnostics if selection.wants(finding.code))
     return Cached(findings, tuple(source.path for source in result.sources)), result.reads

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from fnmatch import fnmatch
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from clickgen.check.select import Selection
 from clickgen.checking.cache import FOLDER, Cache, Cached
-from clickgen.checking.discover import Target, targets
+from clickgen.checking.discover import Target, discover, matches, wholly_judged
 from clickgen.checking.judge import Judge
 from clickgen.codes import CODES
 from clickgen.config import Config
@@ -45,6 +44,8 @@ class Outcome(NamedTuple):
 
     findings: tuple[Diagnostic, ...]
     checked: tuple[str, ...]
+    empty: tuple[str, ...] = ()
+    """Folders that were to be checked and have no program."""
     known: int = 0
     """How many findings the baseline keeps back."""
     overlay: Mapping[str, bytes] = {}
@@ -85,12 +86,10 @@ def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
     overlay: dict[str, bytes] = {}
     if request.stdin is not None:
         overlay[os.path.realpath(request.paths[0])] = request.stdin
-        found = [Target(request.paths[0], _table(request, request.paths[0]))]
-    else:
-        found = targets(request.paths, request.config, request.exclude, request.force_exclude)
+    found, empty = discover(request.paths, request.config, request.exclude, request.force_exclude, overlay)
     outcome = _look(request, found, overlay)
     if not fix:
-        return outcome
+        return outcome._replace(empty=empty)
     before: dict[str, bytes] = {}
     after: dict[str, bytes] = {}
     count = 0
@@ -103,7 +102,7 @@ def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
             after[path] = overlay[os.path.realpath(path)] = new
             count += number
         outcome = _look(request, found, overlay)
-    return outcome._replace(fixed=count, before=before, after=after)
+    return outcome._replace(empty=empty, fixed=count, before=before, after=after)
 
 
 def add_ignores(outcome: Outcome) -> Outcome:
@@ -121,11 +120,6 @@ def add_ignores(outcome: Outcome) -> Outcome:
             before[path], after[path] = data, _fixed(data, [fix])[0]
             count += len(silenceable(source, outcome.findings))
     return outcome._replace(fixed=count, before=before, after=after)
-
-
-def _table(request: Request, path: str) -> str | None:
-    nicknames = request.config.program(Path(path)).nicknames
-    return str(nicknames) if nicknames else None
 
 
 # -- looking ----------------------------------------------------------------------------------------------------------
@@ -146,7 +140,7 @@ def _look(request: Request, found: Sequence[Target], overlay: Mapping[str, bytes
     findings = list(dict.fromkeys(finding for cached in judged.values() for finding in cached.findings))
     left, about = _heard(request, findings, checked, judged, overlay)
     shown = [finding for finding in (*left, *about) if not _is_ignored_there(finding, request.config)]
-    outcome = Outcome(tuple(sorted(shown, key=lambda finding: finding.sort_key)), checked, 0, dict(overlay))
+    outcome = Outcome(tuple(sorted(shown, key=lambda finding: finding.sort_key)), checked, overlay=dict(overlay))
     if request.baseline is None:
         return outcome
     news = request.baseline.news(list(outcome.findings), outcome.line_of)
@@ -177,8 +171,10 @@ def _heard(
     # What the settings silence needs no comment either.
     waiting = [finding for finding in findings if not _is_ignored_there(finding, request.config)]
     left, _ = silenced(waiting, directives)
+    whole = wholly_judged([source.path for source in sources], judged, request.config, overlay)
     for source in sources:
-        report_unused(source, directives, _judged_codes(request, source.path, judged), problems)
+        if source.path in whole:
+            report_unused(source, directives, _judged_codes(request, source.path, judged), problems)
     return left, [finding for finding in problems.found if request.selection.wants(finding.code)]
 
 
@@ -197,10 +193,9 @@ def _is_ignored_there(finding: Diagnostic, config: Config) -> bool:
     """True for a warning that the settings silence in its file."""
     if finding.span is None or finding.is_error or not config.check.per_file_ignores:
         return False
-    path, root = Path(os.path.abspath(finding.span.path)), Path(os.path.abspath(config.root))
-    shown = path.relative_to(root).as_posix() if path.is_relative_to(root) else path.as_posix()
+    path = finding.span.path
     return any(
-        finding.code.startswith(codes) and (fnmatch(shown, pattern) or fnmatch(path.name, pattern))
+        finding.code.startswith(codes) and matches(pattern, path, config.root)
         for pattern, codes in config.check.per_file_ignores
     )
 

@@ -60,6 +60,8 @@ def _run(options: argparse.Namespace) -> int:
     with _progress() as progress:
         request = _request(options, config, progress)
         outcome = run_check(request, options.fix or options.diff, options.unsafe_fixes)
+    for folder in outcome.empty:
+        _complain(f"no program in {folder}")
     if options.baseline and request.baseline is None:
         outcome = _begin_baseline(Path(options.baseline), outcome)
     if options.diff:
@@ -71,7 +73,7 @@ def _run(options: argparse.Namespace) -> int:
     elif options.fix:
         # Bytes, as they came: a pipe's encoding must not change the program.
         sys.stdout.flush()
-        sys.stdout.buffer.write(outcome.after.get(request.paths[0], request.stdin))
+        sys.stdout.buffer.write(outcome.overlay.get(os.path.realpath(request.paths[0]), request.stdin))
         sys.stdout.buffer.flush()
     return _tell(options, outcome, to_stderr=request.stdin is not None and options.fix)
 

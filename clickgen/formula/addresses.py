@@ -5,13 +5,13 @@ Whether a formula takes the operand is checked elsewhere; here it only has to ex
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from lark import Token
 
 from clickgen.device.banks import BANKS, POINTED, UPPER_BYTE_BANKS, Address, Bank
 from clickgen.formula.report import Report
-from clickgen.ir.operands import Cell, Named, Pointer, Range
+from clickgen.ir.operands import Cell, Named, Pointer, Range, Section
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +50,47 @@ def named(word: Token, member: Token, report: Report) -> Reference:
     if bank is None:
         return Reference(None, start, end)
     return Reference(Named(bank.name, member.value[1:].lstrip(), report.text.span(start, end)), start, end)
+
+
+def member(word: Token, name: Token, index: Index, close: Token, report: Report) -> Reference:
+    """``ds.Recipe[3]``: one of a block, counted from 0."""
+    whole = named(word, name, report)
+    start, end = whole.start, end_of(close)
+    if isinstance(index, Reference):
+        help = "point into the bank, ds[ds.Index], with the block's first address added to the index"
+        report.add("CG214", index.start, index.end, "a pointer cannot count inside a block", help)
+        return Reference(None, start, end)
+    return _part(whole, _count(index, report), end, report)
+
+
+def section(
+    word: Token, name: Token, bounds: tuple[Index | None, Index | None, Index | None], close: Token, report: Report
+) -> Reference:
+    """``ds.Recipe[0:10]``: a part of a block, half-open."""
+    whole = named(word, name, report)
+    numbers = [None if bound is None else _count(bound, report) for bound in bounds]
+    if any(number is None and bound is not None for number, bound in zip(numbers, bounds, strict=True)):
+        return Reference(None, whole.start, end_of(close))
+    first, stop, step = numbers
+    if step not in (None, 1):
+        report.add("CG202", whole.start, end_of(close), "the range skips addresses", "a formula adds up all of them")
+        return Reference(None, whole.start, end_of(close))
+    return _part(whole, Section(first, stop), end_of(close), report)
+
+
+def _part(whole: Reference, part: int | Section | None, end: int, report: Report) -> Reference:
+    if not isinstance(whole.ref, Named) or part is None:
+        return Reference(None, whole.start, end)
+    return Reference(replace(whole.ref, part=part, span=report.text.span(whole.start, end)), whole.start, end)
+
+
+def _count(index: Index, report: Report) -> int | None:
+    """An index in a block, or None after telling why it is none."""
+    number = _number(index, report)
+    if number is not None and number < 0:
+        report.add("CG214", start_of(index), end_of(index), "the members of a block are counted from 0", "ds.Recipe[0]")
+        return None
+    return number
 
 
 def indexed(word: Token, index: Index, close: Token, report: Report) -> Reference:

@@ -38,7 +38,7 @@ from clickgen.formula.words import (
     SHIFTS,
     TERMINAL,
 )
-from clickgen.ir.operands import Range
+from clickgen.ir.operands import Named, Range, Section
 
 # A constant beyond the ranges of DD and DF fits no register.
 _LARGEST_INTEGER = INTEGER_RANGES[Kind.INT32][1]
@@ -48,7 +48,7 @@ _LARGEST_INTEGER = INTEGER_RANGES[Kind.INT32][1]
 class Slice:
     """A range on its way into SUM, the only place for one."""
 
-    range: Range
+    range: Range | Named
     start: int
     end: int
 
@@ -143,6 +143,8 @@ class Builder:
         if len(arguments) == 1 and isinstance(only, Slice):
             self.loose.remove(only)
             return Sum(only.range, start, end)
+        if len(arguments) == 1 and isinstance(only, Operand) and isinstance(only.ref, Named) and only.ref.part is None:
+            return Sum(only.ref, start, end)
         if len(arguments) > 1 or not isinstance(only, Told):
             self.report.add("CG116", start, end, "SUM adds up one range", "SUM(ds[1:11]) adds up DS1 to DS10")
             self.loose = [part for part in self.loose if part.start < start]
@@ -268,7 +270,7 @@ class Builder:
         self.operands.append((start, end))
         if ref is None:
             return Told(start, end)
-        if isinstance(ref, Range):
+        if isinstance(ref, Range) or (isinstance(ref, Named) and isinstance(ref.part, Section)):
             part = Slice(ref, start, end)
             self.loose.append(part)
             return part
@@ -276,6 +278,14 @@ class Builder:
 
     def named(self, parts: Sequence[Any]) -> Reference:
         return addresses.named(parts[0], parts[1], self.report)
+
+    def member(self, parts: Sequence[Any]) -> Reference:
+        word, member, _, index, closing = parts
+        return addresses.member(word, member, index, closing, self.report)
+
+    def section(self, parts: Sequence[Any]) -> Reference:
+        word, member, _, first, _, stop, _, step, closing = parts
+        return addresses.section(word, member, (first, stop, step), closing, self.report)
 
     def indexed(self, parts: Sequence[Any]) -> Reference:
         return addresses.indexed(parts[0], parts[2], parts[3], self.report)

@@ -229,7 +229,7 @@ MISTAKES: tuple[Mistake, ...] = (
         ("LSQB",),
         "`[` has no place here",
         "write ds[5]; parentheses are round",
-        ("5[1]", "ds.A[1]", "(ds.A)[2]"),
+        ("5[1]", "ds.A[1][2]", "(ds.A)[2]"),
     ),
     Mistake(
         "operator",

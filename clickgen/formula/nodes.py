@@ -60,9 +60,9 @@ class Operand:
 
 @dataclass(frozen=True, slots=True)
 class Sum:
-    """``SUM(ds[1:11])``: what DS1 to DS10 add up to. Both ends of ``range`` are included."""
+    """``SUM(ds[1:11])``: what DS1 to DS10 add up to. Both ends of ``range`` are included; a name is that of a block."""
 
-    range: Range
+    range: Range | Named
     start: int
     end: int
 

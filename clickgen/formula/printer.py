@@ -24,7 +24,7 @@ from clickgen.formula.nodes import (
     Unary,
 )
 from clickgen.formula.words import SHIFTS
-from clickgen.ir.operands import Cell, Named, Pointer, Range
+from clickgen.ir.operands import Cell, Named, Pointer, Range, Section
 
 OperandText = Callable[[Named | Cell | Pointer | Range], str]
 
@@ -131,9 +131,17 @@ def source_reference(ref: Named | Cell | Pointer | Range) -> str:
     """An operand in the dialect: ``ds.Name``, ``ds["Any name"]``, ``xd["0u"]``, ``ds[ds.Index]``, ``ds[1:11]``."""
     bank = ref.bank.lower()
     if isinstance(ref, Named):
-        return f"{bank}.{ref.name}" if ref.name.isidentifier() else f'{bank}["{ref.name}"]'
+        name = f"{bank}.{ref.name}" if ref.name.isidentifier() else f'{bank}["{ref.name}"]'
+        return name if ref.part is None else f"{name}[{_source_part(ref.part)}]"
     if isinstance(ref, Cell):
         return f'{bank}["0u"]' if ref.address.upper else f"{bank}[{ref.address.number}]"
     if isinstance(ref, Range):
         return f"{bank}[{ref.first}:{ref.last + 1}]"
     return f"{bank}[{source_reference(ref.register)}]"
+
+
+def _source_part(part: int | Section) -> str:
+    if isinstance(part, int):
+        return str(part)
+    start, stop, step = ("" if bound is None else str(bound) for bound in part)
+    return f"{start}:{stop}" + ("" if part.step == 1 else f":{step}")

@@ -6,19 +6,35 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from clickgen.device.banks import Address
 from clickgen.instructions.spec import CODE, HEX, INTEGER, REAL, TEXT
 from clickgen.source import EmbeddedText, Span
 
 
+class Section(NamedTuple):
+    """``[0:10]`` behind the name of a block: half-open, from index 0; None is the block's own end."""
+
+    start: int | None = None
+    stop: int | None = None
+    step: int = 1
+
+
+WHOLE = Section()
+
+
 @dataclass(frozen=True, slots=True)
 class Named:
-    """``ds.Step``: a nickname seen through a bank."""
+    """``ds.Step``: a nickname seen through a bank, or the name of a block.
+
+    ``part`` is what stands behind a block's name: an index, -1 for the last member, or a section.
+    """
 
     bank: str
     name: str
     span: Span
+    part: int | Section | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from clickgen.instructions.spec import Spec, Variant
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.modbus import Remote, Target
-from clickgen.ir.operands import Cell, Constant, Named, Operand, Single, form_of
+from clickgen.ir.operands import Cell, Constant, Named, Operand, Range, Single, form_of
 from clickgen.source import SourceFile, Span
 
 if TYPE_CHECKING:
@@ -163,6 +163,18 @@ class Declaration:
     comment: str | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class BlockDeclaration:
+    """``nickname(ds.Recipe, ds[100:150])``: a name for a range, whose members go by their index."""
+
+    named: Named
+    range: Range
+    span: Span
+    initial: Constant | None = None
+    retentive: bool | None = None
+    comment: str | None = None
+
+
 @dataclass(frozen=True)
 class Program:
     """All that was read: routines in the order of their definitions, main among them."""
@@ -170,6 +182,7 @@ class Program:
     source: SourceFile
     routines: tuple[Routine, ...]
     declarations: tuple[Declaration, ...]
+    blocks: tuple[BlockDeclaration, ...] = ()
     misimported: frozenset[str] = frozenset()
     """Names that an import should bring and does not: they have their problem there."""
     offered: Mapping[str, str] = field(default_factory=dict)

@@ -158,7 +158,10 @@ class Rewriter:
         return value
 
     def formula(self, formula: Formula) -> Formula:
-        return map_refs(formula, self._ref)
+        return map_refs(formula, self._ref, self.sum_range)
+
+    def sum_range(self, operand: Range | Named) -> Range | Named:
+        return operand
 
     def _ref(self, ref: Named | Cell | Pointer) -> Named | Cell | Pointer:
         if isinstance(ref, Pointer):

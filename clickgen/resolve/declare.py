@@ -9,7 +9,7 @@ from clickgen.device.banks import BANKS, FLOAT_MAX, INTEGER_RANGES, UPPER_BYTE_B
 from clickgen.device.nicknames import comment_fault, nickname_fault
 from clickgen.device.system import find_system_name, system_name_of
 from clickgen.diagnostics import Diagnostics, Label
-from clickgen.ir.operands import CharCode, Operand
+from clickgen.ir.operands import CharCode, Constant, Operand
 from clickgen.ir.program import Declaration
 from clickgen.resolve.constants import typed
 from clickgen.resolve.rows import Row, default_row, format_initial, looks_like_scratch
@@ -186,17 +186,23 @@ class _Declarations:
         if declaration.retentive is not None:
             row = replace(row, retentive=declaration.retentive)
         if declaration.initial is not None:
-            initial = format_initial(address.kind, _python_value(typed(declaration.initial, address.kind)))
-            if initial is None or not initial.isprintable():
-                self.problems.add(
-                    "CG302",
-                    declaration.initial.span,
-                    f"{address} cannot begin with this value",
-                    f"{BANKS[address.bank].title} hold {_holds(address)}",
-                )
-            else:
-                row = replace(row, initial=initial)
+            initial = initial_of(declaration.initial, address, self.problems)
+            row = row if initial is None else replace(row, initial=initial)
         return row
+
+
+def initial_of(constant: Constant, address: Address, problems: Diagnostics) -> str | None:
+    """An initial value in CLICK's form; None with a problem where the address cannot begin with it."""
+    initial = format_initial(address.kind, _python_value(typed(constant, address.kind)))
+    if initial is None or not initial.isprintable():
+        problems.add(
+            "CG302",
+            constant.span,
+            f"{address} cannot begin with this value",
+            f"{BANKS[address.bank].title} hold {_holds(address)}",
+        )
+        return None
+    return initial
 
 
 def _python_value(constant: Operand) -> object:

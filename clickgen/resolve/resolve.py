@@ -19,6 +19,8 @@ from clickgen.ir.walk import Rewriter, program_operands
 from clickgen.resolve.allocate import Allocator
 from clickgen.resolve.constants import kind_of, stored, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
+from clickgen.resolve.declare_blocks import declare_blocks
+from clickgen.resolve.members import without_members
 from clickgen.resolve.rows import Row, is_scratch, looks_like_scratch
 from clickgen.resolve.table import AddressTable
 
@@ -49,9 +51,12 @@ def resolve(
     judge all the rest.
     """
     declared = declare(program.declarations, table, problems)
+    blocks = declare_blocks(program.blocks, table, declared, problems)
+    program = without_members(program, blocks, table, problems)
     resolver = _Resolver(table, declared, frozen, problems)
     operands = list(program_operands(program))
-    resolver.allocator.take((*reserved, *_addresses(operands)))
+    marked = (address for block in blocks.values() for address in block.addresses())
+    resolver.allocator.take((*reserved, *marked, *_addresses(operands)))
     resolver.name(program, list(_named(operands)))
     resolved = _Names(resolver.addresses).program(program)
     _guard_scratch(resolved, table, problems)
@@ -235,7 +240,8 @@ def _named(operands: Iterable[Operand]) -> Iterable[Named]:
     for operand in operands:
         if isinstance(operand, Immediate):
             operand = operand.target
-        if isinstance(operand, Named):
+        # What stands for no member of a block has its problem.
+        if isinstance(operand, Named) and operand.part is None:
             yield operand
 
 
@@ -256,7 +262,7 @@ class _Names(Rewriter):
         self.addresses = addresses
 
     def cell(self, cell: Named | Cell) -> Named | Cell:
-        if isinstance(cell, Cell):
+        if isinstance(cell, Cell) or cell.part is not None:
             return cell
         address = self.addresses.get((cell.bank, cell.name.lower()))
         return cell if address is None else Cell(address, cell.span)

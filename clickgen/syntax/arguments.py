@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import ast
+from dataclasses import replace
 
 from clickgen.diagnostics import did_you_mean
 from clickgen.instructions.maths import MATH_HEX
 from clickgen.instructions.spec import Param, ParamKind, Spec
 from clickgen.instructions.timers import UNITS
-from clickgen.ir.operands import Cell, Immediate, Range, Single
+from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Range, Single
 from clickgen.ir.program import FormulaText, Operands, Pattern, Value, Word
 from clickgen.syntax.conditions import FUNCTIONS, read_condition
 from clickgen.syntax.context import Context
@@ -119,6 +120,8 @@ def _read_operands(context: Context, spec: Spec, param: Param, node: ast.expr) -
         elements = node.elts
     elif isinstance(node, ast.Subscript):
         elements = [node]
+    elif isinstance(node, ast.Attribute) and isinstance(block := read_operand(context, node, spec.signature), Named):
+        return Operands((replace(block, part=WHOLE),), block.span)
     else:
         _refuse(context, spec, param, node)
         return None

@@ -6,13 +6,13 @@ import ast
 import warnings
 
 from clickgen.device.banks import BANKS, Kind
-from clickgen.diagnostics import Diagnostics, Fix, did_you_mean
+from clickgen.diagnostics import Diagnostic, Diagnostics, Fix, did_you_mean
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real
 from clickgen.source import SourceFile
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import address_hint, looks_like_address, read_address, read_operand, shorten
-from clickgen.syntax.rewrite import in_language, python_logic
+from clickgen.syntax.rewrite import has_opposite, in_language, python_logic, terms_in
 
 COMPARISONS: dict[type[ast.cmpop], str] = {
     ast.Eq: "==",
@@ -55,9 +55,9 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
         return _read_function(context, node, node.func.id)
     logic = python_logic(node)
     if logic:
-        fault = f"{logic[0]} is not part of the language"
-        text, fix = _rewritten(context, node) or (_in_dialect(context, node), None)
-        context.problem("CG105", node, fault, f"write {' '.join(text.split())}", fix)
+        text, fix = _rewritten(context, node) or ("", None)
+        help = f"write {_on_one_line(text)}" if text else _in_the_way(context, node)
+        context.problem("CG105", node, f"{logic[0]} is not part of the language", help, fix)
     elif isinstance(node, ast.Call):
         name = node.func.id if isinstance(node.func, ast.Name) else ""
         context.problem("CG107", node, "this call is not a condition", did_you_mean(name, FUNCTIONS) or _WAY_OUT)
@@ -79,25 +79,57 @@ def _rewritten(context: Context, node: ast.expr) -> tuple[str, Fix] | None:
     if rewritten is None:
         return None
     text, edit = rewritten
+    return (text, Fix((edit,))) if _fault_of(context, text) is None else None
+
+
+def _fault_of(context: Context, text: str) -> Diagnostic | None:
+    """What is wrong with a condition of this text; None where nothing is."""
     trial = Context(SourceFile(context.source.path, f"({text})"), Diagnostics())
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            read_condition(trial, ast.parse(trial.source.text, mode="eval").body)
+            read_condition(trial, _read_alone(trial.source.text))
     except SyntaxError:
-        return None
-    return None if trial.problems.found else (text, Fix((edit,)))
+        return Diagnostic("CG107", "this is not a condition", None, _WAY_OUT)
+    return next(iter(trial.problems.found), None)
 
 
-def _in_dialect(context: Context, node: ast.expr) -> str:
-    """An expression about as the language writes it, for a message."""
-    logic = python_logic(node)
-    if logic is None:
-        return shorten(context.text(node))
-    _, function, terms = logic
-    if function == "nc" and not isinstance(terms[0], ast.Attribute | ast.Subscript):
-        return f"the opposite of {shorten(context.text(terms[0]))}"
-    return f"{function}({', '.join(_in_dialect(context, term) for term in terms)})"
+def _read_alone(text: str) -> ast.expr:
+    return ast.parse(text, mode="eval").body
+
+
+def _on_one_line(text: str) -> str:
+    """A condition for a message, without the line breaks and comments in it."""
+    return ast.unparse(_read_alone(f"({text})")) if "#" in text and "\n" in text else " ".join(text.split())
+
+
+def _in_the_way(context: Context, node: ast.expr) -> str:
+    """The term for which Python's operators cannot be rewritten plainly, and the way out."""
+    compared: ast.Compare | None = None
+    for term, function, wanted in terms_in(node):
+        text = context.text(term)
+        shown = shorten(text)
+        # True is a condition where it stands alone, which it does not here.
+        fault = _fault_of(context, f"all({text})")
+        if fault is not None:
+            both = _compared_too(context, function, compared, term)
+            return f"{shown} has no place in it: {f'compare it as well, {both}' if both else fault.help}"
+        if not wanted and not has_opposite(context, term):
+            way = "put it on a bit with out(...) in a rung before, and write nc(...) of that bit"
+            return f"nothing in the language is the opposite of {shown}: {way}"
+        compared = term if isinstance(term, ast.Compare) else None
+    return f"in series write all(...), in parallel any(...); {_WAY_OUT}"
+
+
+def _compared_too(context: Context, function: str, before: ast.Compare | None, term: ast.expr) -> str:
+    """``any(ds.X == 1, ds.X == 2)`` for a number behind a comparison, ``ds.X == 1 or 2``; "" for anything else."""
+    is_number = isinstance(term, ast.Constant) and type(term.value) in (int, float)
+    if not is_number or before is None or not isinstance(before.comparators[0], ast.Constant):
+        return ""
+    first = " ".join(context.text(before).split())
+    second = f"{context.text(before.left)} {COMPARISONS[type(before.ops[0])]} {context.text(term)}"
+    both = f"{function}({first}, {second})"
+    return both if _fault_of(context, both) is None else ""
 
 
 def _read_contact(context: Context, node: ast.Attribute | ast.Subscript) -> Condition | None:

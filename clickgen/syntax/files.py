@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.ir.imports import Import
-from clickgen.ir.program import Declaration, Program, Routine
+from clickgen.ir.program import BlockDeclaration, Declaration, Program, Routine
 from clickgen.source import SourceFile, Span
 from clickgen.syntax.parse import decode
 from clickgen.syntax.read import FileContent, read_file
@@ -35,7 +35,12 @@ def read_program(
     wanted = {name for item in content.items if isinstance(item, Import) for name, _ in item.names}
     misimported = wanted - {routine.name for routine in routines.values()}
     program = Program(
-        source, tuple(routines.values()), tuple(files.declarations), frozenset(misimported), files.offered(content)
+        source,
+        tuple(routines.values()),
+        tuple(files.declarations),
+        tuple(files.blocks),
+        frozenset(misimported),
+        files.offered(content),
     )
     return program, tuple(files.sources)
 
@@ -48,6 +53,7 @@ class _Files:
     problems: Diagnostics
     sources: list[SourceFile]
     declarations: list[Declaration] = field(default_factory=list)
+    blocks: list[BlockDeclaration] = field(default_factory=list)
     _contents: dict[str, FileContent | None] = field(default_factory=dict)
     _open: list[str] = field(default_factory=list)
 
@@ -61,6 +67,7 @@ class _Files:
                 self._import(path, item)
         self._open.pop()
         self.declarations += (item for item in content.items if isinstance(item, Declaration))
+        self.blocks += (item for item in content.items if isinstance(item, BlockDeclaration))
 
     def routines(self, content: FileContent) -> Iterator[Routine]:
         """The routines of the program: those of its own file, then those that it imports, in the order of the text."""

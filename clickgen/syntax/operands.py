@@ -19,6 +19,7 @@ from clickgen.ir.operands import (
     Pointer,
     Range,
     Real,
+    Section,
     Text,
 )
 from clickgen.source import Span
@@ -82,6 +83,8 @@ def read_address(context: Context, node: ast.Attribute | ast.Subscript) -> Opera
     holder = node.value
     if isinstance(node, ast.Attribute) and not isinstance(holder, ast.Name):
         return _read_modifier(context, node)
+    if isinstance(node, ast.Subscript) and isinstance(holder, ast.Attribute | ast.Subscript):
+        return _read_part(context, holder, node)
     if not isinstance(holder, ast.Name):
         context.problem("CG113", node, f"{shorten(context.text(node))} is not an address", _ADDRESS_FORMS)
         return None
@@ -112,6 +115,33 @@ def _read_modifier(context: Context, node: ast.Attribute) -> Operand | None:
         context.problem("CG308", node, ".immediate belongs behind an X or Y address", "x[1].immediate")
         return None
     return Immediate(target, context.span(node))
+
+
+def _read_part(context: Context, holder: ast.Attribute | ast.Subscript, node: ast.Subscript) -> Named | None:
+    """``ds.Recipe[3]`` and ``ds.Recipe[0:10]``: members of a block."""
+    block = read_address(context, holder)
+    if block is None:
+        return None
+    if not isinstance(block, Named) or block.part is not None:
+        context.problem("CG113", node, f"{shorten(context.text(node))} is not an address", _ADDRESS_FORMS)
+        return None
+    index, example = node.slice, f"{context.text(holder)}[3] and {context.text(holder)}[0:10]"
+    if isinstance(index, ast.Slice):
+        start, stop, step = (_whole_number(bound) for bound in (index.lower, index.upper, index.step))
+        bounds = ((start, index.lower), (stop, index.upper), (step, index.step))
+        if all(number is not None or bound is None for number, bound in bounds):
+            return Named(block.bank, block.name, context.span(node), Section(start, stop, 1 if step is None else step))
+    number = _whole_number(index)
+    if number is not None and number >= 0:
+        return Named(block.bank, block.name, context.span(node), number)
+    if number is not None:
+        context.problem("CG214", index, "the members of a block are counted from 0", example)
+    elif isinstance(index, ast.Attribute | ast.Subscript):
+        way = f"point into the bank: {block.bank.lower()}[ds.Index], with the block's first address added to the index"
+        context.problem("CG214", index, f"a pointer cannot count inside {context.text(holder)}", way)
+    else:
+        context.problem("CG214", index, "a block takes a number or a range behind its name", example)
+    return None
 
 
 def _read_index(context: Context, bank: Bank, node: ast.Subscript) -> Operand | None:
@@ -147,7 +177,7 @@ def _read_pointer(context: Context, bank: Bank, index: ast.Attribute | ast.Subsc
     register = read_address(context, index)
     if register is None:
         return None
-    if not isinstance(register, Named | Cell) or register.bank != "DS":
+    if not isinstance(register, Named | Cell) or register.bank != "DS" or _is_section(register):
         context.problem(
             "CG212", index, "a pointer goes through a single DS register", "copy the index to a DS register first"
         )
@@ -158,6 +188,10 @@ def _read_pointer(context: Context, bank: Bank, index: ast.Attribute | ast.Subsc
         )
         return None
     return Pointer(bank.name, register, span)
+
+
+def _is_section(operand: Named | Cell) -> bool:
+    return isinstance(operand, Named) and isinstance(operand.part, Section)
 
 
 def _read_range(context: Context, bank: Bank, index: ast.Slice, node: ast.Subscript) -> Range | None:

@@ -7,21 +7,21 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from clickgen.diagnostics import Diagnostics, Edit, Fix, did_you_mean
+from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.control import FOR, NOP, RETURN
-from clickgen.ir.conditions import Always
+from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.imports import Import
-from clickgen.ir.operands import Cell, Constant, Integer, Named
-from clickgen.ir.program import Action, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
+from clickgen.ir.operands import Cell, Constant, Integer, Named, Range
+from clickgen.ir.program import Action, BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
 from clickgen.source import SourceFile, Span
 from clickgen.syntax.calls import read_call
+from clickgen.syntax.chains import Arm, as_ifs, without_opposite
 from clickgen.syntax.comments import rung_comment
 from clickgen.syntax.conditions import read_condition
 from clickgen.syntax.context import Context
-from clickgen.syntax.operands import read_constant, read_operand
+from clickgen.syntax.operands import read_constant, read_operand, shorten
 from clickgen.syntax.parse import parse_trees
-from clickgen.syntax.rewrite import opposite
 
 if TYPE_CHECKING:
     import libcst
@@ -34,7 +34,7 @@ class FileContent:
     """What one file holds at its top level, in the order of its text."""
 
     path: str
-    items: tuple[Routine | Declaration | Import, ...]
+    items: tuple[Routine | Declaration | BlockDeclaration | Import, ...]
 
 
 def read_file(source: SourceFile, problems: Diagnostics) -> FileContent | None:
@@ -44,7 +44,7 @@ def read_file(source: SourceFile, problems: Diagnostics) -> FileContent | None:
         return None
     module, tree = trees
     context = Context(source, problems)
-    items: list[Routine | Declaration | Import | None] = []
+    items: list[Routine | Declaration | BlockDeclaration | Import | None] = []
     for cst_node, node in _in_step(module.body, tree.body):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             items.append(_read_routine(context, cst_node, node))
@@ -166,9 +166,7 @@ def _read_rungs(
 
 
 def _read_rung(context: Context, cst_node: libcst.CSTNode, node: ast.If) -> Rung:
-    condition = read_condition(context, node.test)
-    _refuse_else(context, node, is_branch=False)
-    items = _read_items(context, cst_node, node.body)
+    condition, items = _read_if(context, cst_node, node, is_branch=False)
     span = context.span(node)
     if condition is None:
         condition = Always(context.span(node.test))
@@ -176,13 +174,42 @@ def _read_rung(context: Context, cst_node: libcst.CSTNode, node: ast.If) -> Rung
     return Rung(condition, items, rung_comment(getattr(cst_node, "leading_lines", ())), head, span)
 
 
-def _refuse_else(context: Context, node: ast.If, is_branch: bool) -> None:
-    """A rung has no else; the problem stands at the ``else`` or ``elif`` itself."""
+def _read_if(
+    context: Context, cst_node: libcst.CSTNode | None, node: ast.If, is_branch: bool
+) -> tuple[Condition | None, tuple[Item, ...]]:
+    """The condition and the items of an ``if``. A rung has no else; the problem stands at the ``else`` itself."""
+    before = len(context.problems.found)
+    condition = read_condition(context, node.test)
+    items = _read_items(context, cst_node, node.body)
     span = _else_span(context, node)
     if span is not None:
+        arms = [Arm(context.span(node), node.test, condition, items), *_read_arms(context, node)]
+        is_known = not any(problem.is_error for problem in context.problems.found[before:])
         word = context.source.line(span.line)[span.col - 1 : span.end_col - 1]
+        fix = as_ifs(context, arms, is_branch, is_known)
         help = "write a rung of its own with the opposite condition: nc(...) or the opposite comparison"
-        context.problems.add("CG104", span, f"a rung has no {word}", help, fix=_as_rungs(context, node, is_branch))
+        place = without_opposite(context, arms) if fix is None else None
+        if place is not None:
+            shown = shorten(context.source.line(place.line)[place.col - 1 :][: place.end_col - place.col])
+            help = (
+                f"nothing is the opposite of {shown}: put it on a bit with out(...) in a rung before, and test the bit"
+            )
+        context.problems.add("CG104", span, f"a rung has no {word}", help, fix=fix)
+    return condition, items
+
+
+def _read_arms(context: Context, node: ast.If) -> Iterator[Arm]:
+    """Every elif behind an ``if``, and the else: no part of the program, but read, so that all problems are found."""
+    span = _else_span(context, node)
+    while span is not None:
+        following = node.orelse[0]
+        if context.source.line(span.line)[span.col - 1 :].startswith("else"):
+            yield Arm(span, None, Always(span), _read_items(context, None, node.orelse))
+            return
+        assert isinstance(following, ast.If)
+        condition = read_condition(context, following.test)
+        yield Arm(span, following.test, condition, _read_items(context, None, following.body))
+        node, span = following, _else_span(context, following)
 
 
 def _else_span(context: Context, node: ast.If) -> Span | None:
@@ -197,38 +224,6 @@ def _else_span(context: Context, node: ast.If) -> Span | None:
             col = len(text) - len(text.lstrip()) + 1
             return Span(source.path, line, col, line, col + 4)
     return None
-
-
-def _as_rungs(context: Context, node: ast.If, is_branch: bool) -> Fix | None:
-    """Conditions of their own for every elif and the else, where all are single bits and comparisons.
-
-    CLICK looks at the conditions of branches before any action, so there the fix is safe. A rung of its own looks again
-    after the actions of the one before, which may have changed what it looks at.
-    """
-    edits: list[Edit] = []
-    earlier: list[str] = []
-    while True:
-        # An immediate input may have changed when it is looked at again.
-        other = None if context.text(node.test).endswith(".immediate") else opposite(context, node.test)
-        span = _else_span(context, node)
-        if other is None or span is None:
-            return None
-        earlier.append(other)
-        head, following = context.source.line(span.line), node.orelse[0]
-        if head[span.col - 1 :].startswith("else"):
-            condition = earlier[0] if len(earlier) == 1 else f"all({', '.join(earlier)})"
-            return Fix((*edits, Edit(span, f"if {condition}")), is_branch)
-        assert isinstance(following, ast.If)
-        test = context.span(following.test)
-        if test.end_line != span.line or head[span.end_col - 1 : test.col - 1].strip():
-            return None
-        text = f"if all({', '.join((*earlier, context.text(following.test)))})"
-        edits.append(Edit(span._replace(end_col=test.end_col), text))
-        if not following.orelse:
-            # What cannot be said the other way round need not be: nothing follows.
-            is_condition = isinstance(following.test, ast.Attribute | ast.Subscript | ast.Compare | ast.Call)
-            return Fix(tuple(edits), is_branch) if is_condition else None
-        node = following
 
 
 # -- rung bodies ------------------------------------------------------------------------------------------------------
@@ -256,9 +251,7 @@ def _read_item(context: Context, cst_node: libcst.CSTNode | None, node: ast.stmt
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
         return read_call(context, node.value)
     if isinstance(node, ast.If):
-        condition = read_condition(context, node.test)
-        _refuse_else(context, node, is_branch=True)
-        items = _read_items(context, cst_node, node.body)
+        condition, items = _read_if(context, cst_node, node, is_branch=True)
         return Branch(condition or Always(context.span(node.test)), items, context.span(node))
     if isinstance(node, ast.For | ast.AsyncFor):
         return _read_loop(context, cst_node, node)
@@ -313,7 +306,7 @@ def _read_loop(context: Context, cst_node: libcst.CSTNode | None, node: ast.For 
 _DECLARED = ("initial", "retentive", "comment")
 
 
-def _read_declaration(context: Context, node: ast.Call) -> Declaration | None:
+def _read_declaration(context: Context, node: ast.Call) -> Declaration | BlockDeclaration | None:
     example = 'nickname(ds.MaxAlarms, ds[5], initial=10, retentive=True, comment="...")'
     if len(node.args) != 2:
         context.problem("CG110", node, "nickname takes a name and its address", example)
@@ -341,10 +334,13 @@ def _read_declaration(context: Context, node: ast.Call) -> Declaration | None:
             context.problem("CG109", keyword, f"nickname has no argument {keyword.arg or '**'!r}", help)
     if named is None or cell is None:
         return None
-    if not isinstance(named, Named):
+    if not isinstance(named, Named) or named.part is not None:
         context.problem("CG115", node.args[0], "the first argument is a name in its bank: ds.MaxAlarms", example)
         return None
+    if isinstance(cell, Range) and not cell.is_reversed:
+        return BlockDeclaration(named, cell, context.span(node), initial, retentive, comment)
     if not isinstance(cell, Cell):
-        context.problem("CG115", node.args[1], "the second argument is one address: ds[5]", example)
+        help = f"{example}; for a block: nickname(ds.Recipe, ds[100:150])"
+        context.problem("CG115", node.args[1], "the second argument is one address or a range forwards", help)
         return None
     return Declaration(named, cell, context.span(node), initial, retentive, comment)

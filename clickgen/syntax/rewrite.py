@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import accumulate
 
@@ -22,7 +23,8 @@ _OPPOSITE = {
     ast.Gt: (">", "<="),
     ast.GtE: (">=", "<"),
 }
-_OPERATOR = re.compile(r"(?P<close>[\s)\\]*?)(?P<before>[\s\\]*)(?:and|or|&|\|)(?P<behind>[\s\\]*)(?P<open>[\s(\\]*)")
+_OPERATOR = re.compile(r"and|or|&|\|")
+_COMMENT = re.compile(r"#[^\n]*")
 
 
 def python_logic(node: ast.expr) -> tuple[str, str, list[ast.expr]] | None:
@@ -42,10 +44,31 @@ def in_language(context: Context, node: ast.expr) -> tuple[str, Edit] | None:
     return _Rewriter(context).rewritten(node)
 
 
-def opposite(context: Context, node: ast.expr) -> str | None:
-    """The opposite of one bit or comparison as the language writes it; None for anything else."""
-    piece = _Rewriter(context).opposite(node)
-    return None if piece is None else piece.whole
+def terms_in(node: ast.expr, function: str = "all", wanted: bool = True) -> Iterator[tuple[ast.expr, str, bool]]:
+    """The terms under Python's operators, all and any: each with what joins it, and whether it is to hold or not."""
+    logic = python_logic(node)
+    if logic and logic[1] == "nc":
+        yield from terms_in(logic[2][0], function, not wanted)
+    elif logic:
+        for term in logic[2]:
+            yield from terms_in(term, logic[1], wanted)
+    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _SWAPPED:
+        for term in node.args:
+            yield from terms_in(term, node.func.id, wanted)
+    else:
+        yield node, function, wanted
+
+
+def names_block(context: Context, bank: str, name: str) -> bool:
+    """True where the file declares this as the name of a range: of that nothing is the opposite."""
+    word = re.escape(name)
+    declared = rf"""nickname\s*\(\s*{bank}\s*(\.\s*{word}\b|\[\s*["']{word}["']\s*\])\s*,\s*\w+\s*\[[^]\n]*:"""
+    return re.search(declared, context.source.text, re.IGNORECASE) is not None
+
+
+def has_opposite(context: Context, node: ast.expr) -> bool:
+    """True for a single condition whose opposite the language can say."""
+    return _Rewriter(context).opposite(node) is not None
 
 
 @dataclass(frozen=True)
@@ -69,7 +92,7 @@ class _Rewriter:
 
     def rewritten(self, node: ast.expr) -> tuple[str, Edit] | None:
         start, end = self._extent(node)
-        piece = None if "#" in self._text[start:end] else self.piece(node, wanted=True)
+        piece = self.piece(node, wanted=True)
         if piece is None:
             return None
         span = self._context.span(node)
@@ -115,7 +138,7 @@ class _Rewriter:
         behind = self._text[last:end]
         if piece.function:
             # These parentheses become those of the function.
-            text = before.replace("(", "") + piece.text + behind.replace(")", "")
+            text = _without("(", before) + piece.text + _without(")", behind)
             return _Piece(text, piece.function, piece.is_loose)
         return _Piece(before + piece.text + behind)
 
@@ -126,11 +149,13 @@ class _Rewriter:
             sign, other = _OPPOSITE[type(node.ops[0])]
             start, end = self._extent(node)
             left, right = self._extent(node.left)[1], self._extent(node.comparators[0])[0]
-            return _Piece(self._text[start:left] + self._text[left:right].replace(sign, other) + self._text[right:end])
+            place = left + _code(self._text[left:right]).index(sign)
+            return _Piece(self._text[start:place] + other + self._text[place + len(sign) : end])
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "nc":
             bit = node.args[0] if len(node.args) == 1 and not node.keywords else None
-            return _Piece(self._text[slice(*self._extent(bit))]) if bit and _is_single(bit) else None
-        if not _is_single(node):
+            is_single = bit and _is_single(bit) and not names_block(self._context, _bank_of(bit), _name_of(bit))
+            return _Piece(self._text[slice(*self._extent(bit))]) if bit and is_single else None
+        if not _is_single(node) or names_block(self._context, _bank_of(node), _name_of(node)):
             return None
         bank = BANK_NAMES[_bank_of(node)]
         if bank.is_bit:
@@ -146,10 +171,10 @@ class _Rewriter:
             piece = self.piece(term, wanted)
             if piece is None:
                 return None
-            opening = gaps[index].rfind("(")
+            opening = _code(gaps[index]).rfind("(")
             if piece.is_loose and piece.function == function:
-                gaps[index] = gaps[index].replace("(", "")
-                gaps[index + 1] = gaps[index + 1].replace(")", "")
+                gaps[index] = _without("(", gaps[index])
+                gaps[index + 1] = _without(")", gaps[index + 1])
                 texts.append(piece.text)
             elif piece.function and opening >= 0:
                 # Parentheses around a term become those of its function.
@@ -178,11 +203,27 @@ class _Rewriter:
 
 def _with_comma(gap: str) -> str:
     """What stands between two terms, with a comma for the operator; the line is broken where it was."""
-    match = _OPERATOR.fullmatch(gap)
+    code = _code(gap)
+    match = _OPERATOR.search(code)
     if match is None:
         return gap
-    space = match["before"] if "\n" in match["before"] else match["behind"] or " "
-    return f"{match['close']},{space}{match['open']}"
+    comma = code.rfind(")", 0, match.start()) + 1
+    before, behind = gap[comma : match.start()], gap[match.end() :]
+    if "\n" in before:
+        behind = behind.lstrip(" \t")
+    else:
+        before = "" if behind[:1].isspace() else " "
+    return f"{gap[:comma]},{before}{behind}"
+
+
+def _code(gap: str) -> str:
+    """What stands between terms, with blanks in the place of comments."""
+    return _COMMENT.sub(lambda comment: " " * len(comment[0]), gap)
+
+
+def _without(bracket: str, gap: str) -> str:
+    """What stands between terms without these parentheses; those of comments stay."""
+    return "".join(one for one, code in zip(gap, _code(gap), strict=True) if code != bracket)
 
 
 def _is_single(node: ast.expr) -> bool:
@@ -198,3 +239,10 @@ def _bank_of(node: ast.expr) -> str:
     while isinstance(node, ast.Attribute | ast.Subscript):
         node = node.value
     return node.id if isinstance(node, ast.Name) else ""
+
+
+def _name_of(node: ast.expr) -> str:
+    """The nickname that an address without an index is written with."""
+    if isinstance(node, ast.Attribute):
+        return _name_of(node.value) if node.attr == "immediate" else node.attr
+    return str(node.slice.value) if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant) else ""

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import ast
+from dataclasses import replace
 
 from clickgen.device.banks import Address
-from clickgen.ir.operands import Cell, Range
+from clickgen.ir.operands import WHOLE, Cell, Named, Operand, Range, Section
 from clickgen.ir.program import Value, Word
 from clickgen.syntax.conditions import COMPARISONS
 from clickgen.syntax.context import Context
@@ -30,9 +31,12 @@ def read_range_comparison(context: Context, node: ast.expr) -> dict[str, Value] 
     left, right = read_operand(context, node.left), read_operand(context, node.comparators[0])
     if left is None or right is None:
         return None
-    if isinstance(right, Range) and not isinstance(left, Range):
+    if _is_section(right) and not _is_section(left):
         left, right, operator = right, left, _MIRRORED[operator]
-    if not isinstance(left, Range) or isinstance(right, Range):
+    if isinstance(left, Named) and not isinstance(left.part, int) and not _is_section(right):
+        ends = _ends(context, left)
+        return ends and {"condition": Word(operator, context.span(node)), "value": right, **ends}
+    if not isinstance(left, Range) or _is_section(right):
         context.problem("CG115", node, "a search compares one range with one value", _EXAMPLE)
         return None
     if left.is_reversed:
@@ -44,3 +48,19 @@ def read_range_comparison(context: Context, node: ast.expr) -> dict[str, Value] 
         "start": Cell(Address(left.bank, left.first), left.span),
         "end": Cell(Address(left.bank, left.last), left.span),
     }
+
+
+def _is_section(operand: Operand) -> bool:
+    """True for a range, be it a part of a block."""
+    return isinstance(operand, Range) or (isinstance(operand, Named) and isinstance(operand.part, Section))
+
+
+def _ends(context: Context, block: Named) -> dict[str, Value] | None:
+    """The first and last member of a block or of a section of it; None with a problem."""
+    section = block.part if isinstance(block.part, Section) else WHOLE
+    first = section.start or 0
+    if section.step != 1 or (section.stop is not None and section.stop <= first):
+        context.problems.add("CG202", block.span, "a search goes upward through at least one address", _EXAMPLE)
+        return None
+    last = -1 if section.stop is None else section.stop - 1
+    return {"start": replace(block, part=first), "end": replace(block, part=last)}

@@ -63,4 +63,5 @@ if c.Find:
     search(txt[1:10] == "e", result=ds.At, found=c.Seen)
 """,
     ),
+    holds_in_parts=True,
 )

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts, Placed
+from clickgen.check.pulses import Pulses
 from clickgen.check.rule import Rule, Wrong
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions import counters
-from clickgen.ir.conditions import Always, Condition
-from clickgen.ir.walk import leaves
 from clickgen.source import Span
 
 CODE = "CG513"
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
+    pulses = Pulses(facts)
     for placed in facts.actions:
         if placed.spec in counters.SPECS:
-            for place, span in _levels(placed):
+            for place, span in _levels(pulses, placed):
                 problems.add(
                     CODE,
                     span,
@@ -26,17 +26,13 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 )
 
 
-def _levels(placed: Placed) -> list[tuple[str, Span]]:
-    """The counted inputs that hold no edge."""
-    found = [] if _has_edge(placed.condition) else [("the rung", placed.action.span)]
+def _levels(pulses: Pulses, placed: Placed) -> list[tuple[str, Span]]:
+    """The counted inputs that may be on for longer than a scan."""
+    found = [] if pulses.has(placed.condition, placed.routine) else [("the rung", placed.action.span)]
     down = placed.action.pin("count_down")
-    if down is not None and not _has_edge(down):
+    if down is not None and not pulses.has(down, placed.routine):
         found.append(("count_down", down.span))
     return found
-
-
-def _has_edge(condition: Condition) -> bool:
-    return not isinstance(condition, Always) and any(getattr(leaf, "edge", "") for leaf in leaves(condition))
 
 
 RULE = Rule(
@@ -46,6 +42,9 @@ RULE = Rule(
 The vendor's help says that a counter counts once for each time its rung turns on; other sources, simulators among
 them, count in every scan while it is on. With an edge on the counted bit both say the same, and a person who reads the
 rung knows it too.
+
+A bit that is on for one scan is as good as an edge, and the rule quiet: a coil that an edge or a one-shot drives, a bit
+that an edge sets and every scan resets, a timer or a counter that resets itself, the bit of the first scan.
 """,
     wrong=(
         Wrong(
@@ -70,5 +69,20 @@ if re(x.Part):
 if all(c.Running, fe(x.Part)):
     ctud(ct.Level, 50, count_down=lambda: re(x.Out), reset=lambda: c.Empty)
 """,
+        """
+if re(x.Part):
+    out(c.PartCame)
+if all(c.Running, c.PartCame):
+    ctu(ct.Box, setpoint=12, reset=lambda: ct.Box)
+if ct.Box:
+    ctu(ct.Pallet, setpoint=40, reset=lambda: ct.Pallet)
+""",
+        """
+if nc(t.Minute):
+    ton(t.Minute, setpoint=60, unit=Ts)
+if t.Minute:
+    ctu(ct.Minutes, setpoint=480, reset=lambda: c.NewShift)
+""",
     ),
+    holds_in_parts=True,
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 
 from clickgen.check.facts import Facts, Placed
+from clickgen.check.lint.unreached_rung import unreached
 from clickgen.check.rule import Rule, Wrong
 from clickgen.check.uses import addresses_of
 from clickgen.device.banks import Address
@@ -19,8 +20,9 @@ _COILS_MAX = 100
 
 def check(facts: Facts, problems: Diagnostics) -> None:
     driven: dict[Address, list[Placed]] = defaultdict(list)
+    idle = _never_run(facts)
     for placed in facts.actions:
-        if placed.spec is not OUT:
+        if placed.spec is not OUT or id(placed.action) in idle:
             continue
         bits = addresses_of(placed.action.args["address"])
         for address in bits:
@@ -40,6 +42,15 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             driven[address].append(placed)
 
 
+def _never_run(facts: Facts) -> set[int]:
+    """The coils that decide nothing, by id: of subroutines that nothing calls, and behind an end() or return."""
+    idle = {id(missed.action) for routine in facts.program.routines for missed in unreached(routine.rungs)}
+    if facts.program.main is None:  # A part of a program: what runs, another file says.
+        return idle
+    uncalled = (one for one in facts.actions if not one.routine.is_main and one.routine.name not in facts.calls)
+    return idle | {id(placed.action) for placed in uncalled}
+
+
 RULE = Rule(
     CODE,
     check,
@@ -49,8 +60,10 @@ With two of them the later rung decides alone, and the earlier one does nothing 
 motor does not start although its rung is green. CLICK warns about it too (C1001).
 
 Subroutines that are never called in the same scan may drive the same bit: their calls must stand on conditions that
-exclude each other; a coil of main that `out` alone drives counts as its condition. When one of them changes the step that the calls look at, both run in that one scan; the rule takes
-this for intended, because a sequence hands over so.
+exclude each other; a coil of main that `out` alone drives counts as its condition. When one of them changes the step
+that the calls look at, both run in that one scan; the rule takes this for intended, because a sequence hands over so.
+What never runs, a subroutine that nothing calls or a rung behind an unconditional `end()`, drives nothing: rules of
+their own speak of these.
 """,
     wrong=(
         Wrong(
@@ -109,4 +122,5 @@ def manual():
         return
 """,
     ),
+    holds_in_parts=True,
 )

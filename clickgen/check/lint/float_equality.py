@@ -3,28 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import cycle
 
-from clickgen.check.facts import Facts
+from clickgen.check.copied import origin_registers, origins, put_in
+from clickgen.check.facts import Facts, Placed
 from clickgen.check.rule import Rule, Wrong
-from clickgen.check.uses import addresses_of
-from clickgen.device.banks import Address
+from clickgen.device.banks import BANKS, Address, Kind
 from clickgen.diagnostics import Diagnostics
-from clickgen.instructions.copies import COPY, COPY_BLOCK, COPY_FILL
+from clickgen.formula.nodes import Binary, Call, Node, Number, Operand, Pi, Sum, walk
+from clickgen.instructions.copies import COPY
 from clickgen.ir.conditions import Compare
-from clickgen.ir.operands import Cell, Integer, Real, Single
-from clickgen.ir.reach import touches
+from clickgen.ir.operands import Cell, Integer, Pointer, Real, Single
+from clickgen.ir.program import FormulaText
 
 CODE = "CG520"
 
+_WHOLE = (Kind.INT16, Kind.INT32, Kind.HEX)
+
 
 def check(facts: Facts, problems: Diagnostics) -> None:
-    for compare in facts.comparisons:
-        if compare.op not in ("==", "!=") or not (_is_float(compare.left) or _is_float(compare.right)):
-            continue
-        if not _is_exact(facts, compare.left, compare.right) and not _is_exact(facts, compare.right, compare.left):
-            register = compare.left if _is_float(compare.left) else compare.right
-            assert isinstance(register, Cell)
+    compares = [compare for compare in facts.comparisons if compare.op in ("==", "!=") and _has_float(compare)]
+    by_pointer = [placed for placed in facts.actions if _goes_by_pointer(placed)] if compares else []
+    for compare in compares:
+        sides = ((compare.left, compare.right), (compare.right, compare.left))
+        register = next((one for one, other in sides if _is_inexact(facts, by_pointer, one, other)), None)
+        if isinstance(register, Cell) and not any(_meets_surely(facts, *pair) for pair in sides):
             name = facts.shown(register.address)
             problems.add(
                 CODE,
@@ -34,8 +36,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             )
 
 
-def _is_float(operand: Single) -> bool:
-    return isinstance(operand, Cell) and operand.bank == "DF"
+def _has_float(compare: Compare) -> bool:
+    return any(isinstance(side, Cell) and side.bank == "DF" for side in (compare.left, compare.right))
 
 
 def _help(facts: Facts, compare: Compare, register: Cell) -> str:
@@ -44,40 +46,72 @@ def _help(facts: Facts, compare: Compare, register: Cell) -> str:
     return f"compare with a margin: {margin}"
 
 
-def _is_exact(facts: Facts, one: Single, other: Single) -> bool:
+def _meets_surely(facts: Facts, one: Single, other: Single) -> bool:
     """True where equality comes for sure: with 0, with a number that is copied in, with a copy of the register."""
     if not isinstance(one, Cell):
         return False
     if isinstance(other, Integer | Real):
-        return other.value == 0 or other.value in _copied_numbers(facts, one.address)
-    return isinstance(other, Cell) and other.address in _copied_registers(facts, one.address)
+        return other.value == 0 or other.value in _given_numbers(facts, one.address)
+    if not isinstance(other, Cell):
+        return False
+    return not origin_registers(facts, one.address).isdisjoint(origin_registers(facts, other.address))
 
 
-def _copied_numbers(facts: Facts, address: Address) -> Iterator[int | float]:
-    """The constants that copies put into a register, and what it begins with."""
-    sources = [
-        writer.action.args.get("source") for writer in facts.writers(address) if writer.spec in (COPY, COPY_FILL)
-    ]
-    for constant in sources:
-        if isinstance(constant, Integer | Real):
-            yield constant.value
-    yield float(facts.initial(address) or 0)
+def _given_numbers(facts: Facts, address: Address) -> Iterator[int | float]:
+    """The constants that copies put into a register, and what it and those that it is a copy of begin with."""
+    yield from (put.value for put in origins(facts, address) if isinstance(put, Integer | Real))
+    yield from (float(facts.initial(one) or 0) for one in origin_registers(facts, address) if one.bank == "DF")
 
 
-def _copied_registers(facts: Facts, address: Address) -> Iterator[Address]:
-    """The registers that copies put into a register."""
-    for writer in facts.writers(address):
-        if writer.spec in (COPY, COPY_FILL, COPY_BLOCK):
-            read, written = (
-                [
-                    one
-                    for touch in touches(writer.action)
-                    if touch.is_written is side
-                    for one in addresses_of(touch.operand)
-                ]
-                for side in (False, True)
-            )
-            yield from (one for one, other in zip(cycle(read), written, strict=False) if other == address)
+# -- where a value comes from -----------------------------------------------------------------------------------------
+
+
+def _is_inexact(facts: Facts, by_pointer: list[Placed], one: Single, other: Single) -> bool:
+    """True for a register that may hold a measured or calculated value.
+
+    It does not where copies alone write it, and give it constants, what a panel writes, or whole numbers. These are no
+    use where it is compared with a fraction.
+    """
+    if not isinstance(one, Cell) or one.bank != "DF":
+        return False
+    is_fraction = isinstance(other, Real) and not other.value.is_integer()
+    seen = {one.address}
+    waiting = [one.address]
+    while waiting:
+        at = waiting.pop()
+        for writer in (*facts.writers(at), *by_pointer):
+            put = put_in(writer, at)
+            if isinstance(put, Cell) and put.bank == "DF":
+                if put.address not in seen:
+                    seen.add(put.address)
+                    waiting.append(put.address)
+            elif isinstance(put, Cell | Pointer):
+                if is_fraction or BANKS[put.bank].kind not in _WHOLE:
+                    return True
+            elif put is None and (is_fraction or not _is_whole(writer)):
+                return True
+    return False
+
+
+def _goes_by_pointer(placed: Placed) -> bool:
+    target = placed.action.args["destination"] if placed.spec is COPY else None
+    return isinstance(target, Pointer) and target.bank == "DF"
+
+
+def _is_whole(writer: Placed) -> bool:
+    """True for a formula that adds, subtracts and multiplies whole numbers."""
+    formula = writer.action.args.get("formula")
+    return isinstance(formula, FormulaText) and all(map(_stays_whole, walk(formula.formula)))
+
+
+def _stays_whole(node: Node) -> bool:
+    if isinstance(node, Number):
+        return float(node.value).is_integer()
+    if isinstance(node, Operand):
+        return BANKS[node.ref.bank].kind in _WHOLE
+    if isinstance(node, Sum):
+        return BANKS[node.range.bank].kind in _WHOLE
+    return not isinstance(node, Pi | Call) and not (isinstance(node, Binary) and node.op not in ("+", "-", "*"))
 
 
 RULE = Rule(
@@ -89,11 +123,15 @@ number that is asked for: `df.Level == 2.5` may stay off for ever at 2.4999998, 
 margin instead: `all(df.Level > 2.49, df.Level < 2.51)`.
 
 Equality is fine, and the rule quiet, with 0, with a number that the program itself copies into the register or declares
-as its initial value, and between a register and its copy: that is how a change of a setpoint is found.
+as its initial value, and between a register and its copy: that is how a change of a setpoint is found. So it is with
+registers that nothing in the program writes, since a panel writes the very number, and with whole numbers in registers
+that are copied or added up from whole numbers alone.
 """,
     wrong=(
         Wrong(
             """
+if True:
+    calc("sd[1] * 0.1", df.Level)
 if df.Level == 2.5:  # <-
     set(c.Half)
 if all(c.Run, df.Level != df.Target):  # <-
@@ -105,6 +143,8 @@ if ds.Percent == df.Level:  # <-
     ),
     right=(
         """
+if True:
+    calc("sd[1] * 0.1", df.Level)
 if all(df.Level > 2.49, df.Level < 2.51):
     set(c.Half)
 if any(df.Level == 0.0, df.Level == 0, df.Level, df.Level >= 2.5):
@@ -113,16 +153,29 @@ if any(df.Level == 0.0, df.Level == 0, df.Level, df.Level >= 2.5):
         """
 if c.Clear:
     copy(-1.0, df.Found)
+if x.Measure:
+    calc("sd[1] * 0.1", df.Found)
 if df.Found != -1.0:
     set(c.Seen)
+""",
+        """
 if df.Setpoint != df.Last:
     copy(df.Setpoint, df.Last)
 if any(df[1] != df[11], df[12] == df[2]):
     copy_block(df[1:5], df[11])
+if True:
+    receive(ModbusTcpTarget(ip="192.168.1.10"), "DF1", df[1:5])
 """,
         """
+if df.Recipe == 2.5:
+    set(c.Fine)
+if x.Part:
+    calc("ds.Rows * ds.Columns", df.Pieces)
+if df.Pieces == 24:
+    set(c.Full)
 if ds.Percent == 50:
     set(c.Half)
 """,
     ),
+    holds_in_parts=True,
 )

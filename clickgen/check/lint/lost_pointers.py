@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
-from clickgen.check.facts import Facts, Placed
-from clickgen.check.logic import are_exclusive, implies
+from bisect import bisect_left
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from clickgen.check.facts import FIRST_SCAN, Facts, Placed
+from clickgen.check.logic import are_exclusive, implies, terms_of
 from clickgen.check.rule import Rule, Wrong
-from clickgen.device.banks import BANKS
+from clickgen.check.uses import addresses_of
+from clickgen.device.banks import BANKS, Address
 from clickgen.diagnostics import Diagnostics, Label
+from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
 from clickgen.instructions.copies import COPY, COPY_FILL
-from clickgen.ir.conditions import Compare
-from clickgen.ir.operands import Cell, Integer, Pointer
+from clickgen.ir.conditions import All, Any, Compare, Condition, Contact
+from clickgen.ir.operands import Cell, Immediate, Integer, Operand, Pointer, form_of
+from clickgen.ir.program import Routine
 from clickgen.ir.reach import touches
-from clickgen.ir.walk import leaves
+from clickgen.ir.walk import condition_operands, leaves
 
 CODE = "CG518"
+
+_BARRIERS = (CALL, END, RETURN, FOR, NEXT)
+_WRITERS_MAX = 8
+"""Of more instructions that write a register only the nearest are looked at."""
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
@@ -21,68 +32,226 @@ def check(facts: Facts, problems: Diagnostics) -> None:
     # Where pointers write DS registers, any of them may write the pointer's own.
     if not through or facts.uses.is_pointed("DS", True):
         return
-    for placed in facts.actions:
-        if id(placed.action) in through:
+    registers = _Registers(facts)
+    rung, since = None, 0
+    for place, placed in enumerate(facts.actions):
+        if placed.rung is not rung or placed.spec in _BARRIERS:
+            rung, since = placed.rung, place
+        if id(placed.action) in through and placed.loop is None:
             pointers = {touch.operand: None for touch in touches(placed.action) if isinstance(touch.operand, Pointer)}
             for pointer in pointers:
                 if isinstance(pointer.register, Cell):
-                    _judge(facts, problems, placed, pointer, pointer.register)
+                    use = _Use(placed, place, since, pointer, pointer.register)
+                    found = _find(facts, use, registers.of(pointer.register.address))
+                    if found:
+                        _report(facts, problems, use, *found)
 
 
-def _judge(facts: Facts, problems: Diagnostics, placed: Placed, pointer: Pointer, register: Cell) -> None:
-    bank = BANKS[pointer.bank]
-    for writer, number in _numbers(facts, placed, register):
-        # What CLICK does then: click-facts, section 8, "Bad pointer".
-        if not bank.has(number):
-            problems.add(
-                CODE,
-                pointer.span,
-                f"{facts.shown(register.address)} is {number} after {writer.action.span.seen_from(pointer.span)}, and "
-                f"there is no {bank.name}{number}: CLICK skips this and sets SC44 (_Address_Error)",
-                f"{bank.name} has {bank.describe_range()}: give the pointer such a number first, or test it in the "
-                "condition of this rung",
-                (Label(writer.action.span, f"{number} comes from here"),),
-            )
-            return
+class _Use(NamedTuple):
+    """A pointer and where it stands. ``since``: from that place on, only its own rung's instructions run before it."""
+
+    placed: Placed
+    place: int
+    since: int
+    pointer: Pointer
+    register: Cell
+
+    @property
+    def condition(self) -> Condition:
+        return self.placed.condition
+
+    def leads_nowhere(self, number: int) -> bool:
+        return not BANKS[self.pointer.bank].has(number)
+
+    def finds(self, number: int) -> Condition:
+        """That the use runs and finds this number, for all that its own rung asks of the register."""
+        span = self.register.span
+        return All((self.condition, Compare("==", self.register, Integer(number, span), span)), span)
 
 
-def _numbers(facts: Facts, placed: Placed, register: Cell) -> list[tuple[Placed, int]]:
-    """The numbers that the register has when the action runs, with their writers; none where that is not sure."""
-    writers = [(writer, _constant(writer)) for writer in facts.writers(register.address)]
-    known = [(writer, number) for writer, number in writers if number is not None]
-    if len(known) < len(writers):
-        return []
-    before = [(writer, number) for writer, number in known if _runs_before(writer, placed)]
-    for index in range(len(before) - 1, -1, -1):
-        writer = before[index][0]
-        if implies(placed.condition, writer.condition) and not writer.action.flag("oneshot"):
-            return before[index:]
-    if _is_asked_elsewhere(facts, placed, register):
-        return []
-    return [
-        (writer, number)
-        for writer, number in known
-        if not are_exclusive(placed.condition, Compare("==", register, Integer(number, register.span), register.span))
-        # A block is cleared whoever fills it.
-        and not (writer.spec is COPY_FILL and number == 0)
-    ]
+class _Writer(NamedTuple):
+    """An action that gives a register a number, always the same; ``place`` is its place in the program."""
+
+    placed: Placed
+    condition: Condition
+    place: int
+    number: int
+
+    @property
+    def clears_block(self) -> bool:
+        """A block is cleared whoever fills it."""
+        return self.placed.spec is COPY_FILL and self.number == 0
+
+    def surely_runs_with(self, use: _Use) -> bool:
+        """True when the writer runs whenever the use does, as far as their conditions are looked at together."""
+        if self.placed.action.flag("oneshot"):
+            return False
+        held = {id(term) for term in terms_of(use.condition)}
+        asked = tuple(term for term in terms_of(self.condition) if id(term) not in held)
+        return not asked or implies(use.condition, All(asked, asked[0].span))
 
 
-def _constant(writer: Placed) -> int | None:
-    """The number that an action writes, when that is always the same."""
-    source = writer.action.args.get("source")
-    return source.value if writer.spec in (COPY, COPY_FILL) and isinstance(source, Integer) else None
+class _Register(NamedTuple):
+    """What the program does with the register of a pointer. Without writers nothing is known of it."""
+
+    writers: tuple[_Writer, ...] = ()
+    home: Routine | None = None
+    """The routine that has all writers outside of loops, when every scan runs it."""
+    end: int = 0
+    """The place in it from which on an ``end()`` or ``return`` may keep things from running; no writer is behind."""
+    is_open: bool = False
+    """True when nothing that the program writes decides which writers run."""
+    asked: frozenset[int] = frozenset()
+    """The contacts and comparisons that look at the register."""
 
 
-def _runs_before(writer: Placed, placed: Placed) -> bool:
-    return writer.rung is placed.rung and writer.action.span[1:3] < placed.action.span[1:3]
+def _report(facts: Facts, problems: Diagnostics, use: _Use, writer: _Writer, is_sure: bool) -> None:
+    span, bank, number = use.pointer.span, BANKS[use.pointer.bank], writer.number
+    there = writer.placed.action.span.seen_from(span)
+    said = f"is {number} after {there}" if is_sure else f"may still be {number} from {there}"
+    # What CLICK does then: click-facts, section 8, "Bad pointer".
+    problems.add(
+        CODE,
+        span,
+        f"{facts.shown(use.register.address)} {said}, and there is no {bank.name}{number}: "
+        f"CLICK {'' if is_sure else 'then '}skips this and sets SC44 (_Address_Error)",
+        f"{bank.name} has {bank.describe_range()}: give the pointer such a number first, or test it in the condition "
+        "of this rung",
+        (Label(writer.placed.action.span, f"{number} comes from here"),),
+    )
 
 
-def _is_asked_elsewhere(facts: Facts, placed: Placed, register: Cell) -> bool:
-    """True when some other condition looks at the register: it may keep wrong numbers from coming here."""
-    own = {id(leaf) for leaf in leaves(placed.condition)}
-    reads = facts.uses.reads(register.address)
-    return any(use.leaf is not None and id(use.leaf) not in own for use in reads)
+class _Registers:
+    """Each register of a pointer, looked at once."""
+
+    def __init__(self, facts: Facts) -> None:
+        self._facts = facts
+        self._known: dict[Address, _Register] = {}
+        self._places = {id(placed.action): place for place, placed in enumerate(facts.actions)}
+        self._ends: dict[int, int] = {}
+        """The place of each routine's first ``end()`` or ``return``: what stands behind it may not run."""
+        for place, placed in enumerate(facts.actions):
+            if placed.spec in (END, RETURN):
+                self._ends.setdefault(id(placed.routine), place)
+
+    def of(self, address: Address) -> _Register:
+        if address not in self._known:
+            self._known[address] = self._look_at(address)
+        return self._known[address]
+
+    def _look_at(self, address: Address) -> _Register:
+        writers = []
+        for placed in self._facts.writers(address):
+            source = placed.action.args.get("source")
+            if placed.spec not in (COPY, COPY_FILL) or not isinstance(source, Integer):
+                return _Register()
+            writers.append(_Writer(placed, placed.condition, self._places[id(placed.action)], source.value))
+        if not writers:
+            return _Register()
+        writers.sort(key=lambda writer: writer.place)
+        end = self._ends.get(id(writers[0].placed.routine), len(self._places))
+        home = self._home(writers) if writers[-1].place < end else None
+        is_open = len(writers) <= _WRITERS_MAX and all(_is_free(self._facts, each.condition) for each in writers)
+        asked = frozenset(id(use.leaf) for use in self._facts.uses.reads(address) if use.leaf is not None)
+        return _Register(tuple(writers), home, end, is_open, asked)
+
+    def _home(self, writers: Sequence[_Writer]) -> Routine | None:
+        home = writers[0].placed.routine
+        if any(writer.placed.routine is not home or writer.placed.loop for writer in writers):
+            return None
+        calls = self._facts.calls.get(home.name, ())
+        return home if home.is_main or (calls and all(call.is_unconditional for call in calls)) else None
+
+
+# -- which number arrives ---------------------------------------------------------------------------------------------
+
+
+def _find(facts: Facts, use: _Use, register: _Register) -> tuple[_Writer, bool] | None:
+    """The writer of a number that leads nowhere and is there when the use runs, and whether that is always so."""
+    index = bisect_left(register.writers, use.place, key=lambda writer: writer.place)
+    before = register.writers[max(0, index - _WRITERS_MAX) : index]
+    is_home = use.placed.routine is register.home and use.place < register.end
+    is_open = is_home and register.is_open and _is_free(facts, use.condition, use.register.address)
+    may_stay = is_open and _is_left_alone(use, register)
+    later: list[Condition] = []
+    for writer in reversed(before):
+        is_near = writer.place >= use.since
+        if not (is_near or is_open or (is_home and writer.placed.is_unconditional)):
+            return None
+        if are_exclusive(use.condition, writer.condition):
+            continue
+        is_sure = writer.surely_runs_with(use)
+        if use.leads_nowhere(writer.number):
+            if not later and (is_near or (is_sure and _is_possible(use.finds(writer.number)))):
+                return writer, is_sure
+            if may_stay and _comes_from(writer, use, later):
+                return writer, False
+        if is_sure:
+            return None
+        later.append(writer.condition)
+    return _left_from_before(use, register.writers, index) if may_stay else None
+
+
+def _comes_from(writer: _Writer, use: _Use, later: Sequence[Condition]) -> bool:
+    """True when the writer may run and the use find its number, while none of the later writers runs."""
+    condition = All((use.finds(writer.number), writer.condition), use.register.span)
+    return not writer.clears_block and _is_possible(condition, later)
+
+
+def _left_from_before(use: _Use, writers: Sequence[_Writer], index: int) -> tuple[_Writer, bool] | None:
+    """The writer whose number may be left from an earlier scan: the ``index`` writers before the use do not run."""
+    before = [writer.condition for writer in writers[:index]]
+    starts = [use.condition] if use.placed.action.flag("oneshot") else []
+    for number, writer in enumerate(writers, 1):
+        after = [other.condition for other in writers[number:]]
+        if (
+            use.leads_nowhere(writer.number)
+            and not writer.clears_block
+            and _is_possible(writer.condition, [*after, *starts])
+            and _is_possible(use.finds(writer.number), before)
+        ):
+            return writer, False
+    return None
+
+
+def _is_left_alone(use: _Use, register: _Register) -> bool:
+    """True when the program gives the register good numbers too, and looks at it nowhere but in the use's condition.
+
+    What the program only clears is a panel's, and another condition may keep wrong numbers from the use. A bit that is
+    looked at both for its edge and its level goes on and off in an order that the conditions alone do not tell.
+    """
+    own = {id(leaf) for leaf in leaves(use.condition)}
+    has_good = not all(use.leads_nowhere(writer.number) for writer in register.writers)
+    conditions = [use.condition, *(writer.condition for writer in register.writers)]
+    return has_good and register.asked <= own and _edges_agree(conditions)
+
+
+def _edges_agree(conditions: Iterable[Condition]) -> bool:
+    edges: dict[Address, str] = {}
+    contacts = (leaf for condition in conditions for leaf in leaves(condition) if isinstance(leaf, Contact))
+    return all(
+        edges.setdefault(address, contact.edge) == contact.edge
+        for contact in contacts
+        for address in addresses_of(contact.operand)
+    )
+
+
+def _is_free(facts: Facts, condition: Condition, besides: Address | None = None) -> bool:
+    """True when a condition looks at nothing that the program or CLICK changes, one register and the start aside."""
+    return all(
+        _stays(facts, operand) or addresses_of(operand) == [besides] for operand in condition_operands(condition)
+    )
+
+
+def _stays(facts: Facts, operand: Operand) -> bool:
+    if isinstance(operand, Immediate) or facts.uses.may_be_written(operand):
+        return False
+    return form_of(operand) not in ("SC", "SD") or addresses_of(operand) == [FIRST_SCAN]
+
+
+def _is_possible(condition: Condition, others: Sequence[Condition] = ()) -> bool:
+    """True when the condition may hold while none of the others does."""
+    return not implies(condition, Any(tuple(others), condition.span))
 
 
 RULE = Rule(
@@ -92,9 +261,12 @@ RULE = Rule(
 A pointer whose register holds 0, or a number beyond the bank, leads nowhere: CLICK skips the copy, sets SC44 and goes
 on with the old value. Nothing on the panel says why a recipe did not load.
 
-The rule speaks only where the program itself writes such a number: every write of the register is a constant, none goes
-through a pointer, and no condition anywhere else looks at the register. What a panel writes is not known, so a register
-that the program never writes is left alone, and so is one that a calculation writes.
+The rule speaks only where the program itself writes such a number: every write of the register is a constant, and none
+goes through a pointer. It says that the number is there where the write surely runs before the pointer in the same
+scan. It says that the number may still be there where nothing but inputs and what a panel writes decides which of the
+writes comes last, and no other condition looks at the register: then nothing in the program keeps the number away. A
+register that the program only clears, never writes, or calculates, is left alone: who gives it its numbers is not
+known.
 """,
     wrong=(
         Wrong(

@@ -8,6 +8,7 @@ from clickgen.check.rule import Rule, Wrong
 from clickgen.device.banks import Address
 from clickgen.device.system import ALWAYS_ON
 from clickgen.diagnostics import Diagnostics, Label
+from clickgen.instructions import communication
 from clickgen.ir.conditions import Any, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine
@@ -49,7 +50,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 def _when(facts: Facts, routine: Routine) -> Any | None:
     """When a subroutine is called; None when that is in every scan, or never."""
     calls = facts.calls.get(routine.name, ())
-    conditions = tuple(call.condition for call in calls)
+    conditions = tuple(facts.seen_through(call.condition) for call in calls)
     never = Contact(Cell(ALWAYS_ON, routine.span), routine.span, negated=True)
     if not calls or always_holds(Any((*conditions, never), routine.span)):
         return None
@@ -58,9 +59,12 @@ def _when(facts: Facts, routine: Routine) -> Any | None:
 
 def _changes_without(facts: Facts, address: Address, name: str, sometimes: dict[str, Any]) -> bool:
     """True when a bit may change in a scan in which the subroutine does not run."""
-    writers = {use.routine.name for use in facts.uses.writes(address)}
+    uses = facts.uses.writes(address)
+    writers = {use.routine.name for use in uses}
     if not writers or facts.uses.is_pointed(address.bank, True):
         return True
+    if any(use.action and use.action.spec in communication.SPECS for use in uses):
+        return True  # A message ends in its own time.
     return not all(
         writer == name or (writer in sometimes and implies(sometimes[writer], sometimes[name])) for writer in writers
     )
@@ -77,8 +81,9 @@ edge as soon as the subroutine runs again, so that a machine starts when somebod
 Take the edge in main, where every scan sees it. `set` a bit there when the press must not be lost, and let the
 subroutine reset it; `out` a bit there when a press in another mode must count for nothing.
 
-Bits that change only while the subroutine runs too, and the ticks of CLICK's clocks, are left alone. A conditional
-`end()` or `return` in front is not seen.
+Bits that change only while the subroutine runs too, and the ticks of CLICK's clocks, are left alone. What `send` and
+`receive` report changes in its own time, so it may change in between wherever they stand. A conditional `end()` or
+`return` in front is not seen.
 """,
     wrong=(
         Wrong(
@@ -100,6 +105,25 @@ def manual():
         set(y.Horn)
     if re(x.Part):  # <-
         ctu(ct.Parts, 10, reset=lambda: fe(c.Hold))  # <-
+    if True:
+        return
+"""
+        ),
+        Wrong(
+            """
+def main():
+    if c.Online:
+        call(talk)
+    if True:
+        end()
+
+
+@sub
+def talk():
+    if sc._1sec_Clock:
+        receive(ModbusTcpTarget(ip="192.168.1.10"), "DS1", ds[1:5], success=c.Received)
+    if re(c.Received):  # <-
+        set(c.New)
     if True:
         return
 """

@@ -13,6 +13,9 @@ from clickgen.ir.conditions import All, Any, Compare, Condition
 
 CODE = "CG507"
 
+_NAMED_MAX = 4
+"""So many terms that exclude each other a message names."""
+
 
 def check(facts: Facts, problems: Diagnostics) -> None:
     for site in facts.sites:
@@ -78,23 +81,43 @@ def _never_alone(part: Condition, is_leg: bool) -> Iterator[_Found]:
 def _report(
     facts: Facts, problems: Diagnostics, site: Site, part: Condition, beside: tuple[Condition, ...], is_leg: bool
 ) -> None:
-    own = terms_of(part)[:MANY]
-    pairs = [*combinations(own, 2), *((one, other) for other in terms_of(*beside)[:MANY] for one in own)]
-    pair = next((pair for pair in pairs if are_exclusive(*pair)), None)
-    labels: tuple[Label, ...] = ()
     help = "correct one of them; for one or the other write any(...)"
+    labels: tuple[Label, ...] = ()
     if isinstance(part, Compare) and decided(part) is False:
         fault = f"{facts.described(part)} is never true ({value_of(part)})"
         help = "correct the constant, or leave the comparison out"
-    elif pair is None:
-        fault = f"{facts.described(part)} is never true together with all that is in series with it"
     else:
-        fault = f"{facts.described(pair[0])} and {facts.described(pair[1])} are never true together"
-        if pair[1] not in own:
-            labels = (Label(pair[1].span, "in series with it"),)
-        if pair[1] in terms_of(*site.above):
+        own = terms_of(part)
+        terms = _at_odds(own, terms_of(*beside))
+        fault = f"{_listed([facts.described(term) for term in terms])} never true{' together' * (len(terms) > 1)}"
+        outer = [term for term in terms if not any(term is one for one in own)]
+        labels = tuple(Label(term.span, "in series with it") for term in outer)
+        above = terms_of(*site.above)
+        if any(term is one for term in outer for one in above):
             help = "correct one of them, or give the branch a rung of its own"
     problems.add(CODE, part.span, f"{fault}, so {_consequence(site, is_leg)}", help, labels)
+
+
+def _at_odds(own: tuple[Condition, ...], beside: tuple[Condition, ...]) -> list[Condition]:
+    """The fewest of these terms that are still never true together: two where two say it."""
+    near, far = own[:MANY], beside[:MANY]
+    pairs = [*combinations(near, 2), *((one, other) for other in far for one in near)]
+    for pair in pairs:
+        if are_exclusive(*pair):
+            return list(pair)
+    kept = [*own, *beside]
+    for term in reversed(kept[:]):
+        rest = [one for one in kept if one is not term]
+        if rest and are_exclusive(*rest):
+            kept = rest
+    return kept
+
+
+def _listed(shown: list[str]) -> str:
+    """Some terms as the subject of a sentence: up to four of them by name."""
+    if len(shown) > _NAMED_MAX:
+        shown = [*shown[: _NAMED_MAX - 1], f"{len(shown) - _NAMED_MAX + 1} more"]
+    return f"{shown[0]} is" if len(shown) == 1 else f"{', '.join(shown[:-1])} and {shown[-1]} are"
 
 
 def _consequence(site: Site, is_leg: bool) -> str:

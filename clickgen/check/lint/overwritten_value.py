@@ -2,23 +2,23 @@
 
 from __future__ import annotations
 
-import operator
 from collections import defaultdict
 from typing import NamedTuple
 
 from clickgen.check.facts import Facts, Placed
-from clickgen.check.logic import can_hold, implies
+from clickgen.check.logic import can_hold, implies, terms_of
 from clickgen.check.rule import Rule, Wrong
 from clickgen.check.uses import Use, addresses_of, extents_of
-from clickgen.device.banks import BANKS, Address, parse_address
+from clickgen.device.banks import BANKS, TWIN_BANKS, Address, parse_address, points_of
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.formula.nodes import Binary, Call, walk
 from clickgen.instructions import communication, copies, maths
 from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
-from clickgen.instructions.copies import COPY_BLOCK, COPY_PACK
-from clickgen.instructions.spec import BITS, COPY_FLAGS, MATH_FLAGS
-from clickgen.ir.conditions import All, Condition
-from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range, form_of
+from clickgen.instructions.copies import COPY, COPY_PACK
+from clickgen.instructions.spec import BITS, COPY_FLAGS, MATH_FLAGS, TEXT
+from clickgen.instructions.spec import CODE as CHARACTER
+from clickgen.ir.conditions import Condition
+from clickgen.ir.operands import Cell, Constant, Immediate, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action, FormulaText
 from clickgen.ir.walk import condition_operands, leaves
 
@@ -29,11 +29,12 @@ _BARRIERS = frozenset(spec.name for spec in (CALL, END, RETURN, FOR, NEXT))
 """What runs behind these is not what stands behind them."""
 _MESSAGES = frozenset(spec.name for spec in communication.SPECS)
 _BANKS = ("C", "DS", "DD", "DH", "DF", "TXT")
-_VOLATILE = ("T", "TD", "SC", "SD")
-"""Banks that may change between two rungs although no instruction there writes them."""
+_VOLATILE = ("T", "TD", "CT", "SC", "SD")
+"""Banks that may change between two rungs although no instruction there names them."""
 _CERTAIN = ("+", "-", "*", "/", "AND", "OR", "XOR", "LSH", "RSH", "LRO", "RRO")
 """The operators that give a result whatever their operands are (click-facts, section 4)."""
-_FLAGS = frozenset(map(parse_address, (*COPY_FLAGS, *MATH_FLAGS, "SC46")))
+_COPY_FLAGS = frozenset(filter(None, map(parse_address, COPY_FLAGS)))
+_FLAGS = _COPY_FLAGS | frozenset(filter(None, map(parse_address, (*MATH_FLAGS, "SC46"))))
 """The system bits that a write may be there for, its value aside; SC46 is CLICK's _Math_Operation_Error."""
 _RUNGS_MAX = 20
 _RANGES_MAX = 8
@@ -50,7 +51,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         else:
             touched[id(use.action)].append(use)
             if use.is_written and use.action.spec.name in _MESSAGES:
-                arriving.update(addresses_of(use.operand))
+                arriving |= _with_points(use.operand)
     walk = _Walk(facts, problems, arriving)
     routine, rung = None, None
     for placed in facts.actions:
@@ -78,11 +79,15 @@ class _Walk:
         self._facts = facts
         self._problems = problems
         self._arriving = arriving
-        """What other devices write, in their own time."""
+        """What other devices write, in their own time, with the points of words."""
+        self._flags = frozenset(flag for flag in _FLAGS if facts.uses.reads(flag))
+        """The flags that the program looks at anywhere."""
         self._cells: dict[str, dict[int, _Write]] = defaultdict(dict)
         self._ranges: dict[str, list[_Write]] = defaultdict(list)
         self._changed: list[list[tuple[str, int, int]]] = []
         """What each rung has written: bank, first and last number."""
+        self._left: set[int] = set()
+        """The rungs with a call or a loop: behind it their conditions may not hold any more."""
 
     def enter(self, looked_at: list[Operand]) -> None:
         """Every condition of a rung is looked at before its first action, those of pins too."""
@@ -93,6 +98,7 @@ class _Walk:
     def run(self, placed: Placed, touched: list[Use]) -> None:
         if placed.spec.name in _BARRIERS or placed.loop:
             self._forget()
+            self._left.add(id(placed.rung))
             return
         for use in touched:
             if not use.is_written:
@@ -107,14 +113,10 @@ class _Walk:
         if isinstance(operand, Pointer):
             self._cells.pop(operand.bank, None)
             self._ranges.pop(operand.bank, None)
-        elif isinstance(operand, Cell):
-            if operand.address in _FLAGS:
-                self._forget()
-            self._drop(operand.bank, operand.address.number, operand.address.number)
-        elif isinstance(operand, Range):
-            if operand.bank == "SC" and not _FLAGS.isdisjoint(operand.addresses()):
-                self._forget()
-            self._drop(operand.bank, min(operand.first, operand.last), max(operand.first, operand.last))
+        elif form_of(operand) == "SC" and not _FLAGS.isdisjoint(addresses_of(operand)):
+            self._forget()
+        for bank, first, last in extents_of(operand):
+            self._drop(bank, first, last)
 
     def _forget(self) -> None:
         self._cells.clear()
@@ -128,9 +130,7 @@ class _Walk:
             self._ranges[bank] = [write for write in ranges if write.last < first or last < write.first]
 
     def _cells_in(self, bank: str, first: int, last: int) -> list[_Write]:
-        cells = self._cells.get(bank)
-        if not cells:
-            return []
+        cells = self._cells.get(bank, {})
         if first == last:
             return [cells[first]] if first in cells else []
         return [write for number, write in cells.items() if first <= number <= last]
@@ -139,7 +139,8 @@ class _Walk:
 
     def _write(self, placed: Placed, operand: Operand) -> None:
         if isinstance(operand, Pointer):
-            self._changed[-1].append((operand.bank, 0, BANKS[operand.bank].last))
+            banks = [operand.bank, TWIN_BANKS.get(operand.bank, operand.bank)]
+            self._changed[-1] += [(bank, 0, BANKS[bank].last) for bank in banks]
             return
         self._changed[-1] += extents_of(operand)
         is_copied = placed.spec.name in _WRITERS
@@ -149,17 +150,19 @@ class _Walk:
             if is_copied and _replaces(placed.action):
                 self._judge(placed, bank, first, last)
             self._drop(bank, first, last)
+            if not is_copied or _becomes_text(placed.action):
+                continue
             write = _Write(placed, first, last, len(self._changed))
-            if is_copied and first == last:
+            if first == last:
                 self._cells[bank][first] = write
-            elif is_copied:
+            else:
                 self._ranges[bank] = [*self._ranges[bank][1 - _RANGES_MAX :], write]
 
     def _judge(self, placed: Placed, bank: str, first: int, last: int) -> None:
         lost = self._cells_in(bank, first, last)
         lost += [write for write in self._ranges.get(bank, ()) if first <= write.first and write.last <= last]
         for write in lost:
-            if not self._always_follows(write, placed):
+            if self._is_for_flags(write.placed.action, placed.action) or not self._always_follows(write, placed):
                 continue
             here, there = write.placed.action.span, placed.action.span
             ends = [Address(bank, number) for number in sorted({write.first, write.last})]
@@ -173,6 +176,11 @@ class _Walk:
                 (Label(there, "overwritten here"),),
             )
 
+    def _is_for_flags(self, lost: Action, action: Action) -> bool:
+        """True when the program looks at a flag that the lost action may raise, or that the other one leaves alone."""
+        looked_at = _flags_of(lost) & self._flags
+        return bool(looked_at) and (_may_raise_flags(lost) or not looked_at <= _flags_of(action))
+
     def _always_follows(self, write: _Write, placed: Placed) -> bool:
         """True when the second write runs in every scan in which the first one does."""
         one, other = write.placed.condition, placed.condition
@@ -183,6 +191,8 @@ class _Walk:
         if any(getattr(leaf, "edge", "") for leaf in leaves(other)):
             return False
         if write.placed.rung is not placed.rung:
+            if id(write.placed.rung) in self._left:
+                return False
             changed = [extent for rung in self._changed[write.rung - 1 :] for extent in rung]
             if any(self._may_change(operand, changed) for operand in condition_operands(other)):
                 return False
@@ -191,7 +201,7 @@ class _Walk:
 
     def _may_change(self, operand: Operand, changed: list[tuple[str, int, int]]) -> bool:
         """True when an operand of a condition may have another value after these changes."""
-        if isinstance(operand, Immediate) or not self._arriving.isdisjoint(addresses_of(operand)):
+        if isinstance(operand, Immediate) or not self._arriving.isdisjoint(_with_points(operand)):
             return True
         return any(
             bank in _VOLATILE or any(bank == other and first <= end and start <= last for other, start, end in changed)
@@ -199,14 +209,15 @@ class _Walk:
         )
 
 
+def _with_points(operand: Operand) -> set[Address]:
+    """The addresses of an operand, and the points that its words hold."""
+    return {point for address in addresses_of(operand) for point in (address, *points_of(address))}
+
+
 def _begins_with(path: Condition, other: Condition) -> bool:
     """True when ``path`` is ``other``, or a branch below it: one power flow decides both."""
-    if path is other:
-        return True
-    terms = path.terms if isinstance(path, All) else ()
-    others = other.terms if isinstance(other, All) else ()
-    starts = bool(others) and len(others) <= len(terms) and all(map(operator.is_, others, terms))
-    return starts or bool(terms and terms[0] is other)
+    terms = {id(term) for term in terms_of(path)}
+    return all(id(term) in terms for term in terms_of(other))
 
 
 def _replaces(action: Action) -> bool:
@@ -219,12 +230,32 @@ def _replaces(action: Action) -> bool:
         return not any(
             isinstance(node, Call) or (isinstance(node, Binary) and node.op not in _CERTAIN) for node in nodes
         )
-    source = action.args["source"]
+    source, target = action.args["source"], form_of(action.args["destination"])
     if action.spec is COPY_PACK and isinstance(source, Range) and form_of(source) in BITS:
         # What becomes of the bits above those that are packed, no source says.
-        return len(source) == (32 if form_of(action.args["destination"]) in ("DD", "DF") else 16)
+        return len(source) == (32 if target in ("DD", "DF") else 16)
     # A text that is no number leaves the target as it is.
-    return action.spec not in (COPY_BLOCK, COPY_PACK) or form_of(source) != "TXT"
+    return not _becomes_text(action) and (form_of(source) != "TXT" or target == "TXT")
+
+
+def _becomes_text(action: Action) -> bool:
+    """True for a number that is copied to a text without a word about how: no source says how much that fills."""
+    if action.spec is not COPY or "options" in action.args or form_of(action.args["destination"]) != "TXT":
+        return False
+    return form_of(action.args["source"]) not in ("TXT", TEXT, CHARACTER)
+
+
+def _flags_of(action: Action) -> frozenset[Address]:
+    """The flags that an instruction may change; a formula changes those of copies too where it reads pointers."""
+    return _FLAGS if action.spec in maths.SPECS else _COPY_FLAGS
+
+
+def _may_raise_flags(action: Action) -> bool:
+    """False for what cannot fail: a constant, or a value of the target's own bank, is copied as it is."""
+    source = action.args.get("source")
+    if isinstance(source, Cell | Range) and source.bank == form_of(action.args["destination"]):
+        return False
+    return not isinstance(source, Constant)
 
 
 RULE = Rule(
@@ -235,8 +266,10 @@ Two instructions write the same address, and whenever the first one runs, the se
 rung or a few rungs further down, before anything has looked at the value. The first one does nothing. Mostly a line
 was copied and its address not changed, so another address misses its value.
 
-The rule speaks only where it is sure: not across a call, an `end()`, a `return` or a loop, not where a pointer may
-read the value, and not where the second instruction is a one-shot or hangs on an edge.
+The rule speaks only where it is sure: not across a call, an `end()`, a `return` or a loop, not where one of these may
+have changed what the conditions look at, not where a pointer may read the value, and not where the second instruction
+is a one-shot, hangs on an edge, or may leave its target as it is. It is silent too where the program looks at a flag
+that the first one may raise, such as SC40 (_Division_Error): the instruction may be there for that.
 """,
     wrong=(
         Wrong(

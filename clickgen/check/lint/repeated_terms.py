@@ -293,4 +293,5 @@ if all(c.Run, re(c.Run)):
     set(c.Started)
 """,
     ),
+    holds_in_parts=True,
 )

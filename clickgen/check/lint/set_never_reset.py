@@ -26,13 +26,15 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         held = [bit for bit in bits if _stays_on(facts, bit)]
         if held:
             one = len(held) == 1
-            until = "for good" if all(map(facts.is_retentive, held)) else "until the PLC restarts"
+            is_for_good = all(map(facts.is_retentive, held))
+            until = "for good" if is_for_good else "until the PLC restarts"
+            meant = "where a panel turns it off" + ("" if is_for_good else ", or where only a restart is to end it")
             problems.add(
                 CODE,
                 placed.action.span,
                 f"{facts.listed(held)} {'is' if one else 'are'} set here and never reset: once on, "
                 f"{'it stays' if one else 'they stay'} on {until}",
-                f"add the reset that ends it; where a panel turns it off, write # clickgen: ignore[{CODE}]",
+                f"add the reset that ends it; {meant}, write # clickgen: ignore[{CODE}]",
             )
 
 

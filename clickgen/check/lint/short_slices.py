@@ -109,4 +109,5 @@ if True:
     copy_pack(x[2:17], dh.AllButFirst)
 """,
     ),
+    holds_in_parts=True,
 )

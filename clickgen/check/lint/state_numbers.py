@@ -73,4 +73,5 @@ if ds.Step == 0:
     out(y.Lamp)
 """,
     ),
+    holds_in_parts=True,
 )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from clickgen.check.copied import origin_registers
 from clickgen.check.facts import Facts
 from clickgen.check.rule import Rule, Wrong
 from clickgen.device.banks import Address, current_value
@@ -26,24 +27,30 @@ def check(facts: Facts, problems: Diagnostics) -> None:
     running = _counting_milliseconds(facts)
     for compare in compares:
         for side, other in ((compare.left, compare.right), (compare.right, compare.left)):
-            if isinstance(side, Cell) and side.address in running and not _is_rest(other):
-                problems.add(
-                    CODE,
-                    compare.span,
-                    f"{facts.shown(side.address)} counts milliseconds, several in each scan, and leaps over values: it "
-                    "may never be equal",
-                    f"compare with {'>=' if compare.op == '==' else '<'}",
-                    fix=_fix(facts, compare, is_left=side is compare.left),
-                )
+            if isinstance(side, Cell) and side.address in running and not _meets(facts, side.address, other):
+                _report(facts, problems, compare, side)
                 break
+
+
+def _report(facts: Facts, problems: Diagnostics, compare: Compare, timer: Cell) -> None:
+    leaps = f"{facts.shown(timer.address)} counts milliseconds, several in each scan, and leaps over values"
+    if compare.op == "==":
+        fix = _fix(facts, compare, is_left=timer is compare.left)
+        problems.add(CODE, compare.span, f"{leaps}: it may never be equal", "compare with >=", fix=fix)
+    else:
+        # < and > are both something else than what is written, so neither is offered as a fix.
+        problems.add(CODE, compare.span, f"{leaps}: it is nearly always different", "compare with < or >")
 
 
 def _has_timer(compare: Compare) -> bool:
     return any(isinstance(side, Cell) and side.bank == "TD" for side in (compare.left, compare.right))
 
 
-def _is_rest(operand: Single) -> bool:
-    return isinstance(operand, Integer) and operand.value in _RESTS
+def _meets(facts: Facts, timer: Address, other: Single) -> bool:
+    """True where equality comes for sure: at the values where a timer rests, and with a copy of the timer."""
+    if isinstance(other, Integer):
+        return other.value in _RESTS
+    return isinstance(other, Cell) and timer in origin_registers(facts, other.address)
 
 
 def _counting_milliseconds(facts: Facts) -> Mapping[Address, None]:
@@ -63,8 +70,7 @@ def _fix(facts: Facts, compare: Compare, is_left: bool) -> Fix | None:
     text = facts.text(gap)
     if text.strip() != compare.op:
         return None
-    op = {"==": ">=", "!=": "<"}[compare.op] if is_left else {"==": "<=", "!=": ">"}[compare.op]
-    return Fix((Edit(gap, text.replace(compare.op, op)),), is_safe=False)
+    return Fix((Edit(gap, text.replace(compare.op, ">=" if is_left else "<=")),), is_safe=False)
 
 
 RULE = Rule(
@@ -73,10 +79,12 @@ RULE = Rule(
     """
 The current value of a timer in milliseconds grows by the length of a scan: 0, 7, 15, 22. It passes most values without
 ever being equal to them, so a step that waits for `td.Cycle == 500` comes on some days and not on others. Ask `>=`
-instead; with `all(td.Cycle >= 500, td.Cycle < 600)` for a window. A timer does not stop at its setpoint either.
+instead; with `all(td.Cycle >= 500, td.Cycle < 600)` for a window. A timer does not stop at its setpoint either. With
+`!=` the same condition is on nearly all the time: ask `<` or `>`, whichever is meant.
 
-Equality with 0 (the timer is at rest) and with 32767 (it counts no further) is fine. So are timers in seconds and
-longer units: they keep each value for many scans. Counters count one by one, and equality meets every value.
+Equality with 0 (the timer is at rest), with 32767 (it counts no further) and with a copy of the value is fine. So are
+timers in seconds and longer units: they keep each value for many scans. Counters count one by one, and equality meets
+every value.
 """,
     wrong=(
         Wrong(
@@ -93,7 +101,7 @@ if c.Run:
     ton(t.Cycle, setpoint=2000)
 if td.Cycle >= 500:  # <-
     set(c.Half)
-if all(c.Run, ds.Wait <= td.Cycle, 900 > td.Cycle):  # <-  # <-
+if all(c.Run, ds.Wait <= td.Cycle, 900 != td.Cycle):  # <-  # <-
     set(c.Late)
 """,
         ),
@@ -136,6 +144,8 @@ if all(td.Cycle >= 500, td.Cycle < 600):
     set(c.Half)
 if any(td.Cycle == 0, td.Cycle != 0, td.Cycle):
     set(c.Seen)
+if td.Cycle != ds.Shown:
+    copy(td.Cycle, ds.Shown)
 """,
         """
 if c.Run:
@@ -150,4 +160,5 @@ if ctd.Parts == 6:
     out(y.Divider)
 """,
     ),
+    holds_in_parts=True,
 )

@@ -29,7 +29,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 CODE,
                 declaration.named.span,
                 f"{facts.shown(declaration.cell.address)} is declared here and the program does not use it",
-                "remove the declaration, or correct the name where it should be used",
+                "remove the declaration, correct the name where it should be used, or write "
+                f"# clickgen: ignore[{CODE}] where a panel or another device uses it",
             )
 
 

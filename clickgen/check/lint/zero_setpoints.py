@@ -108,4 +108,5 @@ if re(x.Part):
     ctud(ct.Stock, setpoint=0).down(re(x.Taken)).reset(c.Clear)
 """,
     ),
+    holds_in_parts=True,
 )

@@ -1,0 +1,127 @@
+"""Members of blocks become addresses: ``ds.Recipe[3]`` a cell, ``ds.Recipe[0:10]`` and ``ds.Recipe`` a range."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from clickgen.device.banks import Address
+from clickgen.diagnostics import Diagnostics, did_you_mean
+from clickgen.formula.printer import source_reference
+from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Operand, Range, Section, Single
+from clickgen.ir.program import Operands, Program, Value
+from clickgen.ir.walk import Rewriter
+from clickgen.resolve.blocks import Block, unclosed_block
+from clickgen.resolve.table import AddressTable
+
+
+def without_members(
+    program: Program, blocks: Mapping[str, Block], table: AddressTable, problems: Diagnostics
+) -> Program:
+    """The program with addresses in the place of blocks and their members.
+
+    What names no member stays a ``Named`` with a part, and has its problem. Where a nickname is spelled like a block,
+    the bare name is the nickname's.
+    """
+    return _Members(blocks, table, problems).program(program)
+
+
+class _Members(Rewriter):
+    def __init__(self, blocks: Mapping[str, Block], table: AddressTable, problems: Diagnostics) -> None:
+        self._blocks = blocks
+        self._table = table
+        self._problems = problems
+
+    # -- where an operand stands --------------------------------------------------------------------------------------
+
+    def cell(self, cell: Named | Cell) -> Named | Cell:
+        """One address is expected."""
+        found = self._found(cell)
+        if isinstance(found, Range):
+            assert isinstance(cell, Named)
+            shown = source_reference(cell)
+            block = source_reference(replace(cell, part=None))
+            return self._refused(cell, f"{shown} is a block of {len(found)} where one address stands", f"{block}[0]")
+        return found
+
+    def operand(self, operand: Operand) -> Operand:
+        """One address or a range is expected."""
+        if isinstance(operand, Named):
+            return self._found(operand)
+        if isinstance(operand, Immediate) and isinstance(operand.target, Named):
+            return Immediate(self._found(operand.target), operand.span)
+        return super().operand(operand)
+
+    def value(self, value: Value) -> Value:
+        if not isinstance(value, Operands):
+            return super().value(value)
+        items: list[Single] = []
+        for item in value.items:
+            found = self._found(item) if isinstance(item, Named) else self.single(item)
+            if isinstance(found, Range):
+                items += [Cell(address, found.span) for address in found.addresses()]
+            else:
+                items.append(found)
+        return Operands(tuple(items), value.span)
+
+    def sum_range(self, operand: Range | Named) -> Range | Named:
+        if isinstance(operand, Range):
+            return operand
+        found = self._found(operand)
+        if isinstance(found, Range):
+            return found
+        if isinstance(found, Named) and found.part is not None:
+            return found
+        self._problems.add(
+            "CG116", operand.span, "SUM adds up one range", "SUM(ds[1:11]) adds up DS1 to DS10; or name a block"
+        )
+        return replace(operand, part=WHOLE)
+
+    # -- what it is ---------------------------------------------------------------------------------------------------
+
+    def _found(self, named: Named | Cell) -> Named | Cell | Range:
+        if isinstance(named, Cell):
+            return named
+        block = self._blocks.get(named.name.lower())
+        if named.part is None and (block is None or named.name.lower() in self._table.by_nickname):
+            return named
+        if block is None:
+            return self._refused(named, *self._no_block(named))
+        if not block.is_seen_as(named.bank):
+            shown = f"{block.bank.lower()}.{block.name}"
+            return self._refused(named, f"{block.name} is the block {shown}, {block}", f"write {shown}")
+        return self._member(named, block)
+
+    def _member(self, named: Named, block: Block) -> Named | Cell | Range:
+        part = WHOLE if named.part is None else named.part
+        shown = source_reference(replace(named, part=None))
+        bounds = [part] if isinstance(part, int) else [bound for bound in (part.start, part.stop) if bound is not None]
+        beyond = block.size - (1 if isinstance(part, int) else 0)
+        if any(not -1 <= bound <= beyond for bound in bounds):
+            count = f"{block.size} members, {shown}[0] to {shown}[{block.size - 1}]"
+            return self._refused(named, f"{shown} has {count}", f"it is {block} ({block.said_by})")
+        if isinstance(part, int):
+            index = part if part >= 0 else block.size - 1
+            return Cell(Address(named.bank, block.first + index), named.span)
+        return self._section(named, block, part)
+
+    def _section(self, named: Named, block: Block, part: Section) -> Named | Range:
+        if part.step not in (1, -1):
+            return self._refused(named, "a range takes every address", "leave the step out, or write -1 for backwards")
+        indices = range(block.size)[slice(*part)]
+        if not indices:
+            return self._refused(named, "this part of the block is empty", "the end of a slice is not included")
+        return Range(named.bank, block.first + indices[0], block.first + indices[-1], named.span)
+
+    def _no_block(self, named: Named) -> tuple[str, str]:
+        shown = source_reference(replace(named, part=None))
+        row = unclosed_block(self._table, named.name)
+        if row is not None:
+            place = self._table.place(row)
+            return f"the block {named.name} in {place} has no end", f"mark its last address </{named.name}>"
+        known = did_you_mean(named.name, [block.name for block in self._blocks.values()])
+        return f"{shown} is no block", known or f"declare it: nickname({shown}, {named.bank.lower()}[1:11])"
+
+    def _refused(self, named: Named, message: str, help: str) -> Named:
+        self._problems.add("CG214", named.span, message, help)
+        return replace(named, part=WHOLE)
