@@ -47,7 +47,7 @@ class Config(NamedTuple):
     file: Path | None = None
     programs: tuple[ProgramSettings, ...] = ()
     reserved: tuple[Address, ...] = ()
-    """Addresses that allocation leaves alone."""
+    """Addresses that allocation leaves alone: what is reserved, and what lies outside of a bank's own settings."""
     check: CheckSettings = CheckSettings()
 
     def program(self, path: Path) -> ProgramSettings:
@@ -128,16 +128,17 @@ class _Table:
         self._tree: Mapping[str, object] = tree
 
     def config(self) -> Config:
-        self._known("programs", "reserved", "check")
+        self._known("programs", "reserved", "allocation", "check")
         root = self._file.parent
         programs = self._list("programs", lambda place, value: self._program(place, value, root))
         paths = [str(program.path) for program in programs]
         for path in paths:
             if paths.count(path) > 1:
                 raise self._error("programs", f"names {path} twice")
-        reserved = tuple(address for run in self._list("reserved", self._addresses) for address in run)
+        reserved = [address for run in self._list("reserved", self._addresses) for address in run]
+        reserved += _Table(self._file, self._key("allocation"), self._tree.get("allocation", {}))._closed()
         check = _Table(self._file, self._key("check"), self._tree.get("check", {})).check()
-        return Config(root, self._file, tuple(programs), reserved, check)
+        return Config(root, self._file, tuple(programs), tuple(dict.fromkeys(reserved)), check)
 
     def check(self) -> CheckSettings:
         self._known("select", "extend-select", "ignore", "exclude", "per-file-ignores")
@@ -164,6 +165,41 @@ class _Table:
         if path is None:
             raise table._error("path", "is missing: it names the program's main file")
         return ProgramSettings(root / path, root / nicknames if nicknames else None, root / output if output else None)
+
+    def _closed(self) -> list[Address]:
+        """The addresses that the settings of each bank close: those to avoid, before its start, outside its ranges."""
+        if not self._tree:
+            return []
+        from clickgen.device.banks import BANKS, Address
+
+        banks = [bank.dsl.upper() for bank in BANKS.values() if bank.allocatable]
+        closed: list[Address] = []
+        for key, value in self._tree.items():
+            if key.upper() not in banks:
+                hint = did_you_mean(key, banks) or f"clickgen chooses addresses in {', '.join(banks)}"
+                raise ConfigError(f"{self._file}: {self._place} has no bank {key}; {hint}")
+            table = _Table(self._file, self._key(key), value)
+            table._known("use", "avoid", "start")
+            used, avoided = (set(table._numbers(name, key.upper())) for name in ("use", "avoid"))
+            start = table._tree.get("start")
+            first = min(table._run_in(table._key("start"), start, key.upper())) if start is not None else 0
+            bank = BANKS[key.upper()]
+            numbers = [
+                n for n in bank.numbers() if n < first or n in avoided or ("use" in table._tree and n not in used)
+            ]
+            closed += (Address(bank.name, number) for number in numbers)
+        return closed
+
+    def _numbers(self, key: str, bank: str) -> Iterable[int]:
+        """The numbers of a list of addresses of one bank."""
+        for run in self._list(key, lambda place, value: self._run_in(place, value, bank)):
+            yield from run
+
+    def _run_in(self, place: str, value: object, bank: str) -> list[int]:
+        addresses = list(self._addresses(place, value))
+        if addresses[0].bank != bank:
+            raise ConfigError(f"{self._file}: {place} must be addresses of {bank}, not {value!r}")
+        return [address.number for address in addresses]
 
     def _addresses(self, place: str, value: object) -> Iterable[Address]:
         from clickgen.device.banks import BANKS, Address

@@ -25,6 +25,7 @@ from clickgen.lower.place import PlaceScratch
 from clickgen.lower.scratch import Scratch
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
+from clickgen.resolve.layers import beside_workbook, is_workbook
 from clickgen.resolve.read_table import TableUnreadable, read_table
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.resolve.rows import Row
@@ -147,8 +148,9 @@ class KnownNames:
 class Settings:
     """What a program is built with beside its own text.
 
-    ``nicknames`` names the address table; None is ``nicknames.csv`` beside the program. ``table_must_exist`` refuses
-    one that is not there. ``frozen`` forbids choosing addresses; ``reserved`` are never chosen. ``overlay`` gives files
+    ``nicknames`` names the address table; None is ``nicknames.csv`` beside the program. A workbook that it names is
+    only read: what it lacks stands in ``nicknames.csv`` beside the program. ``table_must_exist`` refuses one that is
+    not there. ``frozen`` forbids choosing addresses; ``reserved`` are never chosen. ``overlay`` gives files
     contents other than those on disk, by real path. ``wants`` says of a code whether a check should look for it.
     """
 
@@ -168,6 +170,8 @@ class _Build:
     path: Path
     shown: str
     table_path: Path
+    workbook: Path | None
+    """A list of addresses that the table adds to."""
     settings: Settings
     reads: dict[str, bytes | None] = field(default_factory=dict)
     problems: Diagnostics = field(default_factory=Diagnostics)
@@ -240,8 +244,10 @@ def known_names(path: str | os.PathLike[str], settings: Settings | None = None) 
 
 def _run(path: str | os.PathLike[str], settings: Settings, stages: _Stages) -> _Build:
     program = Path(path)
-    table = Path(settings.nicknames) if settings.nicknames is not None else program.parent / TABLE_NAME
-    state = _Build(program, str(path), table, settings)
+    named = Path(settings.nicknames) if settings.nicknames is not None else None
+    workbook = named if named is not None and is_workbook(named) else None
+    table = program.parent / TABLE_NAME if named is None or workbook is not None else named
+    state = _Build(program, str(path), table, workbook, settings)
     for stage, needs_no_errors in stages:
         if needs_no_errors and state.problems.has_errors:
             break
@@ -255,15 +261,28 @@ def _run(path: str | os.PathLike[str], settings: Settings, stages: _Stages) -> _
 def _read_table(state: _Build) -> None:
     path, shown = state.table_path, str(state.table_path)
     data = state.settings.overlay.get(os.path.realpath(path))
-    if data is None and not path.exists() and not path.is_symlink() and not state.settings.table_must_exist:
-        state.table = AddressTable.empty(shown)
-        state.reads[shown] = None
-        return
+    must_exist = state.settings.table_must_exist and state.workbook is None
     try:
-        state.table = read_table(path, shown, state.problems, data)
+        if data is None and not path.exists() and not path.is_symlink() and not must_exist:
+            state.table = AddressTable.empty(shown)
+            state.reads[shown] = None
+        else:
+            state.table = read_table(path, shown, state.problems, data)
+            state.table_before = state.reads[shown] = state.table.to_bytes()
+        if state.workbook is not None:
+            _read_workbook(state, state.workbook)
     except TableUnreadable as error:
         raise CouldNotRun(str(error)) from None
-    state.table_before = state.reads[shown] = state.table.to_bytes()
+
+
+def _read_workbook(state: _Build, path: Path) -> None:
+    from clickgen.resolve.read_workbook import read_workbook
+    from clickgen.resolve.workbook_archive import bytes_of_workbook
+
+    shown = str(path)
+    state.reads[shown] = data = bytes_of_workbook(path, shown)
+    rows = read_workbook(path, shown, state.problems, data)
+    state.table = beside_workbook(state.table, rows, state.problems)
 
 
 def _read_source(state: _Build) -> None:

@@ -104,6 +104,13 @@ per-file-ignores = { "legacy/*.py" = ["CG5"] }
         ("reserved = ['DS9..DS3']", "reserved[0] must be addresses"),
         ("reserved = ['ZZ1']", "reserved[0] must be addresses"),
         ("reserved = ['DS1..DD3']", "reserved[0] must be addresses"),
+        ("[allocation]\nDX = {}", "allocation has no bank DX; did you mean"),
+        ("[allocation]\nSD = {}", "allocation has no bank SD"),
+        ("[allocation]\nDS = 5", "allocation.DS must be a table"),
+        ("[allocation.DS]\nuses = []", "unknown key allocation.DS.uses; did you mean use?"),
+        ("[allocation.DS]\nuse = 'DS1'", "allocation.DS.use must be a list"),
+        ("[allocation.DS]\nuse = ['DD1']", "allocation.DS.use[0] must be addresses of DS, not 'DD1'"),
+        ("[allocation.DS]\nstart = 100", 'allocation.DS.start must be addresses like "DS100"'),
         ("programs = [", "is not TOML"),
     ],
 )
@@ -224,3 +231,27 @@ def test_programs_that_share_a_table_are_written_all_or_none(plant: Path, monkey
     assert main(["build"]) == 2
     assert not (plant / "nicknames.csv").exists()
     assert not (plant / "build" / "a").exists()
+
+
+def test_allocation_keeps_to_the_settings_of_its_bank(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = """
+reserved = ["C1"]
+
+[allocation]
+C = { start = "C3" }
+ds = { use = ["DS10..DS12", "DS20"], avoid = ["DS11"] }
+"""
+    settings(tmp_path, text)
+    monkeypatch.chdir(tmp_path)
+    copies = "".join(f"        copy({number}, ds.R{number})\n" for number in range(3))
+    (tmp_path / "plc.py").write_text(f"def main():\n    if c.A:\n{copies}    if True:\n        end()\n")
+    assert main(["build", "plc.py"]) == 0
+    rows = (tmp_path / "nicknames.csv").read_text("utf-8").splitlines()[1:]
+    assert [row.split(",")[0] for row in rows] == ["C3", "DS10", "DS12", "DS20"]
+    (tmp_path / "plc.py").write_text(
+        "def main():\n    if c.A:\n        copy(1, ds.Fourth)\n    if True:\n        end()\n"
+    )
+    assert main(["build", "plc.py"]) == 1
+    assert "no DS address is free for Fourth" in capsys.readouterr().err

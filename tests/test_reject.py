@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+import csv
 import re
 import shutil
 from pathlib import Path
 from typing import NamedTuple
 
+import openpyxl
 import pytest
 
 import clickgen
 from clickgen.cli import main
 from clickgen.codes import CODES, Severity
 from clickgen.diagnostics import Diagnostic
+from clickgen.source import Span
 
 REJECT = Path(__file__).parents[1] / "fixtures" / "reject"
 PROGRAM, TABLE = "prog.py", "nicknames.csv"
+LIST, WORKBOOK = "io.csv", "io.xlsx"
+"""A workbook stands in a fixture as the rows of its one sheet."""
 
-_EXPECT = re.compile(r"# expect: ((?:CG\d{3} (?:\w+\.py:)?\d+:\d+(?:, )?)+)\n")
+_EXPECT = re.compile(r"# expect: ((?:CG\d{3} (?:\w+\.\w+:)?\d+:\d+(?:, )?)+)\n")
 _FLAGS = re.compile(r"^# flags: (\w+)$", re.MULTILINE)
 
 
@@ -46,9 +51,28 @@ def _lay_out(name: str, folder: Path) -> Path:
     if (REJECT / name).is_dir():
         for path in (REJECT / name).iterdir():
             shutil.copyfile(path, folder / path.name)
+        if (folder / LIST).is_file():
+            _make_workbook(folder / LIST)
     else:
         shutil.copyfile(REJECT / f"{name}.py", program)
     return program
+
+
+def _make_workbook(rows: Path) -> None:
+    """The workbook with one sheet of these rows."""
+    book = openpyxl.Workbook()
+    sheet = book.active
+    assert sheet is not None
+    sheet.title = "IO"
+    for row in csv.reader(rows.read_text("utf-8").splitlines()):
+        sheet.append([field or None for field in row])
+    book.save(rows.with_name(WORKBOOK))
+
+
+def _table_of(program: Path) -> Path | None:
+    """The workbook that the fixture is built with, if it has one."""
+    workbook = program.with_name(WORKBOOK)
+    return workbook if workbook.is_file() else None
 
 
 def _expected(text: str) -> list[Place]:
@@ -82,7 +106,7 @@ def test_exactly_the_expected_problems_come_out(name: str, tmp_path: Path) -> No
     program = _lay_out(name, tmp_path)
     text = program.read_text("utf-8")
     expected = _expected(text)
-    result = clickgen.build(program, frozen=_is_frozen(text))
+    result = clickgen.build(program, nicknames=_table_of(program), frozen=_is_frozen(text))
     assert sorted(map(_found, result.diagnostics)) == expected
     assert _code(name) in {place.code for place in expected}
     for problem in result.diagnostics:
@@ -104,6 +128,9 @@ def _check(problem: Diagnostic) -> None:
     spans = [problem.span, *(label.span for label in problem.labels)]
     for span in spans:
         assert span is not None
+        if span.sheet:
+            assert openpyxl.load_workbook(span.path)[span.sheet].cell(span.line, span.col)
+            continue
         lines = Path(span.path).read_text("utf-8").split("\n")
         assert 1 <= span.line <= span.end_line <= len(lines)
         assert 1 <= span.col <= len(lines[span.line - 1]) + 1
@@ -120,11 +147,15 @@ def test_the_command_writes_nothing_where_there_are_errors(
     before = {path: path.read_bytes() for path in tmp_path.iterdir()}
     out = tmp_path / "out"
     flags = ["--frozen"] if _is_frozen(text) else []
+    workbook = _table_of(program)
+    flags += ["--nicknames", str(workbook)] if workbook else []
     code = main(["build", str(program), "-o", str(out), *flags])
     said = capsys.readouterr().err
     expected = _expected(text)
     for place in expected:
-        assert f":{place.line}:{place.col}: {CODES[place.code].severity.value}[{place.code}]" in said
+        at = (place.line, place.col)
+        where = Span.of_cell("", "IO", *at) if place.file == WORKBOOK else f":{at[0]}:{at[1]}"
+        assert f"{where}: {CODES[place.code].severity.value}[{place.code}]" in said
     if any(CODES[place.code].severity is Severity.ERROR for place in expected):
         assert code == 1
         assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before

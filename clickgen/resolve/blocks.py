@@ -55,7 +55,7 @@ _COLOR = re.compile(r"""\s+bg=["']([^"']+)["']""")
 
 
 def mark_in(comment: str) -> Mark | None:
-    """The first mark in a comment, as ClickNick finds it (pyclickplc, blocks.py). ``< 5 >`` has no letter and is none."""
+    """The first mark in a comment, as ClickNick finds it (pyclickplc, blocks.py); a name has a letter in it."""
     if "<" in comment:
         for match in _MARK.finditer(comment):
             mark = _read_mark(match["word"])

@@ -7,10 +7,19 @@ import io
 import re
 from pathlib import Path
 
-from clickgen.device.banks import BANKS, Address, Kind, parse_address
-from clickgen.device.nicknames import comment_fault, is_click_owned, nickname_fault
+from clickgen.device.banks import BANKS, Address, parse_address
 from clickgen.diagnostics import Diagnostics, Label
-from clickgen.resolve.rows import COLUMNS, HEADER, Row, initial_fault, text_span
+from clickgen.resolve.judge_row import (
+    Fault,
+    address_comment_fault,
+    address_nickname_fault,
+    initial_value_fault,
+    may_share_a_name,
+    no_address,
+    retention_fault,
+    short,
+)
+from clickgen.resolve.rows import COLUMNS, HEADER, Row, text_span
 from clickgen.resolve.table import BOM, AddressTable, Entry
 from clickgen.source import Span
 
@@ -53,7 +62,7 @@ def _bytes_of(path: Path, shown: str) -> bytes:
 
 def _decoded(data: bytes, shown: str) -> tuple[str, bool]:
     if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
-        raise TableUnreadable(f"{shown} is an Excel workbook; save its table as CSV UTF-8 and name that")
+        raise TableUnreadable(f"{shown} is an Excel workbook: give it a name that ends in .xlsx")
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         raise TableUnreadable(f"{shown} is UTF-16 (Excel's Unicode text); save it as CSV UTF-8")
     bom = data.startswith(BOM)
@@ -124,56 +133,26 @@ class _Reader:
         if len(fields) != len(COLUMNS):
             self._malformed(
                 text_span(self.shown, line, raw, 0, len(raw)),
-                f"this row has {len(fields)} field{'s' * (len(fields) != 1)} where {len(COLUMNS)} are expected",
-                f"write {HEADER}, with a nickname or comment that holds a comma between double quotes",
+                Fault(
+                    f"this row has {len(fields)} field{'s' * (len(fields) != 1)} where {len(COLUMNS)} are expected",
+                    f"write {HEADER}, with a nickname or comment that holds a comma between double quotes",
+                ),
             )
             return None
         shown_address, word, nickname, initial, retentive, comment = fields
         address = parse_address(shown_address) if len(shown_address) <= _ADDRESS_MAX else None
         if address is None:
-            self._malformed(
-                _field_span(self.shown, line, raw, _ADDRESS),
-                f"CLICK has no address {_short(shown_address)}",
-                _way_to_an_address(shown_address),
-            )
+            self._malformed(_field_span(self.shown, line, raw, _ADDRESS), no_address(shown_address))
             return None
-
-        bank = BANKS[address.bank]
-        kind = bank.kind
         row = Row(address, nickname, initial, retentive == "Yes", comment, line, raw)
-
-        if word != kind.value:
-            self._malformed(
-                _field_span(self.shown, line, raw, _TYPE),
-                f"{address} is given the data type {_short(word)}",
-                f"write {kind.value}: {bank.name} holds {bank.title}",
-            )
-        if initial != "0" or kind is Kind.TEXT:
-            expected = initial_fault(kind, initial)
-            if expected is not None:
-                self._malformed(
-                    _field_span(self.shown, line, raw, _INITIAL),
-                    f"{address} cannot start with the value {_short(initial)}",
-                    f"write {expected}",
-                )
-            elif bank.name in ("XD", "YD") and int(initial, 16):
-                self._fixed(row, _INITIAL, "0")
-        if retentive != "Yes" and retentive != "No":
-            self._malformed(
-                _field_span(self.shown, line, raw, _RETENTIVE),
-                f"the Retentive field of {address} reads {_short(retentive)}",
-                "write Yes or No",
-            )
-        elif row.retentive and bank.name in ("XD", "YD"):
-            self._fixed(row, _RETENTIVE, "No")
-        if comment:
-            fault = comment_fault(comment)
+        for field, fault in (
+            (_TYPE, _type_fault(address, word)),
+            (_INITIAL, None if initial == "0" else initial_value_fault(address, initial)),
+            (_RETENTIVE, _retentive_fault(address, retentive)),
+            (_COMMENT, address_comment_fault(address, comment) if comment else None),
+        ):
             if fault:
-                self._malformed(
-                    _field_span(self.shown, line, raw, _COMMENT),
-                    f"CLICK does not take the comment of {address}: {fault}",
-                    "shorten the comment" if "takes" in fault else "take the character out of the comment",
-                )
+                self._malformed(_field_span(self.shown, line, raw, field), fault)
         return self._placed(row)
 
     def _placed(self, row: Row) -> Row | None:
@@ -187,25 +166,17 @@ class _Reader:
         name = row.nickname
         if not name:
             return row
-        fault = nickname_fault(name)
-        if fault and is_click_owned(row.address, name):
-            fault = nickname_fault(name, system=True)
+        fault = address_nickname_fault(row.address, name)
         if fault:
-            self.problems.add(
-                "CG603",
-                _field_span(self.shown, row.line, row.raw, _NICKNAME),
-                f"CLICK does not take the nickname {_short(name)} of {row.address}: {fault}",
-                "rename it in CLICK and export again, or rename it here and in the program",
-            )
+            self.problems.add("CG603", _field_span(self.shown, row.line, row.raw, _NICKNAME), *fault)
         holder = self._by_name.setdefault(name.lower(), row)
-        # CLICK itself gives one name to two of its own points now and then (pyclickplc, read_csv).
-        if holder is not row and {holder.address.bank, row.address.bank} - {"SC", "SD"}:
-            spelled = "" if holder.nickname == name else f", there spelled {_short(holder.nickname)}"
+        if holder is not row and not may_share_a_name(holder.address, row.address):
+            spelled = "" if holder.nickname == name else f", there spelled {short(holder.nickname)}"
             self._twice(
                 row,
                 _NICKNAME,
                 holder,
-                f"the nickname {_short(name)} of {row.address} already belongs to {holder.address} "
+                f"the nickname {short(name)} of {row.address} already belongs to {holder.address} "
                 f"on line {holder.line}{spelled}",
                 "give one of the two another nickname; CLICK does not tell capitals from small letters",
             )
@@ -216,13 +187,6 @@ class _Reader:
         here = _field_span(self.shown, row.line, row.raw, field)
         self.problems.add("CG602", here, message, way_out, (Label(there, f"the earlier row, {earlier.address}"),))
 
-    def _fixed(self, row: Row, field: int, expected: str) -> None:
-        self._malformed(
-            _field_span(self.shown, row.line, row.raw, field),
-            f"CLICK lets nobody change the {COLUMNS[field].lower()} setting of {row.address}",
-            f"write {expected}",
-        )
-
     def _unsplittable(self, reason: str, raw: str, line: int) -> None:
         if "field limit" in reason:
             message, way_out = "this row is far too long for a row of nicknames", "look for a quote that is not closed"
@@ -231,10 +195,26 @@ class _Reader:
         else:
             message = "the double quotes of this row do not pair up"
             way_out = 'put nickname and comment between double quotes, and write "" for a quote inside them'
-        self._malformed(text_span(self.shown, line, raw, 0, len(raw)), message, way_out)
+        self._malformed(text_span(self.shown, line, raw, 0, len(raw)), Fault(message, way_out))
 
-    def _malformed(self, span: Span, message: str, way_out: str) -> None:
-        self.problems.add("CG601", span, message, way_out)
+    def _malformed(self, span: Span, fault: Fault) -> None:
+        self.problems.add("CG601", span, *fault)
+
+
+def _type_fault(address: Address, word: str) -> Fault | None:
+    bank = BANKS[address.bank]
+    if word == bank.kind.value:
+        return None
+    return Fault(
+        f"{address} is given the data type {short(word)}",
+        f"write {bank.kind.value}: {bank.name} holds {bank.title}",
+    )
+
+
+def _retentive_fault(address: Address, word: str) -> Fault | None:
+    if word == "Yes" or word == "No":
+        return retention_fault(address, word == "Yes")
+    return Fault(f"the Retentive field of {address} reads {short(word)}", "write Yes or No")
 
 
 def _cut(text: str) -> tuple[str, str]:
@@ -244,23 +224,6 @@ def _cut(text: str) -> tuple[str, str]:
     if text.endswith(("\n", "\r")):
         return text[:-1], text[-1]
     return text, ""
-
-
-def _short(text: str) -> str:
-    """A field for a message: on one line, and not endless."""
-    if not text:
-        return '""'
-    if len(text) > 40:
-        text = text[:40] + "..."
-    return text if text.isprintable() else ascii(text)
-
-
-def _way_to_an_address(text: str) -> str:
-    name = re.match(r"[A-Za-z]{0,4}", text.strip())
-    bank = BANKS.get(name[0].upper()) if name else None
-    if bank is None:
-        return f"the banks are {' '.join(BANKS)}"
-    return f"{bank.name} has {bank.describe_range()}"
 
 
 def _field_span(shown: str, line: int, raw: str, field: int) -> Span:

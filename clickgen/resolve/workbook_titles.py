@@ -1,0 +1,152 @@
+"""Lists in a sheet: found by the titles of their columns."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from enum import Enum
+
+from clickgen.resolve.workbook_cells import Cell, Line
+
+HEADER_ROWS = 50
+"""A sheet whose first list begins further down holds none."""
+
+
+class Field(Enum):
+    """What a column of a list says of an address; the value is how messages call it."""
+
+    ADDRESS = "address"
+    NICKNAME = "nickname"
+    INITIAL = "initial value"
+    RETENTIVE = "retentive setting"
+    COMMENT = "comment"
+
+
+TITLES = {
+    Field.ADDRESS: (
+        "Address, PLC Address, CLICK Address, I/O Address, Tag Address, Memory Address, Addr, "
+        "Adresse, SPS-Adresse, E/A-Adresse, Dirección, Dirección PLC, I/O Point, I/O, Point, Register, Operand"
+    ),
+    Field.NICKNAME: (
+        "Nickname, Nick Name, CLICK Nickname, Tag Name, Tag, Device Tag, PLC Tag, Symbol Name, Symbol, Signal Name, "
+        "Signal, Variable Name, Variable, Label, Name, Signalname, Nombre, Símbolo, Etiqueta"
+    ),
+    Field.INITIAL: (
+        "Initial Value, Initial, Init Value, Init, Start Value, Default Value, Default, "
+        "Anfangswert, Startwert, Initialwert, Valor inicial"
+    ),
+    Field.RETENTIVE: "Retentive, Retain, Retained, Retention, Keep, Remanent, Remanenz, Remanente, Retentivo",
+    Field.COMMENT: (
+        "Address Comment, Comment, Comments, Description, Desc, Function, Text, Remark, Remarks, Note, Notes, "
+        "Kommentar, Beschreibung, Bezeichnung, Funktion, Bemerkung, Bemerkungen, Comentario, Descripción, Función"
+    ),
+}
+"""The titles of each column; where a list has several for one field, the one that stands first here counts."""
+
+
+def _plain(title: str) -> str:
+    """A title without case, spaces, line breaks, punctuation and accents."""
+    letters = unicodedata.normalize("NFKD", title.casefold())
+    return "".join(letter for letter in letters if letter.isalnum())
+
+
+_FIELDS = {
+    _plain(title): (rank, kind) for kind, titles in TITLES.items() for rank, title in enumerate(titles.split(", "))
+}
+_LONGEST = 60
+_IN_BRACKETS = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
+
+
+@dataclass(frozen=True)
+class AddressList:
+    """A list: the line of its titles, the column of each field, and the lines below it."""
+
+    header: Line
+    columns: dict[Field, int]
+    titled: frozenset[int]
+    """The columns that have a title, whatever it says."""
+    lines: list[Line] = field(default_factory=list)
+
+    def cell(self, line: Line, what: Field) -> Cell | None:
+        """What a line says in one field."""
+        return line.cells.get(self.columns.get(what, 0))
+
+    def untitled_neighbour(self, line: Line, what: Field) -> Cell | None:
+        """What stands to the right of a field, where the column there has no title."""
+        column = self.columns[what] + 1
+        return None if column in self.titled else line.cells.get(column)
+
+
+def lists_of(lines: Iterator[Line]) -> list[AddressList]:
+    """The lists of a sheet, from the top; where none begins in its first rows, no further row is read.
+
+    A row with the titles of an address and a nickname begins a list, and ends those before it. Titles may be divided
+    over two rows, and lists with the same titles stand side by side.
+    """
+    found: list[AddressList] = []
+    current: list[AddressList] = []
+    above: Line | None = None
+    for line in lines:
+        if not found and line.number > HEADER_ROWS:
+            break
+        begun = _begun_by(above, line)
+        if begun:
+            _drop_caption(current)
+            found += begun
+            current = begun
+        else:
+            for each in current:
+                each.lines.append(line)
+        above = line
+    return found
+
+
+def _begun_by(above: Line | None, line: Line) -> list[AddressList]:
+    """The lists whose titles end with this line."""
+    own = _titles(line)
+    if not own:
+        return []
+    over = _titles(above) if above and above.number + 1 == line.number else {}
+    # Below a title stands nothing, or a title: its cell is merged with the one below, or over several beside it.
+    if above and over and all(column in own or column not in line.cells for column in over):
+        lists = _side_by_side({**over, **own}, above, frozenset({*above.cells, *line.cells}))
+        if lists:
+            return lists
+    return _side_by_side(own, line, frozenset(line.cells))
+
+
+def _titles(line: Line) -> dict[int, tuple[int, Field]]:
+    """The fields that the cells of a line are titles of, with the rank of the title, by column."""
+    found = {}
+    for column, cell in line.cells.items():
+        if cell.text and len(cell.text) <= _LONGEST:
+            title = _FIELDS.get(_plain(cell.text)) or _FIELDS.get(_plain(_IN_BRACKETS.sub("", cell.text)))
+            if title:
+                found[column] = title
+    return found
+
+
+def _side_by_side(titles: dict[int, tuple[int, Field]], header: Line, titled: frozenset[int]) -> list[AddressList]:
+    """The lists that a row of titles begins: a title that comes again begins the next one."""
+    groups: list[dict[tuple[int, Field], int]] = [{}]
+    for column, title in sorted(titles.items()):
+        if title in groups[-1]:
+            groups.append({})
+        groups[-1][title] = column
+    lists = []
+    for group in groups:
+        # The best title of a field comes last, and stays.
+        best = sorted(group.items(), key=lambda item: item[0][0], reverse=True)
+        columns = {kind: column for (_, kind), column in best}
+        if Field.ADDRESS in columns and Field.NICKNAME in columns:
+            lists.append(AddressList(header, columns, titled))
+    return lists
+
+
+def _drop_caption(lists: list[AddressList]) -> None:
+    """Take out what stands alone in the last rows above the next titles, such as ``Slot 2 inputs``."""
+    for each in lists:
+        while each.lines and len(each.lines[-1].cells) == 1:
+            each.lines.pop()
