@@ -35,8 +35,9 @@ types: $(VENV)/ready
 golden: $(VENV)/ready  ## write the golden files anew; read the diff before you commit it
 	$(BIN)/python scripts/golden.py
 
-docs: $(VENV)/ready  ## write what the documentation has from the code
+docs: $(VENV)/ready  ## write what the documentation and clickgen.dsl have from the code
 	$(BIN)/python scripts/docs.py
+	$(BIN)/python scripts/dsl_stub.py
 
 bench: $(VENV)/ready  ## ratios and growth, measured in one run
 	$(BIN)/python scripts/bench.py

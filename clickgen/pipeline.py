@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
-from functools import partial
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
 from pathlib import Path
 
 from clickgen.check.facts import Facts
@@ -25,8 +26,10 @@ from clickgen.lower.place import PlaceScratch
 from clickgen.lower.scratch import Scratch
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
+from clickgen.resolve.blocks import Block
 from clickgen.resolve.layers import beside_workbook, is_workbook
 from clickgen.resolve.read_table import TableUnreadable, read_table
+from clickgen.resolve.record import record_beside, with_placed
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
@@ -45,7 +48,7 @@ class BuildResult:
     """What a build made, in memory.
 
     ``files`` maps each output's path inside the output folder (``main.csv``, ``subroutines/auto.csv``) to its text;
-    it is empty when there are errors. ``table`` is the address table as it should be after the build.
+    it is empty when there are errors.
     """
 
     program: Path
@@ -60,14 +63,37 @@ class BuildResult:
     """Every row of the address table as it should be after the build; empty when there are errors."""
     scratch_rows: tuple[Row, ...]
     """Those of ``rows`` that clickgen needs for itself in this program."""
+    facts: Facts | None
+    """The program without names, as far as it could be read."""
     table_path: Path
-    table: bytes
-    _table_before: bytes | None
+    address_table: AddressTable
+    """As it should be after the build."""
+    table_before: bytes | None
+    """The file as it was read; None where there was none."""
+
+    @property
+    def table(self) -> bytes:
+        """The file of the address table as it should be after the build."""
+        return self.address_table.to_bytes()
 
     @property
     def ok(self) -> bool:
         """True when nothing is an error."""
         return not any(problem.is_error for problem in self.diagnostics)
+
+    @cached_property
+    def needed(self) -> frozenset[Address]:
+        """The addresses that the program declares, marks as blocks, or that clickgen needs for itself in it."""
+        declared = self.facts.program if self.facts else None
+        addresses = [row.address for row in self.scratch_rows]
+        addresses += [each.cell.address for each in declared.declarations] if declared else []
+        addresses += [address for block in declared.blocks for address in block.range.addresses()] if declared else []
+        return frozenset(addresses)
+
+    @property
+    def placed_rows(self) -> tuple[Row, ...]:
+        """The names that clickgen placed in this build."""
+        return tuple(row for row in self.new_rows if row not in self.scratch_rows)
 
     @property
     def main(self) -> ClickRoutine:
@@ -88,6 +114,18 @@ class BuildResult:
         return write_all([(self, folder)])
 
 
+def build_all(programs: Iterable[tuple[str, Settings]]) -> list[BuildResult]:
+    """Build programs one after the other, each with the address table that those before it made of theirs."""
+    results: list[BuildResult] = []
+    tables: dict[str, bytes] = {}
+    for path, settings in programs:
+        result = build(path, settings=replace(settings, overlay={**settings.overlay, **tables}))
+        if result.ok:
+            tables[os.path.realpath(result.table_path)] = result.table
+        results.append(result)
+    return results
+
+
 def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
     """Write several results, each into its folder, as ``BuildResult.write`` does: all of them or none.
 
@@ -96,6 +134,7 @@ def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
     writes: dict[Path, bytes] = {}
     removals: list[Path] = []
     tables: dict[str, tuple[Path, bytes | None, bytes]] = {}
+    placed: dict[Path, list[Row]] = {}
     for result, folder in results:
         if not result.ok:
             raise CouldNotRun("a program with errors is not written")
@@ -106,8 +145,9 @@ def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
         except ForeignFiles as error:
             raise CouldNotRun(str(error)) from None
         place = os.path.realpath(result.table_path)
-        first = tables.get(place, (result.table_path, result._table_before, b""))
+        first = tables.get(place, (result.table_path, result.table_before, b""))
         tables[place] = (*first[:2], result.table)
+        placed.setdefault(record_beside(first[0]), []).extend(result.placed_rows)
     for path in writes:
         if os.path.realpath(path) in tables:
             raise CouldNotRun(f"{path.parent} holds the address table {path.name}; choose another folder with -o")
@@ -118,6 +158,11 @@ def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
         unchanged[path] = after if written else before
         if after != before:
             writes[path] = after
+    for path, rows in placed.items():
+        data = path.read_bytes() if path.is_file() else None
+        record = with_placed(data, rows)
+        if record is not None and record != data:
+            writes[path], unchanged[path] = record, data
     return put_in_place(writes, removals, unchanged)
 
 
@@ -213,8 +258,9 @@ def build(
         state.new_rows if ok else (),
         tuple(_rows(state).values()) if ok else (),
         state.scratch_rows if ok else (),
+        state.facts,
         state.table_path,
-        state.table.to_bytes(),
+        state.table,
         state.table_before,
     )
 
@@ -309,6 +355,20 @@ def _resolve(state: _Build) -> None:
     if state.program is not None:
         settings = state.settings
         state.resolved = resolve(state.program, state.table, settings.frozen, state.problems, settings.reserved)
+        state.problems.found = [_doubting_blocks(problem, state.resolved.blocks) for problem in state.problems.found]
+
+
+def _doubting_blocks(problem: Diagnostic, blocks: Mapping[str, Block]) -> Diagnostic:
+    """A problem whose fix speaks of a block is not mended by itself.
+
+    The opposite of a bit is nc(...), which of a block says that none of its bits is on; and what is a block, other files
+    and the table may say.
+    """
+    fix = problem.fix
+    if fix is None or not blocks:
+        return problem
+    words = {word.lower() for edit in fix.edits for word in re.findall(r"\w+", edit.text)}
+    return problem if words.isdisjoint(blocks) else problem._replace(fix=fix._replace(is_safe=False))
 
 
 def _check(state: _Build) -> None:

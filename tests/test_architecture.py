@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 PACKAGE = Path(__file__).parents[1] / "clickgen"
-BELOW = ("wording", "formats", "codes", "source", "diagnostics", "fixing", "device", "config", "instructions")
+BELOW = ("wording", "formats", "codes", "source", "diagnostics", "fixing", "device", "config", "instructions", "dsl")
 ROAD = (
     "ir",
     "formula",
@@ -19,8 +19,10 @@ ROAD = (
     "check",
     "lower",
     "emit",
+    "stubs",
     "pipeline",
     "checking",
+    "nicknames",
     "explain",
     "report",
     "cli",

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from pyclickplc.blocks import compute_all_block_ranges, parse_block_tag
 
 import clickgen
+from clickgen.cli import main
 from clickgen.pipeline import BuildResult
 from clickgen.resolve.blocks import mark_in
 
@@ -246,3 +247,20 @@ def test_a_mark_is_what_pyclickplc_takes_for_one(comment: str) -> None:
     if ours is not None:
         kinds = {(True, False): "open", (False, True): "close", (True, True): "self-closing"}
         assert (theirs.name, theirs.tag_type) == (ours.name, kinds[ours.opens, ours.closes]), comment
+
+
+@pytest.mark.parametrize("where", ["wiring", "table"])
+def test_a_fix_does_not_take_a_block_of_elsewhere_for_a_bit(
+    where: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """``not c.Flags`` is not ``nc(c.Flags)`` where Flags are several bits."""
+    monkeypatch.chdir(tmp_path)
+    text = "def main():\n    if not c.Flags:\n        out(y[1])\n    if True:\n        end()\n"
+    if where == "wiring":
+        Path("wiring.py").write_text("nickname(c.Flags, c[1:5])\n")
+        text = f"import wiring\n\n\n{text}"
+    else:
+        Path("nicknames.csv").write_text(HEADER + 'C1,BIT,"",0,No,"<Flags>"\nC4,BIT,"",0,No,"</Flags>"\n')
+    Path("prog.py").write_text(text)
+    assert main(["check", "prog.py", "--fix", "-q"]) == 1
+    assert Path("prog.py").read_text() == text

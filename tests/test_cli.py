@@ -49,6 +49,7 @@ def test_a_build_writes_exactly_these_files(folder: Path, capsys: pytest.Capture
     assert set(files(folder)) == {
         "prog.py",
         "nicknames.csv",
+        "nicknames.placed",
         "build/prog/main.csv",
         "build/prog/subroutines/wash.csv",
         "build/prog/nicknames.csv",

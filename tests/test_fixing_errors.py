@@ -300,6 +300,18 @@ BECOMES = [
     (["if all(c.A, c.X): set(c.P)", "elif all(nc(c.A), c.Y): set(c.Q)"], ["if all(c.A, c.X)", "if all(nc(c.A), c.Y)"]),
     (["if c.A: set(c.P)", "elif nc(c.A): set(c.Q)"], ["if c.A", "if nc(c.A)"]),
     (["if ct.N: set(c.P)", "else: call(s)"], ["if ct.N", "if nc(ct.N)"]),
+    (["if fe(c.A): set(c.P)", "elif c.A: set(c.Q)"], ["if fe(c.A)", "if c.A"]),
+    (["if c.A: set(c.P)", "elif any(c.B, re(c.A)): set(c.Q)"], ["if c.A", "if all(nc(c.A), c.B)"]),
+    (
+        ["if all(ds.V > 5, c.B): set(c.P)", "elif all(any(ds.V == 1, ds.V == 2), c.C): set(c.Q)"],
+        ["if all(ds.V > 5, c.B)", "if all(any(ds.V == 1, ds.V == 2), c.C)"],
+    ),
+    (["if c[1]: set(y[1])", "elif c.A: set(y[2])"], ["if c[1]", "if all(nc(c[1]), c.A)"]),
+    # How CLICK rounds a number that a register cannot hold is not known.
+    (
+        ["if df.L < 16777217: set(c.P)", "elif df.L > 16777217: set(c.Q)"],
+        ["if df.L < 16777217", "if all(df.L >= 16777217, df.L > 16777217)"],
+    ),
     # What excludes each other is not looked at again.
     (
         ["if all(ds.S == 1, c.Go, re(c.A)): reset(c.Go)", "elif all(t.T, ds.S == 1): call(s)"],
@@ -350,6 +362,8 @@ def test_else_and_elif_of_a_rung_become_rungs_where_that_is_the_same(
         ["if c.A: set(c.P)", "else: ctu(ct.N, 5, reset=lambda: c.P)"],
         # What looks differs from look to look.
         ["if t.T: set(c.P)", "else: set(c.Q)"],
+        ["if t.T: set(c.P)", "elif nc(t.T): set(c.Q)"],
+        ["if td.T > 5: set(c.P)", "elif td.T < 3: set(c.Q)"],
         ["if td.T > 5: set(c.P)", "else: set(c.Q)"],
         ["if sc[1]: set(c.P)", "else: set(c.Q)"],
         ["if sd[9] == 1: set(c.P)", "elif sd[9] == 2: set(c.Q)"],
@@ -448,6 +462,20 @@ def test_other_conditions_have_no_opposite_to_write(arms: list[str], tmp_path: P
         problems = found(body(text), "CG104", tmp_path)
         assert problems
         assert not any(problem.fix for problem in problems)
+
+
+@pytest.mark.parametrize(
+    "arms",
+    [
+        ["if ds.V > 40000: set(c.P)", "else: set(c.Q)"],
+        ["if any(c.A, ds.V == 2.5): set(c.P)", "elif nc(c.A): set(c.Q)"],
+        ["if c.A: set(c.P)", "elif ds.V >= -32768: set(c.Q)"],
+        ["if all(c.A, c.B, nc(c.A)): set(c.P)", "elif c.C: set(c.Q)"],
+        ["if any(c.A, c.B): set(c.P)", "elif all(c.B, c.C): set(c.Q)"],
+    ],
+)
+def test_an_arm_that_never_runs_or_asks_nothing_is_first_to_be_looked_at(arms: list[str], tmp_path: Path) -> None:
+    assert safety(chain(*arms), tmp_path) is None
 
 
 def test_a_block_has_no_opposite_and_its_name_may_be_any_address_of_it(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""What clickgen.check.logic says of conditions, case by case and against trying every state of a small machine."""
+"""What clickgen.ir.logic says of conditions, case by case and against trying every state of a small machine."""
 
 from __future__ import annotations
 
@@ -11,22 +11,34 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from clickgen.check.logic import always_holds, are_exclusive, can_hold, implies
 from clickgen.diagnostics import Diagnostics
-from clickgen.ir.conditions import All, Condition
+from clickgen.ir.conditions import All, Compare, Condition
+from clickgen.ir.logic import always_holds, are_exclusive, can_hold, decided, implies
+from clickgen.ir.program import Program
 from clickgen.resolve.resolve import resolve
 from clickgen.resolve.table import AddressTable
 from clickgen.source import SourceFile
 from clickgen.syntax.files import read_program
 
 
-def read(text: str) -> Condition:
-    """The condition of ``if text:``, names resolved."""
+def program(text: str) -> Program:
     problems = Diagnostics()
     source = SourceFile("prog.py", f"def main():\n    if {text}:\n        out(c[2000])\n")
     program, _ = read_program(source, lambda _: b"", problems)
     assert program
-    resolved = resolve(program, AddressTable.empty(""), False, problems).program
+    assert not problems.has_errors, problems.found
+    return program
+
+
+def unresolved(text: str) -> Condition:
+    """The condition of ``if text:``, names as they are."""
+    return program(text).routines[0].rungs[0].condition
+
+
+def read(text: str) -> Condition:
+    """The condition of ``if text:``, names resolved."""
+    problems = Diagnostics()
+    resolved = resolve(program(text), AddressTable.empty(""), False, problems).program
     assert not problems.has_errors, problems.found
     return resolved.routines[0].rungs[0].condition
 
@@ -196,6 +208,67 @@ def test_what_does_not_follow(text: str) -> None:
     assert not implies(one, other)
 
 
+# -- names without an address -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "all(c.A, nc(c.A))",
+        "all(c.A, nc(c.a))",
+        "all(re(c.A), nc(c.A))",
+        "all(c.Row[1], nc(c.Row[1]))",
+        "all(c.Row[0:2], nc(c.Row[0:2]))",
+        "all(ds.V == 1, ds.V == 2)",
+        "all(ds.V < ds.W, ds.V > ds.W)",
+        "ds.V > 32767",
+        "all(td.T > 5, td.T < 5)",
+    ],
+)
+def test_a_name_is_not_on_and_off_at_once(text: str) -> None:
+    assert not can_hold(unresolved(text))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "all(c.A, nc(c.B))",
+        "all(c.A, nc(c[1]))",
+        "all(c.Row[1], nc(c.Row[2]))",
+        "all(c.Row[0], nc(c.Row))",
+        "all(c.Row[0:2], nc(c.Row[1:3]))",
+        "all(ds.V == 1, ds.W == 2)",
+        "all(ds.V < ds.W, ds.V == ds.X)",
+        "all(x.A.immediate, nc(x.A.immediate))",
+    ],
+)
+def test_two_names_say_nothing_of_each_other(text: str) -> None:
+    assert can_hold(unresolved(text))
+
+
+def test_a_name_of_bits_may_be_a_block_that_is_neither_on_nor_off() -> None:
+    for name in ("c.A", "c.Row[0:4]"):
+        assert not always_holds(unresolved(f"any({name}, nc({name}))"))
+        assert implies(unresolved(name), unresolved(f"any({name}, c.B)"))
+        assert implies(unresolved(f"nc({name})"), unresolved(f"any(nc({name}), c.B)"))
+    assert always_holds(unresolved("any(c.Row[1], nc(c.Row[1]))"))
+
+
+@pytest.mark.parametrize("constant", ["1e39", "1e999", "-1e999", "16777217", "1" + "0" * 400])
+def test_of_a_constant_that_a_register_cannot_hold_nothing_is_known(constant: str) -> None:
+    for op, other in (("<", ">="), ("==", "!=")):
+        condition = unresolved(f"all(df.X {op} {constant}, df.X {other} {constant})")
+        assert can_hold(condition)
+        assert not always_holds(unresolved(f"any(df.X {op} {constant}, df.X {other} {constant})"))
+
+
+def test_a_whole_number_and_one_with_a_point_are_not_confused() -> None:
+    for text, truth in (("dd[1] > 2147483647", False), ("dd[1] > 2147483647.0", None), ("dd.X > 1e999", None)):
+        compare = unresolved(text)
+        assert isinstance(compare, Compare)
+        assert decided(compare) is truth
+
+
 # -- limits -----------------------------------------------------------------------------------------------------------
 
 
@@ -337,6 +410,34 @@ def test_it_never_denies_a_state_that_there_is(one: Term, other: Term) -> None:
     assert not always_holds(first) or all(truth for truth, _ in truths)
     assert not are_exclusive(first, second) or (True, True) not in truths
     assert not implies(first, second) or (True, False) not in truths
+
+
+NAMES = {"c[1]": "c.A", "c[2]": "c.B", "c[1:3]": "c.Two", "c[1:4]": "c.Three", "ds[1]": "ds.V", "ds[2]": "ds.W"}
+"""Names for the bits, blocks and registers of these terms."""
+
+
+def _named(text: str) -> str:
+    for place, name in NAMES.items():
+        text = text.replace(place, name)
+    return text
+
+
+@settings(deadline=None)
+@given(decidable, decidable, st.sampled_from([("c.A", "c.B"), ("ds.V", "ds.W"), ("c.B", "c[3]"), ("", "")]))
+def test_what_it_says_of_names_holds_wherever_they_are(one: Term, other: Term, alike: tuple[str, str]) -> None:
+    """Whatever it denies of names it denies of their addresses, also where two are of the same one."""
+    name, twin = alike
+    places = {name: place for place, name in NAMES.items()}
+    first, second = map(unresolved, (_named(one.text), _named(other.text)))
+    texts = [_named(term.text) for term in (one, other)]
+    texts = [text.replace(name, twin) if name else text for text in texts]
+    for known, place in places.items():
+        texts = [text.replace(known, place) for text in texts]
+    here, there = map(read, texts)
+    assert can_hold(first) or not can_hold(here)
+    assert not always_holds(first) or always_holds(here)
+    assert not are_exclusive(first, second) or are_exclusive(here, there)
+    assert not implies(first, second) or implies(here, there)
 
 
 @given(decidable, st.sampled_from(["x[1].immediate", "nc(x[1].immediate)", "x[1:3].immediate"]))

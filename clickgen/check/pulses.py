@@ -6,12 +6,12 @@ What cannot be shown counts as a level.
 from __future__ import annotations
 
 from clickgen.check.facts import FIRST_SCAN, Facts, Placed
-from clickgen.check.logic import implies
 from clickgen.device.banks import Address
 from clickgen.instructions import counters
 from clickgen.instructions.coils import OUT, RESET, SET
 from clickgen.instructions.timers import RTON, TON
 from clickgen.ir.conditions import All, Any, Condition, Contact
+from clickgen.ir.logic import implies
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Iterable
 from dataclasses import replace
@@ -11,7 +10,7 @@ from pathlib import Path
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
 from clickgen.cli.jobs import Job, jobs, near
 from clickgen.diagnostics import CouldNotRun
-from clickgen.pipeline import BuildResult, build, write_all
+from clickgen.pipeline import BuildResult, build_all, write_all
 from clickgen.report.frames import printable, summary, write_problems
 from clickgen.wording import counted
 
@@ -20,7 +19,7 @@ def run(program: str | None, output: str | None, nicknames: str | None, frozen: 
     """Build and write, without a program every configured one, all of them or none; returns the exit code."""
     try:
         jobs = _jobs(program, output, nicknames, frozen, config)
-        results = _built(jobs)
+        results = build_all((job.program, job.settings) for job in jobs)
         for result in results:
             write_problems(result.diagnostics, result.sources, sys.stderr)
         if not all(result.ok for result in results):
@@ -37,18 +36,6 @@ def run(program: str | None, output: str | None, nicknames: str | None, frozen: 
         print(f"clickgen: {printable(place)}{error.strerror or error}; nothing was written", file=sys.stderr)
         return COULD_NOT_RUN
     return OK
-
-
-def _built(jobs: Iterable[Job]) -> list[BuildResult]:
-    """Each program built, with the address table that those before it made of theirs."""
-    results: list[BuildResult] = []
-    tables: dict[str, bytes] = {}
-    for job in jobs:
-        result = build(job.program, settings=replace(job.settings, overlay=dict(tables)))
-        if result.ok:
-            tables[os.path.realpath(result.table_path)] = result.table
-        results.append(result)
-    return results
 
 
 def _jobs(

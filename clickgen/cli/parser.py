@@ -17,6 +17,8 @@ examples:
   clickgen build prog.py -o out       build into out/
   clickgen build prog.py --frozen     in CI: fail where the address table lacks a name
   clickgen check                      find mistakes, and logic worth a second look
+  clickgen workbook prog.py           the project as an Excel workbook
+  clickgen stubs                      what editors complete and check programs with
   clickgen explain CG501              what a code means and what to do
 """
 _CHECK_EXAMPLES = """\
@@ -38,6 +40,39 @@ examples:
   clickgen build                      every program that the settings name
 
 exit codes: 0 built; 1 problems in the program; 2 could not run
+"""
+
+
+_WORKBOOK_EXAMPLES = """\
+examples:
+  clickgen workbook prog.py                     build/prog/prog.xlsx
+  clickgen workbook prog.py -o project.xlsx
+
+exit codes: 0 written; 1 problems in the program; 2 could not run
+"""
+
+
+_STUBS_EXAMPLES = """\
+examples:
+  clickgen stubs                      for every program that the settings name
+  clickgen stubs prog.py
+  clickgen stubs --check              in CI: fail where a stub file is stale
+
+exit codes: 0 written, or nothing to do; 1 stale; 2 could not run
+"""
+
+
+_NICKNAMES_EXAMPLES = """\
+examples:
+  clickgen nicknames sync prog.py           give every name an address
+  clickgen nicknames sync --prune           and remove names that clickgen placed and nothing uses
+  clickgen nicknames check                  in CI: table and programs agree
+  clickgen nicknames merge export.csv       what CLICK says otherwise; new names are taken in
+  clickgen nicknames merge export.csv --accept renamed,changed
+  clickgen nicknames rename Pump Pump1      in the table and in every program
+  clickgen nicknames why Pump               where its address comes from
+
+exit codes: 0 done; 1 problems, or differences that were not taken in; 2 could not run
 """
 
 
@@ -84,6 +119,9 @@ def parse(arguments: Sequence[str]) -> int:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", dest="command", parser_class=_Parser)
     _add_build(commands)
     _add_check(commands)
+    _add_nicknames(commands)
+    _add_workbook(commands)
+    _add_stubs(commands)
     _add_rules(commands)
     _add_explain(commands)
     options, rest = parser.parse_known_args(arguments)
@@ -108,7 +146,9 @@ def _add_build(commands: argparse._SubParsersAction[_Parser]) -> None:
     build.add_argument("program", metavar="PROG.py", nargs="?", help="the program (default: every configured one)")
     build.add_argument("-o", "--output", metavar="DIR", help="the output folder (default: build/<program>/)")
     build.add_argument(
-        "--nicknames", metavar="TABLE.csv", help="the address table (default: nicknames.csv beside the program)"
+        "--nicknames",
+        metavar="TABLE",
+        help="the address table, or a workbook with lists of addresses (default: nicknames.csv beside the program)",
     )
     build.add_argument("--frozen", action="store_true", help="choose no address; fail where one is missing")
     build.add_argument("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
@@ -170,6 +210,130 @@ def _run_check(options: argparse.Namespace) -> int:
     from clickgen.cli.check import run
 
     return run(options)
+
+
+def _add_nicknames(commands: argparse._SubParsersAction[_Parser]) -> None:
+    nicknames = commands.add_parser(
+        "nicknames",
+        help="keep the address table: sync, check, merge, rename, why",
+        description="What concerns the address table that the PLC, the panel and the programs share.",
+        epilog=_NICKNAMES_EXAMPLES,
+        formatter_class=_Help,
+        allow_abbrev=False,
+    )
+    nicknames.set_defaults(run=_run_nicknames)
+    actions = nicknames.add_subparsers(
+        title="commands", metavar="COMMAND", dest="action", required=True, parser_class=_Parser
+    )
+
+    def action(name: str, help: str, description: str) -> Callable[..., argparse.Action]:
+        parser = actions.add_parser(name, help=help, description=description, formatter_class=_Help, allow_abbrev=False)
+        parser.add_argument("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+        parser.add_argument("--nicknames", metavar="TABLE", help="the address table")
+        return parser.add_argument
+
+    programs = {"metavar": "PROG.py", "nargs": "*", "help": "the programs (default: every configured one)"}
+    add = action(
+        "sync",
+        "give every name an address",
+        "Give every name of the programs an address, and name what no program uses. Nothing is dropped.",
+    )
+    add("programs", **programs)
+    add("--prune", action="store_true", help="remove names that clickgen placed and nothing uses any more")
+    add("--dry-run", action="store_true", help="say what would be done, and write nothing")
+    add = action(
+        "check",
+        "whether table and programs agree",
+        "Check the address table and the names of the programs, without writing anything: for CI.",
+    )
+    add("programs", **programs)
+    add = action(
+        "merge",
+        "take in a fresh export from CLICK",
+        "Show what an export from CLICK says otherwise than the address table, and take in what is new. All else is "
+        "taken in only when it is asked for.",
+    )
+    add("export", metavar="EXPORT.csv", help="the nickname CSV that CLICK wrote")
+    add(
+        "--accept",
+        metavar="KINDS",
+        action="append",
+        default=[],
+        help="take these in too: renamed, moved, removed, changed, or all",
+    )
+    add("--dry-run", action="store_true", help="show the differences, and write nothing")
+    add = action(
+        "rename",
+        "rename in the table and in every source file",
+        "Rename a nickname in the address table and in every program that uses the table, all or nothing. The ladder "
+        "stays the same, which is tried before anything is written.",
+    )
+    add("old", metavar="OLD", help="the nickname as it is")
+    add("new", metavar="NEW", help="the nickname as it should be")
+    add("programs", **programs)
+    add("--dry-run", action="store_true", help="say what would be renamed, and write nothing")
+    add = action(
+        "why",
+        "where the address of a name comes from",
+        "Say where the address of a name comes from, why it is that one, and where the name is used.",
+    )
+    add("name", metavar="NAME", help="a nickname, a block, or an address such as DS5")
+    add("programs", **programs)
+
+
+def _run_nicknames(options: argparse.Namespace) -> int:
+    from clickgen.cli.nicknames import run
+
+    return run(options)
+
+
+def _add_workbook(commands: argparse._SubParsersAction[_Parser]) -> None:
+    workbook = commands.add_parser(
+        "workbook",
+        help="write the project as an Excel workbook",
+        description="Write a workbook for people: the I/O list, the tags, the cross-reference, timers, memory and "
+        "rungs. The address table is read and not changed.",
+        epilog=_WORKBOOK_EXAMPLES,
+        formatter_class=_Help,
+        allow_abbrev=False,
+    )
+    add = workbook.add_argument
+    add("program", metavar="PROG.py", help="the program")
+    add("-o", "--output", metavar="FILE.xlsx", help="the workbook (default: build/<program>/<program>.xlsx)")
+    add("--nicknames", metavar="TABLE", help="the address table (default: nicknames.csv beside the program)")
+    add("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+    workbook.set_defaults(run=_run_workbook)
+
+
+def _run_workbook(options: argparse.Namespace) -> int:
+    from clickgen.cli.workbook import run
+
+    return run(options.program, options.output, options.nicknames, options.config)
+
+
+def _add_stubs(commands: argparse._SubParsersAction[_Parser]) -> None:
+    stubs = commands.add_parser(
+        "stubs",
+        help="write what editors complete and check programs with",
+        description="Write __builtins__.pyi beside programs: the language and their nicknames, for editors with "
+        "pyright in them.",
+        epilog=_STUBS_EXAMPLES,
+        formatter_class=_Help,
+        allow_abbrev=False,
+    )
+    add = stubs.add_argument
+    add("programs", metavar="PROG.py", nargs="*", help="the programs (default: every configured one)")
+    add("--nicknames", metavar="TABLE", help="the address table (default: nicknames.csv beside the program)")
+    add("--frozen", action="store_true", help="only names that have an address: a new one may be a misspelling")
+    add("--check", action="store_true", help="write nothing; fail where a file is stale")
+    add("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+    stubs.set_defaults(run=_run_stubs)
+
+
+def _run_stubs(options: argparse.Namespace) -> int:
+    from clickgen.cli.stubs import run
+
+    return run(options.programs, options.nicknames, options.frozen, options.check, options.config)
 
 
 def _add_rules(commands: argparse._SubParsersAction[_Parser]) -> None:

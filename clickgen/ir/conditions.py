@@ -7,6 +7,11 @@ from dataclasses import dataclass
 from clickgen.ir.operands import Cell, Immediate, Named, Range, Single
 from clickgen.source import Span
 
+OPPOSITE = {"==": "!=", "!=": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
+"""The comparison that holds where another does not."""
+MIRRORED = {"==": "==", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
+"""The comparison that says the same with its sides exchanged."""
+
 
 @dataclass(frozen=True, slots=True)
 class Contact:

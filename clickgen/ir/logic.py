@@ -1,6 +1,7 @@
 """Reasoning about conditions: can it ever hold, does it always, do two exclude each other.
 
-What cannot be decided counts as possible: a rule may stay silent, never accuse wrongly.
+What cannot be decided counts as possible: a rule may stay silent, never accuse wrongly. Names need no address: any two
+may be of the same one, and a name of bits may be the name of a block.
 """
 
 from __future__ import annotations
@@ -10,10 +11,10 @@ import operator
 import struct
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, lru_cache
 
 from clickgen.device.banks import BANKS, INTEGER_RANGES, Kind
-from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
+from clickgen.ir.conditions import MIRRORED, OPPOSITE, All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, CharCode, Hex, Immediate, Integer, Named, Range, Real, Single, Text, form_of
 from clickgen.ir.walk import leaves
 
@@ -92,7 +93,7 @@ def shape(condition: Condition) -> object:
         return tuple(_bits(condition))
     if isinstance(condition, Compare):
         left, op, right = _side(condition.left), condition.op, _side(condition.right)
-        return (left, op, right) if isinstance(condition.left, _REGISTERS) else (right, _MIRRORED[op], left)
+        return (left, op, right) if isinstance(condition.left, _REGISTERS) else (right, MIRRORED[op], left)
     if isinstance(condition, All | Any):
         terms = tuple(map(shape, condition.terms))
         return terms[0] if len(terms) == 1 else (type(condition), terms)
@@ -154,21 +155,26 @@ class _Search:
 
 def _bits(contact: Contact) -> Iterator[tuple[tuple[str, object], bool]]:
     """The bits of a contact, each with its edge, and the value each must have; none of an immediate contact."""
-    operand = contact.operand
-    if isinstance(operand, Immediate):
-        return
-    for key in operand.addresses() if isinstance(operand, Range) else [_key(operand)]:
-        yield (contact.edge, key), not contact.negated
+    if not isinstance(contact.operand, Immediate):
+        for key in _bit_keys(contact.operand):
+            yield (contact.edge, key), not contact.negated
+
+
+def _bit_keys(operand: Named | Cell | Range) -> list[object]:
+    """The bits of an operand. Two stand for those of a block: all are on, or all are off, or neither."""
+    if isinstance(operand, Range):
+        return [*operand.addresses()]
+    if isinstance(operand, Named) and not isinstance(operand.part, int):
+        return [(_key(operand), "first"), (_key(operand), "last")]
+    return [_key(operand)]
 
 
 def _key(operand: Named | Cell) -> object:
-    return operand.address if isinstance(operand, Cell) else (operand.bank, operand.name.lower())
+    return operand.address if isinstance(operand, Cell) else (operand.bank, operand.name.lower(), operand.part)
 
 
 # -- numbers ----------------------------------------------------------------------------------------------------------
 
-_OPPOSITE = {"==": "!=", "!=": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
-_MIRRORED = {"==": "==", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
 _RELATIONS = {"==": "=", "!=": "<>", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
 """The ways in which two registers can stand to each other, as characters."""
 _COMPARE: Mapping[str, Callable[[Number, Number], bool]] = {
@@ -181,14 +187,21 @@ _COMPARE: Mapping[str, Callable[[Number, Number], bool]] = {
 }
 
 
-_SINGLE_MAX = 2**24
+_SINGLE_EXACT = 2**24
 """Below it a 32-bit floating-point number holds every whole number."""
+_SINGLE_MAX = (2 - 2**-23) * 2.0**127
+"""The largest number that it holds."""
 
 
-def _single(value: Number) -> float:
-    """The number that a floating-point register holds for a constant."""
+def _as_compared(value: Number, is_whole: bool) -> Number | None:
+    """The number that CLICK compares a register with for a constant; None where that is not known."""
+    if is_whole:
+        is_known = isinstance(value, int) or abs(value) < _SINGLE_EXACT or 2**31 < abs(value) < math.inf
+        return value if is_known else None
+    if not abs(value) <= _SINGLE_MAX:
+        return None
     single: float = struct.unpack("<f", struct.pack("<f", value))[0]
-    return single
+    return single if single == value or abs(value) < _SINGLE_EXACT else None
 
 
 @dataclass(frozen=True)
@@ -200,12 +213,11 @@ class _Interval:
     holes: frozenset[Number] = frozenset()
     is_whole: bool = False
 
-    def with_bound(self, op: str, value: Number) -> _Interval | None:
+    def with_bound(self, op: str, constant: Number) -> _Interval | None:
         """What is left when the register must compare so with a constant; None when nothing is."""
-        if not self.is_whole:
-            value = _single(value)
-        elif isinstance(value, float) and _SINGLE_MAX <= abs(value) <= 2**31:
-            return self  # How CLICK compares these with a whole number is not known.
+        value = _as_compared(constant, self.is_whole)
+        if value is None:
+            return self
         low, high, holes = self.low, self.high, self.holes
         if op in ("==", ">="):
             low = max(low, value)
@@ -243,13 +255,13 @@ class _State:
         return _State({**self.bits, **bits}, self.numbers, self.relations)
 
     def with_comparison(self, compare: Compare, wanted: bool) -> _State | None:
-        op = compare.op if wanted else _OPPOSITE[compare.op]
+        op = compare.op if wanted else OPPOSITE[compare.op]
         left, right = compare.left, compare.right
         left_value, right_value = _constant(left), _constant(right)
         if left_value is not None and right_value is not None:
             return self if _COMPARE[op](left_value, right_value) else None
         if left_value is not None:
-            left, op, right_value = right, _MIRRORED[op], left_value
+            left, op, right_value = right, MIRRORED[op], left_value
         if not isinstance(left, _REGISTERS):
             return self
         if right_value is not None:
@@ -264,7 +276,7 @@ class _State:
             # Of a floating-point register that holds no number nobody knows how CLICK compares it with itself.
             return self if "=" in _RELATIONS[op] or left.bank == "DF" else None
         if one > other:
-            one, other, op = other, one, _MIRRORED[op]
+            one, other, op = other, one, MIRRORED[op]
         kept = "".join(sign for sign in self.relations.get((one, other), "<=>") if sign in _RELATIONS[op])
         return _State(self.bits, self.numbers, {**self.relations, (one, other): kept}) if kept else None
 
@@ -273,7 +285,7 @@ def decided(compare: Compare) -> bool | None:
     """What a comparison is whatever its register holds; None where that depends on the register."""
     left, op, right = compare.left, compare.op, compare.right
     if not isinstance(left, _REGISTERS):
-        left, op, right = right, _MIRRORED[op], left
+        left, op, right = right, MIRRORED[op], left
     value = _constant(right)
     if value is not None and isinstance(left, _REGISTERS):
         return _decided(left.bank, op, value)
@@ -282,11 +294,11 @@ def decided(compare: Compare) -> bool | None:
     return True if always_holds(compare) else None
 
 
-@cache
+@lru_cache(maxsize=None, typed=True)
 def _decided(bank: str, op: str, value: Number) -> bool | None:
     if _domain(bank).with_bound(op, value) is None:
         return False
-    return True if _domain(bank).with_bound(_OPPOSITE[op], value) is None else None
+    return True if _domain(bank).with_bound(OPPOSITE[op], value) is None else None
 
 
 @cache

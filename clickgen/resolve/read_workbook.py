@@ -6,11 +6,11 @@ first 50 rows of a sheet; more lists may follow below or beside it. Columns come
 A sheet without such a row is no list. Hidden sheets, rows and columns are read like others: a filter hides rows, and a
 name that is left out would get another address.
 
-**Rows.** A cell that is empty says nothing; so does a dash for an address or a nickname. Addresses are taken in any
-case, with spaces and leading zeros or without (``x 1``, ``DS 0100``). A row that says something of an address needs
-one that CLICK has. Without any address a row is a caption or a remark; if it has a name, a warning says that it is
-left out. Several rows may speak of one address, on one sheet or on many: what they say is put together, and where two
-contradict each other both cells are named. An address of which nothing is said has no row.
+**Rows.** An empty cell says nothing; so does a dash for an address, a nickname or an initial value. Addresses are taken
+in any case, with spaces and leading zeros or without (``x 1``, ``DS 0100``). A row that says something of an address
+needs one that CLICK has. Without any address a row is a caption or a remark; if it has a name, a warning says that it
+is left out. Several rows may speak of one address, on one sheet or on many: what they say is put together, and where
+two contradict each other both cells are named. An address of which nothing is said has no row.
 
 **Cells.** Nicknames are trimmed and otherwise taken as they are, never shortened; a number is none, since nobody knows
 how it is meant to be written. Initial values are numbers, numbers stored as text, ON and OFF for bits, hexadecimal
@@ -140,7 +140,7 @@ class _Reader:
         address = address_of(at.text)
         if address is None:
             if Field.NICKNAME in cells or (cells and looks_like_address(at.text)):
-                self._add("CG601", place, no_address(at.shown))
+                self._add("CG601", place, _no_address(at))
             return []
         for what, cell in cells.items():
             if not cell.fault and not _is_blank_value(address, what, cell):
@@ -267,8 +267,8 @@ def _says_something(what: Field, cell: Cell) -> bool:
 
 
 def _is_blank_value(address: Address, what: Field, cell: Cell) -> bool:
-    """True for spaces as an initial value, unless they can be the character of a TXT."""
-    return what is Field.INITIAL and address.kind is not Kind.TEXT and not cell.shown.strip()
+    """True for spaces or a dash as an initial value, unless they can be the character of a TXT."""
+    return what is Field.INITIAL and address.kind is not Kind.TEXT and isinstance(cell.value, str) and not name_of(cell)
 
 
 def _value_of(address: Address, what: Field, cell: Cell) -> str | bool | Fault:
@@ -286,9 +286,16 @@ def _value_of(address: Address, what: Field, cell: Cell) -> str | bool | Fault:
     return retention_fault(address, retentive) or retentive
 
 
+def _no_address(cell: Cell) -> Fault:
+    fault = no_address(cell.shown)
+    if looks_like_address(cell.text):
+        return fault
+    return Fault(fault.message, f"{fault.way_out}; a remark belongs outside the columns of the list")
+
+
 def _no_name(address: Address, cell: Cell) -> Fault:
     return Fault(
-        f"the nickname of {address} is {cell.shown}, a number and no text",
+        f"the nickname of {address} is {cell.shown}, which is no text",
         "format the cell as text and write the nickname again",
     )
 

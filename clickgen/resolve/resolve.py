@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
@@ -17,6 +17,7 @@ from clickgen.ir.program import Action, Program, actions_in, rungs_in
 from clickgen.ir.reach import reaching
 from clickgen.ir.walk import Rewriter, program_operands
 from clickgen.resolve.allocate import Allocator
+from clickgen.resolve.blocks import Block
 from clickgen.resolve.constants import kind_of, stored, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
 from clickgen.resolve.declare_blocks import declare_blocks
@@ -36,6 +37,8 @@ class Resolved:
     """Those of ``rows`` whose address clickgen chose."""
     allocator: Allocator
     table: AddressTable
+    blocks: Mapping[str, Block]
+    """By their lowercase names."""
 
 
 def resolve(
@@ -61,7 +64,7 @@ def resolve(
     resolved = _Names(resolver.addresses).program(program)
     _guard_scratch(resolved, table, problems)
     rows = (*declared.rows, *resolver.allocated)
-    return Resolved(resolved, rows, tuple(resolver.allocated), resolver.allocator, table)
+    return Resolved(resolved, rows, tuple(resolver.allocated), resolver.allocator, table, blocks)
 
 
 def _guard_scratch(program: Program, table: AddressTable, problems: Diagnostics) -> None:

@@ -6,8 +6,9 @@ every row that nobody changed as it stands, byte for byte.
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_left
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate
@@ -18,6 +19,9 @@ from clickgen.resolve.rows import HEADER, Row, default_row, format_row, text_spa
 from clickgen.source import Span
 
 BOM = b"\xef\xbb\xbf"
+
+_NICKNAME = re.compile(r'((?:"[^"]*"|[^",]*),(?:"[^"]*"|[^",]*),)("(?:[^"]|"")*"|[^",]*)')
+"""A row up to its nickname, and the nickname as it is written."""
 
 
 class Entry(NamedTuple):
@@ -134,6 +138,46 @@ class AddressTable:
         if not self.final_newline:
             entries = [entry if entry.end else entry._replace(end=self.newline) for entry in entries]
             entries[-1] = entries[-1]._replace(end="")
+        return replace(self, _entries=tuple(entries))
+
+    def changed(self, rows: Mapping[Address, Row | None]) -> AddressTable:
+        """The table with these rows at their addresses, whatever stood there; None takes a row out with its line.
+
+        A row that says what is there changes nothing, and new rows stand where ``extended`` puts them. Raises
+        ValueError for a row of the workbook, and where a nickname would stand at two addresses.
+        """
+        fixed = next((row for row in self.base if row.address in rows), None)
+        if fixed is not None:
+            raise ValueError(f"{fixed.address} stands in {self.place(fixed)}")
+        entries: list[Entry] = []
+        for entry in self._entries:
+            old = entry.row
+            new = rows.get(old.address, old) if old else None
+            if old is None or (new is not None and new.content == old.content):
+                entries.append(entry)
+            elif new is not None:
+                entries.append(Entry(replace(new, line=0, raw=""), format_row(new), entry.end))
+        if not self.final_newline:
+            entries[-1] = entries[-1]._replace(end="")
+        kept = replace(self, _entries=tuple(entries))
+        added = [row for row in rows.values() if row is not None and row.address not in self.by_address]
+        table = kept.extended(added)
+        for row in table.rows:
+            holder = table.by_nickname.get(row.nickname.lower(), row)
+            if holder is not row and {holder.address.bank, row.address.bank} - {"SC", "SD"}:
+                raise ValueError(f"{row.nickname} would be {holder.address} and {row.address}")
+        return table
+
+    def renamed(self, address: Address, nickname: str) -> AddressTable:
+        """The table with another nickname at an address; every other byte stays, those of the row included."""
+        entries = list(self._entries)
+        for index, (row, text, end) in enumerate(entries):
+            if row is not None and row.address == address:
+                match = _NICKNAME.match(text)
+                assert match is not None
+                written = f'"{nickname}"' if match[2].startswith('"') else nickname
+                text = match[1] + written + text[match.end() :]
+                entries[index] = Entry(replace(row, nickname=nickname, raw=text if row.raw else ""), text, end)
         return replace(self, _entries=tuple(entries))
 
     def text(self) -> str:

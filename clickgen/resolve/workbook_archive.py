@@ -4,10 +4,10 @@ A workbook is a zip archive of XML parts. A small file can unpack to gigabytes, 
 length. So every part that matters is unpacked once, in bounded memory, judged as bytes, and packed anew without
 compression: openpyxl reads the copy, which holds nothing that was not measured.
 
-Refused are: files over 32 MB; parts of more than 64 MB together; more than 1,500,000 XML elements, or 100,000 in one
-row of a sheet or in a part without rows; and what no spreadsheet program writes: entities and document types,
-comments and instructions in the XML, single tags of 250,000 bytes, encodings other than UTF-8, two parts of one name,
-rows that are not in order (openpyxl would leave some out).
+Refused are: files over 32 MB; parts of more than 64 MB together; more than 1,000,000 XML elements in what is read, or
+100,000 in one row of a sheet or in a part without rows; rows that are not in order, since openpyxl leaves some of them
+out; and what no spreadsheet program writes: entities and document types, comments and instructions in the XML, single
+tags of 250,000 bytes, encodings other than UTF-8, two parts of one name.
 Pictures, charts, macros, pivot tables, links to other files and other parts without cells are never unpacked.
 """
 
@@ -24,7 +24,7 @@ from clickgen.resolve.read_table import TableUnreadable
 
 FILE_MAX = 32 * 2**20
 PARTS_MAX = 64 * 2**20
-ELEMENTS_MAX = 1_500_000
+ELEMENTS_MAX = 1_000_000
 RUN_MAX = 100_000
 """Elements between the beginning of one row, or one shared text, and the next."""
 
@@ -44,7 +44,7 @@ _UNHEARD_OF = re.compile(rb"\0|<!(?!\[CDATA\[)|<\?(?!xml\s[^<>]{0,200}\?>)|<[^<]
 
 
 def bytes_of_workbook(path: Path, shown: str) -> bytes:
-    """The file's bytes; raises TableUnreadable when there is none, or one that is too large."""
+    """The file's bytes, of a file that is too large only the first; raises TableUnreadable when it cannot be read."""
     try:
         with path.open("rb") as file:
             return file.read(FILE_MAX + 1)
@@ -64,16 +64,16 @@ def harmless_copy(data: bytes, shown: str) -> io.BytesIO:
             _refuse_other_archives(archive, shown)
             for name, part in _parts(archive, shown):
                 safe.writestr(zipfile.ZipInfo(name), part)
-    except TableUnreadable:
-        raise
     except Exception as error:
         # zipfile and zlib raise what a broken archive happens to lead them to.
         raise broken(shown, error) from None
-    return _Metered(copy.getvalue())
+    return _Metered(copy.getvalue(), shown)
 
 
 def broken(shown: str, error: Exception) -> TableUnreadable:
-    """What to say of a file that a library stumbles over."""
+    """What to say of a file that a library stumbles over, unless that is said already."""
+    if isinstance(error, TableUnreadable):
+        return error
     error = error.__cause__ if isinstance(error.__cause__, Exception) else error
     reason = " ".join(str(error).split()) or type(error).__name__
     reason = reason if len(reason) <= 120 else reason[:120] + "..."
@@ -83,18 +83,29 @@ def broken(shown: str, error: Exception) -> TableUnreadable:
 
 
 class _Metered(io.BytesIO):
-    """A file that is read three times at most: a small workbook could list one large part as a hundred sheets."""
+    """The copy: what is read of it costs bytes and elements, and both can run out.
 
-    def __init__(self, data: bytes) -> None:
+    A sheet that is not read to its end costs little, however large it is; a part that stands for many sheets costs
+    as much as all of them.
+    """
+
+    def __init__(self, data: bytes, shown: str) -> None:
         super().__init__(data)
-        self._left = 3 * len(data) + 2**20
+        self._shown = shown
+        self._bytes_left = 3 * len(data) + 2**20
+        self._elements_left = ELEMENTS_MAX
 
     def read(self, size: int | None = -1) -> bytes:
         data = super().read(size)
-        self._left -= len(data)
-        if self._left < 0:
-            raise ValueError("its sheets share one part many times over")
+        self._bytes_left -= len(data)
+        self._elements_left -= _elements(data)
+        if self._bytes_left < 0 or self._elements_left < 0:
+            raise _too_many_cells(self._shown)
         return data
+
+
+def _too_many_cells(shown: str) -> TableUnreadable:
+    return TableUnreadable(f"{shown} holds far too many cells or styles, perhaps empty ones; {_SMALLER}")
 
 
 def _refuse_other_files(data: bytes, shown: str) -> None:
@@ -120,18 +131,17 @@ def _refuse_other_archives(archive: zipfile.ZipFile, shown: str) -> None:
 def _parts(archive: zipfile.ZipFile, shown: str) -> Iterator[tuple[str, bytes]]:
     """Name and content of every part that openpyxl needs."""
     seen: set[str] = set()
-    bytes_left, elements_left = PARTS_MAX, ELEMENTS_MAX
+    left = PARTS_MAX
     for info in archive.infolist():
         name = info.filename
         if not _has_cells(name):
             continue
-        part = _unpacked(archive, info, bytes_left + 1)
-        bytes_left -= len(part)
-        elements_left -= _elements(part)
-        if bytes_left < 0:
+        part = _unpacked(archive, info, left + 1)
+        left -= len(part)
+        if left < 0:
             raise TableUnreadable(f"{shown} unpacks to more than {PARTS_MAX >> 20} MB; {_SMALLER}")
-        if elements_left < 0 or max(map(_elements, _RUN.split(part))) > RUN_MAX:
-            raise TableUnreadable(f"{shown} holds far too many cells or styles, perhaps empty ones; {_SMALLER}")
+        if max(map(_elements, _RUN.split(part))) > RUN_MAX:
+            raise _too_many_cells(shown)
         if name in seen or _UNHEARD_OF.search(part):
             raise TableUnreadable(
                 f"{shown} holds, in its part {ascii(name)[1:-1]}, what no spreadsheet program writes "
@@ -168,5 +178,5 @@ def _in_order(part: bytes) -> bool:
 
 
 def _elements(part: bytes) -> int:
-    """At least as many as there are XML elements."""
+    """The XML elements that begin here, or a few more."""
     return part.count(b"<") - part.count(b"</")

@@ -10,19 +10,14 @@ from itertools import accumulate
 
 from clickgen.device.banks import Kind
 from clickgen.diagnostics import Edit
+from clickgen.ir.conditions import OPPOSITE
 from clickgen.source import Span
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import BANK_NAMES
+from clickgen.syntax.opposites import names_block
 
 _SWAPPED = {"all": "any", "any": "all"}
-_OPPOSITE = {
-    ast.Eq: ("==", "!="),
-    ast.NotEq: ("!=", "=="),
-    ast.Lt: ("<", ">="),
-    ast.LtE: ("<=", ">"),
-    ast.Gt: (">", "<="),
-    ast.GtE: (">=", "<"),
-}
+_SIGN = re.compile("|".join(sorted(OPPOSITE, key=len, reverse=True)))
 _OPERATOR = re.compile(r"and|or|&|\|")
 _COMMENT = re.compile(r"#[^\n]*")
 
@@ -57,13 +52,6 @@ def terms_in(node: ast.expr, function: str = "all", wanted: bool = True) -> Iter
             yield from terms_in(term, node.func.id, wanted)
     else:
         yield node, function, wanted
-
-
-def names_block(context: Context, bank: str, name: str) -> bool:
-    """True where the file declares this as the name of a range: of that nothing is the opposite."""
-    word = re.escape(name)
-    declared = rf"""nickname\s*\(\s*{bank}\s*(\.\s*{word}\b|\[\s*["']{word}["']\s*\])\s*,\s*\w+\s*\[[^]\n]*:"""
-    return re.search(declared, context.source.text, re.IGNORECASE) is not None
 
 
 def has_opposite(context: Context, node: ast.expr) -> bool:
@@ -145,12 +133,8 @@ class _Rewriter:
     def opposite(self, node: ast.expr) -> _Piece | None:
         """The opposite of a single condition."""
         text = self._text[slice(*self._extent(node))]
-        if isinstance(node, ast.Compare) and len(node.ops) == 1 and type(node.ops[0]) in _OPPOSITE:
-            sign, other = _OPPOSITE[type(node.ops[0])]
-            start, end = self._extent(node)
-            left, right = self._extent(node.left)[1], self._extent(node.comparators[0])[0]
-            place = left + _code(self._text[left:right]).index(sign)
-            return _Piece(self._text[start:place] + other + self._text[place + len(sign) : end])
+        if isinstance(node, ast.Compare):
+            return self._opposite_comparison(node)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "nc":
             bit = node.args[0] if len(node.args) == 1 and not node.keywords else None
             is_single = bit and _is_single(bit) and not names_block(self._context, _bank_of(bit), _name_of(bit))
@@ -161,6 +145,15 @@ class _Rewriter:
         if bank.is_bit:
             return _Piece(text, "nc")
         return None if bank.kind is Kind.TEXT else _Piece(f"{text} == 0")
+
+    def _opposite_comparison(self, node: ast.Compare) -> _Piece | None:
+        start, end = self._extent(node)
+        left, right = self._extent(node.left)[1], self._extent(node.comparators[0])[0]
+        sign = _SIGN.search(_code(self._text[left:right])) if len(node.ops) == 1 else None
+        if sign is None:
+            return None
+        text = self._text[start : left + sign.start()], OPPOSITE[sign[0]], self._text[left + sign.end() : end]
+        return _Piece("".join(text))
 
     def _joined(self, function: str, terms: list[ast.expr], extent: tuple[int, int], wanted: bool) -> str | None:
         """The terms with commas between them, and what stands around them in this stretch of the file."""

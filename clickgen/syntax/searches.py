@@ -6,13 +6,13 @@ import ast
 from dataclasses import replace
 
 from clickgen.device.banks import Address
+from clickgen.ir.conditions import MIRRORED
 from clickgen.ir.operands import WHOLE, Cell, Named, Operand, Range, Section
 from clickgen.ir.program import Value, Word
 from clickgen.syntax.conditions import COMPARISONS
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import read_operand
 
-_MIRRORED = {"==": "==", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
 _EXAMPLE = "search(ds[1:101] >= 100, result=ds.At, found=c.Found)"
 
 
@@ -26,13 +26,13 @@ def read_range_comparison(context: Context, node: ast.expr) -> dict[str, Value] 
         return None
     operator = COMPARISONS.get(type(node.ops[0]))
     if operator is None:
-        context.problem("CG107", node, "CLICK has no such comparison", f"the comparisons: {' '.join(_MIRRORED)}")
+        context.problem("CG107", node, "CLICK has no such comparison", f"the comparisons: {' '.join(MIRRORED)}")
         return None
     left, right = read_operand(context, node.left), read_operand(context, node.comparators[0])
     if left is None or right is None:
         return None
     if _is_section(right) and not _is_section(left):
-        left, right, operator = right, left, _MIRRORED[operator]
+        left, right, operator = right, left, MIRRORED[operator]
     if isinstance(left, Named) and not isinstance(left.part, int) and not _is_section(right):
         ends = _ends(context, left)
         return ends and {"condition": Word(operator, context.span(node)), "value": right, **ends}

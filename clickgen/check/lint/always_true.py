@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from clickgen.check.facts import Facts
-from clickgen.check.logic import MANY, always_holds, decided, may_meet, value_of
 from clickgen.check.rule import Rule, Wrong
 from clickgen.diagnostics import Diagnostics
 from clickgen.ir.conditions import All, Any, Compare, Condition
+from clickgen.ir.logic import MANY, always_holds, decided, may_meet, value_of
 
 CODE = "CG508"
 

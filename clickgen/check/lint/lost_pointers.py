@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from clickgen.check.facts import FIRST_SCAN, Facts, Placed
-from clickgen.check.logic import are_exclusive, implies, terms_of
 from clickgen.check.rule import Rule, Wrong
 from clickgen.check.uses import addresses_of
 from clickgen.device.banks import BANKS, Address
@@ -15,6 +14,7 @@ from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
 from clickgen.instructions.copies import COPY, COPY_FILL
 from clickgen.ir.conditions import All, Any, Compare, Condition, Contact
+from clickgen.ir.logic import are_exclusive, implies, terms_of
 from clickgen.ir.operands import Cell, Immediate, Integer, Operand, Pointer, form_of
 from clickgen.ir.program import Routine
 from clickgen.ir.reach import touches

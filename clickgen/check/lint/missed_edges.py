@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
-from clickgen.check.logic import always_holds, implies
 from clickgen.check.rule import Rule, Wrong
 from clickgen.device.banks import Address
 from clickgen.device.system import ALWAYS_ON
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions import communication
 from clickgen.ir.conditions import Any, Contact
+from clickgen.ir.logic import always_holds, implies
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine
 from clickgen.ir.walk import leaves

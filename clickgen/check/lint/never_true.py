@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from clickgen.check.facts import Facts, Site
-from clickgen.check.logic import MANY, are_exclusive, can_hold, decided, looked_at, may_meet, terms_of, value_of
 from clickgen.check.rule import Rule, Wrong
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.ir.conditions import All, Any, Compare, Condition
+from clickgen.ir.logic import MANY, are_exclusive, can_hold, decided, looked_at, may_meet, terms_of, value_of
 
 CODE = "CG507"
 

@@ -6,7 +6,6 @@ from collections import defaultdict
 from typing import NamedTuple
 
 from clickgen.check.facts import Facts, Placed
-from clickgen.check.logic import can_hold, implies, terms_of
 from clickgen.check.rule import Rule, Wrong
 from clickgen.check.uses import Use, addresses_of, extents_of
 from clickgen.device.banks import BANKS, TWIN_BANKS, Address, parse_address, points_of
@@ -18,6 +17,7 @@ from clickgen.instructions.copies import COPY, COPY_PACK
 from clickgen.instructions.spec import BITS, COPY_FLAGS, MATH_FLAGS, TEXT
 from clickgen.instructions.spec import CODE as CHARACTER
 from clickgen.ir.conditions import Condition
+from clickgen.ir.logic import can_hold, implies, terms_of
 from clickgen.ir.operands import Cell, Constant, Immediate, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action, FormulaText
 from clickgen.ir.walk import condition_operands, leaves

@@ -7,7 +7,10 @@ from collections.abc import Callable, Iterable
 from itertools import combinations, pairwise
 
 from clickgen.check.facts import Facts
-from clickgen.check.logic import (
+from clickgen.check.rule import Rule, Wrong
+from clickgen.diagnostics import Diagnostics, Edit, Fix, Label
+from clickgen.ir.conditions import All, Any, Compare, Condition
+from clickgen.ir.logic import (
     MANY,
     always_holds,
     are_exclusive,
@@ -18,9 +21,6 @@ from clickgen.check.logic import (
     shape,
     terms_of,
 )
-from clickgen.check.rule import Rule, Wrong
-from clickgen.diagnostics import Diagnostics, Edit, Fix, Label
-from clickgen.ir.conditions import All, Any, Compare, Condition
 from clickgen.ir.walk import leaves
 from clickgen.source import Span
 

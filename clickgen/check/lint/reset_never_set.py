@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from clickgen.check.facts import STARTING, Facts, Placed
-from clickgen.check.logic import implies
 from clickgen.check.rule import Rule, Wrong
 from clickgen.check.uses import addresses_of
 from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.coils import RESET
 from clickgen.ir.conditions import Contact
+from clickgen.ir.logic import implies
 from clickgen.ir.operands import Cell
 from clickgen.ir.walk import condition_operands
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from itertools import combinations, islice, product
 
 from clickgen.check.facts import FIRST_SCAN, Facts, Placed
-from clickgen.check.logic import are_exclusive, implies
 from clickgen.check.rule import Rule, Wrong
 from clickgen.device.banks import BANKS, Address
 from clickgen.diagnostics import Diagnostics, Label
@@ -13,6 +12,7 @@ from clickgen.instructions import drums
 from clickgen.instructions.coils import OUT, RESET, SET
 from clickgen.instructions.communication import RECEIVE
 from clickgen.ir.conditions import Condition, Contact
+from clickgen.ir.logic import are_exclusive, implies
 from clickgen.ir.operands import Cell
 from clickgen.source import Span
 

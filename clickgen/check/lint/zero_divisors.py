@@ -6,7 +6,6 @@ import operator
 from collections.abc import Callable, Mapping
 
 from clickgen.check.facts import Facts, Placed
-from clickgen.check.logic import are_exclusive
 from clickgen.check.rule import Rule, Wrong
 from clickgen.check.uses import Use
 from clickgen.diagnostics import Diagnostics
@@ -14,6 +13,7 @@ from clickgen.formula.nodes import Binary, Group, HexNumber, Node, Number, Opera
 from clickgen.instructions import maths
 from clickgen.instructions.copies import COPY, COPY_FILL
 from clickgen.ir.conditions import Compare
+from clickgen.ir.logic import are_exclusive
 from clickgen.ir.operands import Cell, Hex, Integer, Real
 from clickgen.ir.program import FormulaText
 from clickgen.source import Span

@@ -1,0 +1,96 @@
+"""``clickgen stubs``: the language and the names of programs, where editors look for them."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
+from clickgen.cli.jobs import Job, jobs, near
+from clickgen.diagnostics import CouldNotRun
+from clickgen.emit.write import put_in_place
+from clickgen.pipeline import KnownNames, known_names
+from clickgen.report.frames import printable
+from clickgen.stubs.stub import MARK, builtins_stub
+from clickgen.wording import counted
+
+STUB_NAME = "__builtins__.pyi"
+"""Pyright takes this file for names that are known everywhere in its folder."""
+
+
+def run(programs: Sequence[str], nicknames: str | None, frozen: bool, is_check: bool, config: str | None) -> int:
+    """Write the stub file of every folder with a program, or say which are stale; returns the exit code."""
+    try:
+        names = _names(jobs(programs, nicknames, frozen, config))
+        stubs = {near(folder / STUB_NAME): _stub(found) for folder, found in names.items()}
+        stale = {path: text for path, text in stubs.items() if _is_stale(path, text)}
+        if is_check:
+            return _say_stale(stale, _command(programs, nicknames, frozen, config))
+        put_in_place(stale)
+    except CouldNotRun as error:
+        print(f"clickgen: {printable(str(error))}", file=sys.stderr)
+        return COULD_NOT_RUN
+    except OSError as error:
+        place = f"{error.filename}: " if error.filename else ""
+        print(f"clickgen: {printable(place)}{error.strerror or error}; nothing was written", file=sys.stderr)
+        return COULD_NOT_RUN
+    for path in stubs:
+        print(f"{path}: {'written' if path in stale else 'nothing has changed'}")
+    return OK
+
+
+def _names(found: Sequence[Job]) -> dict[Path, list[KnownNames]]:
+    """The names of every program by its folder; each is resolved with the table that those before it leave."""
+    names: dict[Path, list[KnownNames]] = {}
+    tables: dict[str, bytes] = {}
+    for job in found:
+        known = known_names(job.program, replace(job.settings, overlay=dict(tables)))
+        tables[os.path.realpath(known.table_path)] = known.table
+        names.setdefault(Path(job.program).parent.absolute(), []).append(known)
+        _say_errors(job.program, known)
+    return names
+
+
+def _say_errors(program: str, known: KnownNames) -> None:
+    errors = sum(problem.is_error for problem in known.diagnostics)
+    if errors:
+        said = f"{program} has {counted(errors, 'error')}, so some of its names may be missing"
+        print(f"clickgen: {said}; see clickgen check {program}", file=sys.stderr)
+
+
+def _stub(names: Sequence[KnownNames]) -> bytes:
+    rows = [row for known in names for row in known.rows]
+    return builtins_stub(rows, [block for known in names for block in known.blocks]).encode()
+
+
+def _is_stale(path: Path, text: bytes) -> bool:
+    """True where a file is missing or says something else. Raises CouldNotRun where it is not clickgen's."""
+    try:
+        stands = path.read_bytes().replace(b"\r\n", b"\n")
+    except FileNotFoundError:
+        return True
+    if not stands.startswith(MARK.encode()):
+        raise CouldNotRun(f"{path} was not made by clickgen stubs: move it away, then run again")
+    return stands != text
+
+
+def _say_stale(stale: Mapping[Path, bytes], command: str) -> int:
+    for path in stale:
+        print(f"{path} is {'stale' if path.exists() else 'missing'}", file=sys.stderr)
+    if not stale:
+        return OK
+    print(f"clickgen: run {command} and commit what it writes", file=sys.stderr)
+    return PROBLEMS
+
+
+def _command(programs: Sequence[str], nicknames: str | None, frozen: bool, config: str | None) -> str:
+    """The command that writes what was checked."""
+    words = ["clickgen", "stubs", *programs]
+    words += ["--nicknames", nicknames] if nicknames else []
+    words += ["--frozen"] if frozen else []
+    words += ["--config", config] if config else []
+    return shlex.join(words)

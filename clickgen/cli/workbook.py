@@ -1,0 +1,97 @@
+"""``clickgen workbook``: the project as an Excel workbook."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
+from clickgen.cli.jobs import Job, jobs
+from clickgen.diagnostics import CouldNotRun
+from clickgen.emit.write import put_in_place
+from clickgen.pipeline import BuildResult, build
+from clickgen.report.frames import printable, summary, write_problems
+from clickgen.wording import counted
+
+
+def run(program: str, output: str | None, nicknames: str | None, config: str | None) -> int:
+    """Write the workbook of a program; returns the exit code."""
+    try:
+        (job,) = jobs([program], nicknames, config=config)
+        path = _place(job, output)
+        before = _former(path, job)
+        result = build(job.program, settings=job.settings)
+        write_problems(result.diagnostics, result.sources, sys.stderr)
+        noted = summary(problem.severity for problem in result.diagnostics)
+        if not result.ok:
+            print(f"clickgen: {noted}; nothing was written", file=sys.stderr)
+            return PROBLEMS
+        put_in_place({path: _workbook(result, job)}, unchanged={path: before})
+        print(_report(result, path, noted))
+    except CouldNotRun as error:
+        print(f"clickgen: {printable(str(error))}", file=sys.stderr)
+        return COULD_NOT_RUN
+    except OSError as error:
+        place = f"{error.filename}: " if error.filename else ""
+        print(f"clickgen: {printable(place)}{error.strerror or error}; nothing was written", file=sys.stderr)
+        return COULD_NOT_RUN
+    return OK
+
+
+def _place(job: Job, output: str | None) -> Path:
+    """Where the workbook goes; without ``-o`` beside what ``clickgen build`` makes of the program."""
+    if output is None:
+        return job.folder / f"{Path(job.program).stem}.xlsx"
+    if Path(output).suffix.lower() != ".xlsx":
+        raise CouldNotRun(f"the workbook's name must end in .xlsx, and {output or 'the name after -o'} does not")
+    return Path(output)
+
+
+def _former(path: Path, job: Job) -> bytes | None:
+    """What stands where the workbook goes. Raises CouldNotRun where that is not an earlier workbook of clickgen."""
+    from clickgen.emit.workbook.archive import is_ours
+
+    table = job.settings.nicknames
+    if table is not None and os.path.realpath(path) == os.path.realpath(table):
+        raise CouldNotRun(f"{path} is the address table; choose another file with -o")
+    if not path.is_file():
+        return None
+    before = path.read_bytes()
+    if not is_ours(before):
+        raise CouldNotRun(
+            f"{path} was not written by clickgen, or somebody has saved it since; move it away, or choose another "
+            "file with -o"
+        )
+    return before
+
+
+def _workbook(result: BuildResult, job: Job) -> bytes:
+    from clickgen.emit.workbook import Project, workbook
+
+    return workbook(
+        Project(
+            result.program.stem,
+            result.routines,
+            result.rows,
+            result.scratch_rows,
+            frozenset(job.settings.reserved),
+            len(result.new_rows),
+            os.path.dirname(str(result.program)),
+        )
+    )
+
+
+def _report(result: BuildResult, path: Path, noted: str) -> str:
+    rungs = sum(len(routine.rungs) for routine in result.routines)
+    lines = [f"Wrote {path}: {counted(rungs, 'rung')}, {counted(len(result.rows), 'address', 'addresses')}."]
+    new = len(result.new_rows)
+    if new:
+        which, what = ("is", "it") if new == 1 else ("are", "them")
+        lines.append(
+            f"{counted(new, 'address', 'addresses')} of it {which} not in {result.table_path} yet: "
+            f"clickgen build writes {what}."
+        )
+    if noted:
+        lines.append(f"{noted[0].upper() + noted[1:]} above.")
+    return "\n".join(lines)

@@ -1,0 +1,54 @@
+"""What a sheet is before it becomes one of Excel: a name, columns, and rows of values. Pure data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import Enum, auto
+from typing import NamedTuple
+
+
+class Look(Enum):
+    """How a cell stands out; what each looks like is in ``looks.py``."""
+
+    PLAIN = auto()
+    TITLE = auto()
+    FAINT = auto()
+    """Nothing is there: a free point, a free stretch."""
+    LADDER = auto()
+    """Rungs in words, indented."""
+    USED = auto()
+    NAMED = auto()
+    SCRATCH = auto()
+    RESERVED = auto()
+
+
+class Marked(NamedTuple):
+    """A value that stands out."""
+
+    value: str | int | float | None
+    look: Look
+
+
+Value = str | int | float | Marked | None
+Cells = tuple[Value, ...]
+
+
+class Column(NamedTuple):
+    """``width`` is in characters. A text that is wider goes on in the next line when the column ``wraps``."""
+
+    title: str
+    width: int
+    wraps: bool = False
+    is_centered: bool = False
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """``about`` says in one line what the sheet holds; it stands above each printed page."""
+
+    name: str
+    about: str
+    columns: tuple[Column, ...]
+    rows: Iterable[Cells]
+    has_filter: bool = True

@@ -1,0 +1,94 @@
+"""What becomes of every cell that a program can have: used, named only, scratch, reserved, free."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from itertools import groupby
+from typing import NamedTuple
+
+from clickgen.check.uses import Uses, extents_of
+from clickgen.device.banks import BANKS, Address, Bank
+from clickgen.emit.workbook.sheet import Look
+from clickgen.resolve.rows import Row, is_scratch
+
+
+class State(Enum):
+    """A letter for maps, words for lists, a meaning, a look."""
+
+    USED = ("U", "used", "a rung reads or writes it", Look.USED)
+    NAMED = ("N", "named, not used", "only the address table speaks of it", Look.NAMED)
+    SCRATCH = ("S", "scratch", "clickgen needs it for itself", Look.SCRATCH)
+    RESERVED = ("R", "reserved", "the settings keep it free", Look.RESERVED)
+    FREE = ("", "free", "clickgen may give it to a name", Look.FAINT)
+
+    def __init__(self, letter: str, words: str, meaning: str, look: Look) -> None:
+        self.letter = letter
+        self.words = words
+        self.meaning = meaning
+        self.look = look
+
+
+GIVEN = tuple(bank for bank in BANKS.values() if bank.allocatable)
+"""The banks whose cells a program can have; the others are CLICK's own or follow one of these."""
+
+
+class Stretch(NamedTuple):
+    """Cells of one state in a row, both ends included."""
+
+    first: Address
+    last: Address
+    state: State
+
+    @property
+    def length(self) -> int:
+        return self.last.number - self.first.number + 1
+
+
+@dataclass(frozen=True)
+class States:
+    """The state of each cell, by bank and number."""
+
+    _by_bank: Mapping[str, list[State]]
+
+    @staticmethod
+    def of(rows: Iterable[Row], reserved: Iterable[Address], uses: Uses) -> States:
+        return States(_states(tuple(rows), reserved, uses))
+
+    def at(self, address: Address) -> State:
+        return self._by_bank[address.bank][address.number]
+
+    def count(self, bank: Bank) -> Counter[State]:
+        states = self._by_bank[bank.name]
+        return Counter(states[number] for number in bank.numbers())
+
+    def stretches(self, bank: Bank) -> Iterator[Stretch]:
+        """In order; none goes over a gap of the bank's numbers."""
+        states = self._by_bank[bank.name]
+        for first, last in bank.ranges:
+            for state, group in groupby(range(first, last + 1), key=states.__getitem__):
+                numbers = list(group)
+                yield Stretch(Address(bank.name, numbers[0]), Address(bank.name, numbers[-1]), state)
+
+
+def _states(rows: tuple[Row, ...], reserved: Iterable[Address], uses: Uses) -> dict[str, list[State]]:
+    states = {bank.name: [State.FREE] * (bank.last + 1) for bank in GIVEN}
+
+    def mark(address: Address, state: State) -> None:
+        if address.bank in states:
+            states[address.bank][address.number] = state
+
+    for address in reserved:
+        mark(address, State.RESERVED)
+    for row in rows:
+        if not row.is_default:
+            mark(row.address, State.NAMED)
+    for bank, first, last in {extent for use in uses.every for extent in extents_of(use.operand)}:
+        if bank in states:
+            states[bank][first : last + 1] = [State.USED] * (last - first + 1)
+    for row in rows:
+        if is_scratch(row):
+            mark(row.address, State.SCRATCH)
+    return states

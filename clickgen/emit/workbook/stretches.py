@@ -1,0 +1,21 @@
+"""The sheet of memory in stretches: where cells of one state lie in a row."""
+
+from __future__ import annotations
+
+from clickgen.emit.workbook.project import Project
+from clickgen.emit.workbook.sheet import Cells, Column, Marked, Sheet
+from clickgen.emit.workbook.states import GIVEN, Stretch
+
+
+def stretches(project: Project) -> Sheet:
+    return Sheet(
+        "Memory stretches",
+        "Cells of one state in a row. Filter for free and sort by count to find room.",
+        (Column("Bank", 8), Column("From", 12), Column("To", 12), Column("Count", 9), Column("State", 20)),
+        (_stretch(stretch) for bank in GIVEN for stretch in project.states.stretches(bank)),
+    )
+
+
+def _stretch(stretch: Stretch) -> Cells:
+    words = Marked(stretch.state.words, stretch.state.look)
+    return stretch.first.bank, str(stretch.first), str(stretch.last), stretch.length, words

@@ -1,0 +1,1 @@
+"""What ``clickgen nicknames`` does with an address table: compare, merge, rename, explain."""

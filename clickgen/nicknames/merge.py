@@ -1,0 +1,213 @@
+"""Taking a fresh export of CLICK into the address table: what differs, and what of it is asked for.
+
+CLICK knows addresses, a program knows names. So where the same addresses have names before and after, they were
+renamed; where a name left an address without one, or came to one without, it moved. Rows of SC and SD are CLICK's and
+rows of scratch cells are clickgen's: both stay as they are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import NamedTuple
+
+from clickgen.device.banks import Address
+from clickgen.nicknames.changes import (
+    ADDED,
+    CHANGED,
+    KINDS,
+    MOVED,
+    REMOVED,
+    RENAMED,
+    Change,
+    changes_between,
+)
+from clickgen.resolve.rows import Row, is_scratch
+from clickgen.resolve.table import AddressTable
+
+__all__ = ["KINDS", "Change", "Conflict", "Merge", "merge"]
+
+OWN_BANKS = ("SC", "SD")
+"""What CLICK does with such rows on import is unknown (click-facts, section 1): they are neither taken nor written."""
+
+
+@dataclass(frozen=True)
+class Conflict:
+    """A change that cannot be taken: what stands in its way, and the kinds that settle it when accepted together.
+
+    Without ``accept`` no kind does.
+    """
+
+    change: Change
+    reason: str
+    accept: tuple[str, ...] = ()
+
+
+class _Needs(NamedTuple):
+    """What a change needs: other changes, which take these rows out of its way. ``never`` says why nothing helps."""
+
+    never: str
+    others: list[tuple[int, Row]]
+
+
+@dataclass(frozen=True)
+class Merge:
+    """How an export differs from the table. ``kept_apart`` counts its rows of SC and SD."""
+
+    table: AddressTable
+    export: AddressTable
+    changes: tuple[Change, ...]
+    kept_apart: int
+
+    def of(self, kinds: Collection[str]) -> tuple[Change, ...]:
+        """The changes of these kinds, in CLICK's row order."""
+        return tuple(change for change in self.changes if change.kind in kinds)
+
+    def takes(self, kinds: Collection[str]) -> tuple[Change, ...]:
+        """The changes of these kinds that leave a legal table: each name and each address once."""
+        stuck = self._stuck(kinds)
+        return tuple(change for index, change in enumerate(self.changes) if index not in stuck)
+
+    def conflicts(self, kinds: Collection[str]) -> tuple[Conflict, ...]:
+        """Why the other changes of these kinds cannot be taken."""
+        stuck = sorted(index for index in self._stuck(kinds) if self.changes[index].kind in kinds)
+        return tuple(self._conflict(index, kinds) for index in stuck)
+
+    def taken(self, kinds: Collection[str]) -> AddressTable:
+        """The table with the changes of these kinds. Order, foreign rows and what nobody changed stay."""
+        taken = self.takes(kinds)
+        rows: dict[Address, Row | None] = {}
+        for change in taken:
+            if change.before and change.kind in (MOVED, REMOVED):
+                rows[change.before.address] = self._without_name(change.before)
+        for change in taken:
+            if change.after and change.kind in (ADDED, MOVED, RENAMED):
+                rows[change.after.address] = self._named(change.after, rows)
+        for change in taken:
+            if change.after and change.kind == CHANGED:
+                stands = rows.get(change.after.address) or self.table.by_address[change.after.address]
+                rows[change.after.address] = replace(change.after, nickname=stands.nickname)
+        return self.table.changed(rows) if rows else self.table
+
+    def _without_name(self, row: Row) -> Row | None:
+        """What is left of a row when its name goes: what the export says of the address, if that is anything."""
+        left = self.export.by_address.get(row.address)
+        return left if left and not left.nickname and not left.is_default else None
+
+    def _named(self, row: Row, rows: Mapping[Address, Row | None]) -> Row:
+        """An export's row under its name; what the table says of an address that stays is another question."""
+        stands = self.table.by_address.get(row.address)
+        if stands is None or stands.is_default or row.address in rows:
+            return row
+        return replace(stands, nickname=row.nickname)
+
+    # -- what stands in the way ---------------------------------------------------------------------------------------
+
+    @cached_property
+    def _needs(self) -> list[_Needs]:
+        """What each change needs, in the order of the changes."""
+        leaving = {
+            change.before.address: index
+            for index, change in enumerate(self.changes)
+            if change.before and change.before.nickname and change.kind in (MOVED, REMOVED, RENAMED)
+        }
+        needs: list[_Needs] = []
+        for change in self.changes:
+            rows = [*self._in_the_way(change)]
+            standing = next((self._stands(change, row) for row in rows if row.address not in leaving), "")
+            others = [(leaving[row.address], row) for row in rows if row.address in leaving]
+            needs.append(_Needs(self._fault(change) or standing, others))
+        return needs
+
+    def _stuck(self, kinds: Collection[str]) -> set[int]:
+        """The changes that are not of these kinds, or cannot be taken, or need one of those."""
+        needed_by: dict[int, list[int]] = {}
+        for index, needs in enumerate(self._needs):
+            for other, _ in needs.others:
+                needed_by.setdefault(other, []).append(index)
+        waiting = [
+            index
+            for index, (change, needs) in enumerate(zip(self.changes, self._needs, strict=True))
+            if change.kind not in kinds or needs.never
+        ]
+        stuck = set(waiting)
+        for index in waiting:
+            new = [other for other in needed_by.get(index, ()) if other not in stuck]
+            stuck.update(new)
+            waiting += new
+        return stuck
+
+    def _conflict(self, index: int, kinds: Collection[str]) -> Conflict:
+        """What a stuck change is in need of, through all that this needs in turn."""
+        change, reason = self.changes[index], ""
+        waiting = [index]
+        seen = {index}
+        for each in waiting:
+            never, others = self._needs[each]
+            if never:
+                return Conflict(change, never)
+            for other, row in others:
+                if self.changes[other].kind not in kinds:
+                    reason = reason or self._stands(self.changes[each], row)
+                if other not in seen:
+                    seen.add(other)
+                    waiting.append(other)
+        needed = {self.changes[each].kind for each in seen}
+        return Conflict(change, reason, tuple(kind for kind in KINDS if kind in needed))
+
+    def _fault(self, change: Change) -> str:
+        """Why a change can never be taken."""
+        for row in (change.before, change.after and self.table.by_address.get(change.after.address)):
+            if row is not None and row.cell is not None:
+                return f"{row.address} stands in {self.table.place(row)}, and a workbook is changed by hand"
+        after = change.after
+        if after is not None and after.nickname:
+            first = self.export.by_nickname[after.nickname.lower()]
+            if first.address != after.address and first.address.bank not in OWN_BANKS:
+                return f"the export gives {after.nickname} to {first.address} and to {after.address}"
+        return ""
+
+    def _in_the_way(self, change: Change) -> Iterator[Row]:
+        """The table's rows that have the name or the address that a change needs, its own row aside."""
+        after = change.after
+        if after is None or not after.nickname or change.kind == CHANGED:
+            return
+        own = change.before.address if change.before else None
+        for row in (self.table.by_address.get(after.address), self.table.by_nickname.get(after.nickname.lower())):
+            if row is not None and row.nickname and row.address != own:
+                yield row
+
+    def _stands(self, change: Change, row: Row) -> str:
+        assert change.after is not None
+        place = self.table.place(row)
+        if is_scratch(row):
+            way = f"give {change.after.nickname} another address in CLICK, or delete that row"
+            return f"{row.address} is {row.nickname}, which clickgen uses for itself ({place}): {way}"
+        return f"{row.nickname} is {row.address} in the table ({place})"
+
+
+def merge(table: AddressTable, export: AddressTable, used: Callable[[str], list[str]] | None = None) -> Merge:
+    """Compare an export with the table, both without errors; an export that gives a name twice has conflicts.
+
+    ``used`` gives the places where programs use a nickname, such as ``prog.py:12``.
+    """
+    ours = [row for row in table.rows if _is_shared(row) and not is_scratch(row)]
+    changes = changes_between(ours, [row for row in export.rows if _is_shared(row) and _is_news(row, table)])
+    if used is not None:
+        changes = [replace(change, used=tuple(used(change.name))) if change.name else change for change in changes]
+    kept_apart = sum(row.address.bank in OWN_BANKS for row in export.rows)
+    return Merge(table, export, tuple(changes), kept_apart)
+
+
+def _is_shared(row: Row) -> bool:
+    """True for a row that says something and is no business of CLICK's own."""
+    return row.address.bank not in OWN_BANKS and not row.is_default
+
+
+def _is_news(row: Row, table: AddressTable) -> bool:
+    """False for what an export says of clickgen's scratch cells, unless the table knows nothing of the cell."""
+    stands = table.by_address.get(row.address)
+    if stands is not None and is_scratch(stands) and row.nickname.lower() in ("", stands.nickname.lower()):
+        return False
+    return not is_scratch(row) or (stands is None and row.nickname.lower() not in table.by_nickname)

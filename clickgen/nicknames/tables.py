@@ -1,0 +1,87 @@
+"""The address tables of programs, each read once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+from clickgen.diagnostics import CouldNotRun, Diagnostics
+from clickgen.nicknames.programs import Files, Program
+from clickgen.resolve.blocks import Block, marked_blocks
+from clickgen.resolve.layers import beside_workbook
+from clickgen.resolve.read_table import TableUnreadable, read_table
+from clickgen.resolve.rows import Row
+from clickgen.resolve.table import AddressTable
+
+
+@dataclass(frozen=True)
+class Table:
+    """An address table as it stands on disk; ``key`` is its real path."""
+
+    key: str
+    path: Path
+    table: AddressTable
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        return self.table.rows
+
+    @cached_property
+    def blocks(self) -> dict[str, Block]:
+        """The blocks that comments mark, by their lowercase names."""
+        return marked_blocks(self.table)
+
+    def row(self, nickname: str) -> Row | None:
+        return self.table.by_nickname.get(nickname.lower())
+
+    def place(self, row: Row) -> str:
+        return self.table.place(row)
+
+    def renamed(self, old: str, new: str) -> bytes:
+        """The file with another nickname in the row of one that it has."""
+        row = self.row(old)
+        assert row is not None
+        assert row.cell is None
+        return self.table.renamed(row.address, new).to_bytes()
+
+    def stand_in(self, old: str, new: str) -> tuple[Path, bytes] | None:
+        """Where the table was renamed already and the sources were not: the table as it was before, and its place."""
+        row = self.row(new)
+        if row is None or self.row(old) is not None:
+            return None
+        if row.cell is None:
+            return self.path, self.table.renamed(row.address, old).to_bytes()
+        rows = [replace(each, nickname=old) if each is row else each for each in self.rows]
+        return self.path, AddressTable.empty(str(self.path)).extended(rows).to_bytes()
+
+
+def read_tables(programs: Iterable[Program], files: Files) -> dict[str, Table]:
+    """The tables of these programs by their real paths. Raises CouldNotRun for one that has errors."""
+    tables: dict[str, Table] = {}
+    for program in programs:
+        if program.table_key not in tables:
+            tables[program.table_key] = Table(program.table_key, program.table, _read(program, files))
+    return tables
+
+
+def _read(program: Program, files: Files) -> AddressTable:
+    shown = str(program.table)
+    problems = Diagnostics()
+    try:
+        data = files.look(shown)
+        table = AddressTable.empty(shown) if data is None else read_table(program.table, shown, problems, data)
+        if program.workbook is not None:
+            from clickgen.resolve.read_workbook import read_workbook
+
+            rows = read_workbook(program.workbook, str(program.workbook), problems)
+            table = beside_workbook(table, rows, problems)
+    except OSError as error:
+        raise CouldNotRun(f"{shown} cannot be read: {error.strerror or error}") from None
+    except TableUnreadable as error:
+        raise CouldNotRun(str(error)) from None
+    for problem in problems.in_order():
+        if problem.is_error:
+            raise CouldNotRun(f"the address table has errors: {problem.span}: {problem.message}")
+    return table

@@ -1,0 +1,458 @@
+"""A rename reaches every place where a name stands, changes nothing else, and happens wholly or not at all."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from clickgen.config import Config, ProgramSettings
+from clickgen.diagnostics import CouldNotRun, Diagnostics
+from clickgen.emit.write import ChangedMeanwhile, put_in_place
+from clickgen.nicknames.rename import Rename, rename
+from clickgen.nicknames.uses import comments_with, places_in, read_names
+from clickgen.pipeline import Settings, build
+from clickgen.resolve.read_table import read_table
+from clickgen.resolve.rows import HEADER
+from clickgen.resolve.table import AddressTable
+from clickgen.source import Span
+from clickgen.syntax.parse import decode
+
+
+class Job(NamedTuple):
+    program: str
+    settings: Settings = Settings()
+
+
+@pytest.fixture(autouse=True)
+def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def place(files: Mapping[str, str | bytes]) -> None:
+    for name, content in files.items():
+        Path(name).parent.mkdir(parents=True, exist_ok=True)
+        Path(name).write_bytes(content.encode() if isinstance(content, str) else content)
+
+
+def table(*rows: str) -> str:
+    return "".join(f"{line}\n" for line in (HEADER, *rows))
+
+
+def main(*rungs: str) -> str:
+    """A program of these rungs, each an ``if`` with one action behind it."""
+    return "def main():\n" + "".join(f"    {rung}\n" for rung in rungs) + "    if True:\n        end()\n"
+
+
+def done(old: str, new: str, *programs: str, config: Config | None = None) -> Rename:
+    """Rename and write."""
+    change = rename(old, new, [Job(program) for program in programs or ("prog.py",)], config or Config(Path.cwd()))
+    put_in_place(change.writes, (), change.unchanged)
+    return change
+
+
+def refused(old: str, new: str, *programs: str, config: Config | None = None) -> str:
+    """Why a rename is refused; every file stays as it is."""
+    before = {path: path.read_bytes() for path in Path().rglob("*") if path.is_file()}
+    with pytest.raises(CouldNotRun) as caught:
+        done(old, new, *programs, config=config)
+    assert {path: path.read_bytes() for path in Path().rglob("*") if path.is_file()} == before
+    return str(caught.value)
+
+
+def text(name: str = "prog.py") -> str:
+    return Path(name).read_bytes().decode()
+
+
+OLD_ROW = 'C5,BIT,"Old",0,No,"Old words"'
+
+# -- where a name stands ----------------------------------------------------------------------------------------------
+
+EVERYWHERE = '''\
+# Old: a comment, and oldest.
+nickname(ds.Other, ds[9], comment="Old stays")
+
+
+@sub
+def Old():
+    """Old"""
+    if ds.§ == 3:  # Old
+        copy(ds[ds.§], dd[ds.§])
+        copy(5, ds [ "§" ])
+    if all(ds . § > 1, ds.Older == 1, any(ds["§"] < 4, 5 == ds[r'§'])):
+        calc("ds.§ + ds.§ * ds[ds.§] - ds['§']", ds.§)
+        calc('SUM(ds[1:4]) + ds["§"] + ds . § + ds.Older', ds.Result)
+        calc("ds.§"  # Old
+             ' + 1 + ' "ds.§ - 1", ds["§" ""])
+        copy("Old", txt[1])
+        for _ in range(ds.§):
+            if nc(c.Bit):
+                out(c.Oldest)
+    if True:
+        return
+
+
+def main():
+    if c.Bit:
+        call(Old)
+    if c.Bit2:
+        call("Old")
+        ctu(ct.Count, setpoint=ds.§, reset=lambda: ds.§ == 4)
+        search(">=", ds.§, ds[100], ds[200], ds.§, c.Found)
+    if True:
+        event_drum(outputs=[y[1]], events=[c.Bit], pattern=[[1]], current_step=ds.§,
+                   completion_flag=c.Flag).reset(ds.§ == 1).jump(c.Skip, step=ds.§)
+        end()
+'''
+
+
+def test_every_place_of_a_name() -> None:
+    source = EVERYWHERE.replace("§", "Old")
+    place({"prog.py": source, "nicknames.csv": table('DS1,INT,"Old",0,Yes,"Old words"')})
+    before = build("prog.py")
+    assert before.ok, before.diagnostics
+    change = done("old", "NewName")
+    assert text() == EVERYWHERE.replace("§", "NewName")
+    assert text("nicknames.csv") == table('DS1,INT,"NewName",0,Yes,"Old words"')
+    assert change.counts == {Path("prog.py"): EVERYWHERE.count("§"), Path("nicknames.csv"): 1}
+    assert change.comments == {Path("prog.py"): 3}
+    assert change.programs == ("prog.py",)
+    assert build("prog.py").files["main.csv"] == before.files["main.csv"]
+    done("NewName", "Old")
+    assert (text(), text("nicknames.csv")) == (source, table('DS1,INT,"Old",0,Yes,"Old words"'))
+
+
+def test_strings_in_pieces() -> None:
+    lines = ('calc("ds.O" \'ld + 1 + \' "ds.\\x4fld", ds["O" "ld"])', 'calc("""ds.Ol\\\nd + 1""", ds.OLD)')
+    place({"prog.py": main("if c.Bit:", *(f"    {line}" for line in lines)), "nicknames.csv": table()})
+    done("Old", "New")
+    lines = ('calc("ds.New" \' + 1 + \' "ds.New", ds["New" ""])', 'calc("""ds.New\\\n + 1""", ds.New)')
+    assert text() == main("if c.Bit:", *(f"    {line}" for line in lines))
+
+
+@pytest.mark.parametrize(
+    ("bank", "rung"),
+    [
+        ("T", "if t.Old:\n        ton(t.Old, setpoint=5)\n        copy(td.Old, ds[1])"),
+        ("CT", "if all(ct.old, ctd.OLD > 5):\n        ctu(ct.Old, setpoint=5).reset(ct.Old)"),
+        ("X", "if all(x.Old.immediate, nc(x[\"Old\"].immediate)):\n        out(y[1])"),
+        ("Y", "if re(y.Old):\n        out(y.Old.immediate)"),
+        ("DH", "if dh.Old == 0xFF:\n        math_hex(\"dh.Old AND 0FFh\", dh.Old)"),
+        ("TXT", "if txt.Old == \"A\":\n        copy(txt.Old.as_value(), ds[1])"),
+        ("C", "if c.Old:\n        shift(c[1:9]).clock(c.Old).reset(c[\"Old\"])"),
+    ],
+)  # fmt: skip
+def test_every_bank(bank: str, rung: str) -> None:
+    first = {"T": "BIT", "CT": "BIT", "X": "BIT", "Y": "BIT", "C": "BIT", "DH": "HEX", "TXT": "TEXT"}[bank]
+    number = {"X": "X007", "Y": "Y007"}.get(bank, f"{bank}77")
+    place({"prog.py": main(rung), "nicknames.csv": table(f"{number},{first},Old,{'' if bank == 'TXT' else 0},No,")})
+    assert build("prog.py").ok, build("prog.py").diagnostics
+    done("Old", "Fresh")
+    assert "old" not in text().lower()
+    assert text("nicknames.csv").splitlines()[1].split(",")[2] == "Fresh"
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("mark", ["", "\ufeff"])
+def test_every_other_byte_stays(end: str, mark: str) -> None:
+    source = 'def main():\n\tif c.Old: # ä\n\t\tout(c["Old"]);  calc("ds.Größe+ 1", ds.Gr)  \n\n\tif True:\n\t\tend()'
+    source = (mark + source.replace("Größe", "Gr")).replace("\n", end)
+    rows = f"{mark}{HEADER}\r\nC9,BIT,Z,0,No,\r\n\r\nC5,BIT,Old,0,No,x\r\nC1,BIT,A,0,No,"
+    place({"prog.py": source, "nicknames.csv": rows})
+    done("Old", "Name")
+    assert text() == source.replace("Old", "Name")
+    assert text("nicknames.csv") == rows.replace("Old", "Name")
+
+
+def test_names_with_spaces() -> None:
+    place({"prog.py": main('if c["Old one"]:\n        calc("ds[\'Old two\'] + 1", ds[1])'), "nicknames.csv": table()})
+    assert refused("Old one", "c.d").startswith("CLICK does not take the nickname 'c.d': it holds .")
+    done("Old one", "New one")
+    done("old two", "class")
+    assert 'c["New one"]' in text()
+    assert "ds['class'] + 1" in text()
+
+
+def test_a_plain_word_stays_one() -> None:
+    place({"prog.py": main('if c.Old:\n        calc("ds.Other + 1", ds[1])'), "nicknames.csv": table(OLD_ROW)})
+    said = 'cannot stand behind a dot, as Old does at prog.py:2:8: choose a plain word, or write c["Old"] there first'
+    for new in ("Two words", "class", "2nd"):
+        assert refused("Old", new) == f"{new!r} {said}"
+    done("Other", "class")
+    assert '"ds.class + 1"' in text()
+
+
+# -- where the name comes from ----------------------------------------------------------------------------------------
+
+
+def test_a_declared_name() -> None:
+    place({"prog.py": 'nickname(c.Old, c[7], comment="Old")\n' + main("if c.Old:\n        out(y[1])")})
+    assert done("Old", "New").writes.keys() == {Path("prog.py")}
+    assert text().startswith('nickname(c.New, c[7], comment="Old")\n')
+    place({"nicknames.csv": table('C7,BIT,"New",0,No,"Old"')})
+    assert done("New", "Newer").counts == {Path("prog.py"): 2, Path("nicknames.csv"): 1}
+
+
+def test_a_name_without_an_address_yet() -> None:
+    place({"prog.py": main("if c.Old:\n        out(c.Second)")})
+    assert done("Old", "Zz").unchanged == {
+        Path("prog.py"): main("if c.Old:\n        out(c.Second)").encode(), Path("nicknames.csv"): None
+    }  # fmt: skip
+    assert not Path("nicknames.csv").exists()
+
+
+def test_a_name_that_only_the_table_knows() -> None:
+    place({"prog.py": main(), "nicknames.csv": table(OLD_ROW)})
+    assert done("Old", "New").writes.keys() == {Path("nicknames.csv")}
+
+
+def test_capital_letters_alone() -> None:
+    place({"prog.py": main("if c.old:\n        out(c.OLD)"), "nicknames.csv": table(OLD_ROW)})
+    assert done("Old", "OLD").counts == {Path("prog.py"): 2, Path("nicknames.csv"): 1}
+    assert text() == main("if c.OLD:\n        out(c.OLD)")
+    assert refused("OLD", "OLD") == "OLD is called that already"
+    assert rename("old", "OLD", [Job("prog.py")], Config(Path())).writes == {}
+
+
+def test_sources_follow_a_table_that_was_renamed_before() -> None:
+    """A name that was changed in CLICK and taken in with the next export."""
+    source = "nickname(c.Old, c[5])\n" + main("if c.Old:\n        out(c.Other)")
+    place({"prog.py": source, "nicknames.csv": table('C5,BIT,"New",0,No,""', 'C6,BIT,"Other",0,No,""')})
+    assert not build("prog.py").ok
+    assert done("Old", "New").writes.keys() == {Path("prog.py")}
+    assert text() == source.replace("Old", "New")
+    # Not so when both are in use, or when the table means something else.
+    place({"prog.py": main("if c.Old:\n        out(c.New)")})
+    assert refused("Old", "New") == "New is taken: prog.py:3:13 uses it; choose another name"
+    place({"prog.py": main("if ds.Old:\n        out(c.Other)")})
+    assert "so it cannot be ds.Old" in refused("Old", "New")
+
+
+def test_a_workbook_is_not_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    def with_cells(*args: object) -> AddressTable:
+        table = read_table(*args)  # type: ignore[arg-type]
+        base = tuple(
+            replace(row, line=0, raw="", cell=Span.of_cell("plant.xlsx", "IO", row.line, 2)) for row in table.rows
+        )
+        return replace(AddressTable.empty("nicknames.csv"), base=base)
+
+    monkeypatch.setattr("clickgen.nicknames.tables.read_table", with_cells)
+    place({"prog.py": main("if c.Old:\n        out(y[1])"), "nicknames.csv": table(OLD_ROW)})
+    assert refused("Old", "New") == (
+        "Old stands in IO!B2 of plant.xlsx, and clickgen writes into no workbook: write New there and run this again, "
+        "then it renames in the programs"
+    )
+    place({"nicknames.csv": table(OLD_ROW.replace('"Old"', '"New"'))})
+    assert done("Old", "New").writes.keys() == {Path("prog.py")}
+    assert text() == main("if c.New:\n        out(y[1])")
+
+
+# -- which files ------------------------------------------------------------------------------------------------------
+
+
+def test_imported_files_and_their_unused_routines() -> None:
+    unused = "@sub\ndef unused():\n    if c.old:\n        out(y[1])\n    if True:\n        return\n"
+    files = {
+        "prog.py": "import wiring\n\n\n" + main("if c.Old:\n        out(y[2])"),
+        "other.py": "import wiring\n\n\n" + main("if c.Old:\n        out(y[3])"),
+        "wiring.py": f"nickname(c.Old, c[5])\n\n\n{unused}",
+        "spare.py": "@sub\ndef spare():\n    if c.Old:\n        return\n    if True:\n        return\n",
+        "deep/far.py": main("if c.Old:\n        out(y[2])"),
+        "unrelated.py": "def old():\n    return c.Old\n",
+    }
+    place({**files, "nicknames.csv": table(OLD_ROW)})
+    change = done("Old", "New")
+    assert change.counts == {
+        Path("prog.py"): 1, Path("other.py"): 1, Path("wiring.py"): 2, Path("spare.py"): 1, Path("nicknames.csv"): 1
+    }  # fmt: skip
+    assert sorted(change.programs) == ["other.py", "prog.py"]
+    # Its table is the one beside it.
+    assert text("deep/far.py") == files["deep/far.py"]
+    assert text("unrelated.py") == files["unrelated.py"]
+
+
+def test_configured_programs_share_a_table() -> None:
+    place(
+        {
+            "a/one.py": main("if c.Old:\n        out(y[1])"),
+            "b/two.py": main("if c.Old:\n        out(y[2])"),
+            "b/three.py": main("if c.Old:\n        out(y[2])"),
+            "shared/names.csv": table(OLD_ROW),
+        }
+    )
+    names = Path("shared/names.csv")
+    config = Config(Path(), None, (ProgramSettings(Path("a/one.py"), names), ProgramSettings(Path("b/two.py"), names)))
+    change = rename("Old", "New", [Job("a/one.py", Settings(names))], config)
+    assert change.writes.keys() == {Path("a/one.py"), Path("b/two.py"), names}
+    assert change.programs == ("a/one.py", "b/two.py")
+
+
+def test_a_file_of_programs_with_different_tables() -> None:
+    place(
+        {
+            "wiring.py": "nickname(c.Old, c[5])\n",
+            "one.py": "import wiring\n\n\n" + main("if c.Old:\n        out(y[1])"),
+            "two.py": "import wiring\n\n\n" + main("if c.Old:\n        out(y[1])"),
+            "one.csv": table(OLD_ROW),
+            "two.csv": table(OLD_ROW.replace('"Old"', "old")),
+        }
+    )
+    both = tuple(ProgramSettings(Path(f"{name}.py"), Path(f"{name}.csv")) for name in ("one", "two"))
+    config = Config(Path(), None, both)
+    jobs = [Job(str(program.path), Settings(program.nicknames)) for program in both]
+    with pytest.raises(
+        CouldNotRun, match=r"belongs to two\.py, which has an address table of its own \(two\.csv\): name"
+    ):
+        rename("Old", "New", jobs[:1], config)
+    change = rename("Old", "New", jobs, config)
+    assert change.counts == dict.fromkeys(map(Path, ("wiring.py", "one.py", "two.py", "one.csv", "two.csv")), 1)
+
+
+def test_a_broken_program_beside_it() -> None:
+    place({"prog.py": main("if c.Old:\n        out(y[1])"), "nicknames.csv": table(OLD_ROW)})
+    place({"broken.py": main("if c.Unknown:\n        ton(c.A)")})
+    assert done("Old", "New").programs == ("prog.py",)
+    place({"broken.py": main("if c.New:\n        ton(c.A)")})
+    assert refused("New", "Newer").startswith(
+        "broken.py has errors, and only programs that build are renamed in: broken.py:3:9: ton needs 'setpoint'"
+    )
+    place({"broken.py": "def main():\n    if c.New\n        out(c.A)\n"})
+    assert refused("New", "Newer").startswith("broken.py has errors")
+
+
+# -- what is refused --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("Odl", "New", "there is no nickname Odl in nicknames.csv or in the programs; did you mean Old?"),
+        ("Nothing", "New", "there is no nickname Nothing in nicknames.csv or in the programs"),
+        ("Old", "sum", "CLICK does not take the nickname 'sum': sum is a word of CLICK's formulas"),
+        ("Old", "", "CLICK does not take the nickname '': it is empty"),
+        ("Old", "scratch_c7", "clickgen keeps names like scratch_c7 for its own cells; choose another name"),
+        ("Old", "other", "other is taken: it is C6 (line 3 of nicknames.csv); choose another name"),
+        ("Old", "Used", "Used is taken: prog.py:4:13 uses it; choose another name"),
+        ("Old", "Declared", "Declared is taken: prog.py:1:10 uses it; choose another name"),
+        ("_Always_ON", "Always", "_Always_ON is CLICK's own name of SC1"),
+        ("Scratch_C2000", "Mine", "Scratch_C2000 is a cell that clickgen uses for itself (line 4 of nicknames.csv)"),
+    ],
+)
+def test_what_is_refused(old: str, new: str, said: str) -> None:
+    place(
+        {
+            "prog.py": "nickname(c.Declared, c[50])\n" + main("if c.Old:\n        out(c.Used)"),
+            "nicknames.csv": table(
+                OLD_ROW, 'C6,BIT,"Other",0,No,""', 'C2000,BIT,"Scratch_C2000",0,No,"condition of main rung 12"'
+            ),
+        }
+    )
+    assert refused(old, new) == said
+
+
+def test_errors_are_mended_first() -> None:
+    place({"prog.py": main("if c.Old:\n        ton(c.A)"), "nicknames.csv": table(OLD_ROW)})
+    assert refused("Old", "New") == (
+        "prog.py has errors, and only programs that build are renamed in: prog.py:3:9: ton needs 'setpoint'"
+    )
+    place({"prog.py": main("if c.Old:\n        out(y[1])"), "nicknames.csv": table(OLD_ROW, "C5,BIT,Twice,0,No,")})
+    assert refused("Old", "New").startswith("the address table has errors: nicknames.csv:3:1: C5 stands twice")
+    assert "gone.py cannot be read: there is no such file" in refused("Old", "New", "gone.py")
+
+
+def test_blocks_are_left_alone() -> None:
+    source = "nickname(ds.Recipe, ds[10:20])\n" + main("if c.Old:\n        copy(ds.Recipe[3], ds.Plain)")
+    place({"prog.py": source, "nicknames.csv": table(OLD_ROW)})
+    if not build("prog.py").ok:
+        pytest.skip("no blocks yet")
+    assert refused("Recipe", "New") == "Recipe is a block (prog.py:1:10), and only nicknames are renamed"
+    assert refused("Plain", "recipe").startswith("recipe is taken: prog.py:1:10 uses it")
+    done("Old", "New")
+    done("Plain", "Simple")
+    assert text() == source.replace("Old", "New").replace("Plain", "Simple")
+    place(
+        {
+            "prog.py": main("if c.Old:\n        copy_fill(0, ds.Recipe)"),
+            "nicknames.csv": table(OLD_ROW, 'DS1,INT,"",0,Yes,"<Recipe>"', 'DS9,INT,"",0,Yes,"</Recipe>"'),
+        }
+    )
+    place_of = "line 3 of nicknames.csv"
+    assert refused("recipe", "New") == f"recipe is a block ({place_of}), and only nicknames are renamed"
+    assert refused("Old", "Recipe") == f"Recipe is taken: it is a block ({place_of}); choose another name"
+
+
+def test_nothing_is_written_where_a_file_changed_meanwhile() -> None:
+    place({"prog.py": main("if c.Old:\n        out(y[1])"), "nicknames.csv": table(OLD_ROW)})
+    for name in ("prog.py", "nicknames.csv"):
+        change = rename("Old", "New", [Job("prog.py")], Config(Path.cwd()))
+        before = text("nicknames.csv"), text()
+        place({name: text(name) + "\n"})
+        with pytest.raises(ChangedMeanwhile):
+            put_in_place(change.writes, (), change.unchanged)
+        place({name: text(name)[:-1]})
+        assert (text("nicknames.csv"), text()) == before
+
+
+# -- places -----------------------------------------------------------------------------------------------------------
+
+
+def test_places_and_comments() -> None:
+    source = decode("prog.py", EVERYWHERE.replace("§", "Old").encode(), Diagnostics())
+    assert source is not None
+    names = read_names(source, Diagnostics())
+    assert names is not None
+    assert places_in([names])("older") == ["prog.py:11", "prog.py:13"]
+    assert places_in([names, names])("Other") == ["prog.py:2"]
+    assert (comments_with(source, "old"), comments_with(source, "oldest"), comments_with(source, "ol")) == (3, 1, 0)
+
+
+PIECES = st.lists(
+    st.sampled_from(["ds.Old", "ds['Old']", "ds[ds.Old]", "td.Old", "ds.Older", "1", "ds . Old"]),
+    min_size=1,
+    max_size=6,
+)
+
+
+@st.composite
+def literals(draw: st.DrawFn) -> str:
+    """A formula as a string of some pieces, plain, raw or escaped."""
+    value = " + ".join(piece for piece in draw(PIECES) if piece != "td.Old") or "1"
+    cuts = sorted(draw(st.lists(st.integers(0, len(value)), max_size=3)))
+    pieces = [value[start:end] for start, end in zip([0, *cuts], [*cuts, len(value)], strict=True)]
+    written = []
+    for piece in pieces:
+        kind = draw(st.sampled_from(["", "r", "escaped", "long", "continued"]))
+        if kind == "escaped":
+            inner = "".join(
+                draw(st.sampled_from([c, f"\\x{ord(c):02x}", f"\\{ord(c):03o}", f"\\u{ord(c):04x}"])) for c in piece
+            )
+            written.append(f'"{inner}"')
+        elif kind == "continued" and piece:
+            written.append(f'"{piece[:1]}\\\n{piece[1:]}"')
+        else:
+            written.append(f'"""{piece}"""' if kind == "long" else f'{"r" * (kind == "r")}"{piece}"')
+    return draw(st.sampled_from([" ", "\n            ", "  # Old\n     "])).join(written)
+
+
+@given(literals(), st.sampled_from(["N", "MuchLonger", "dh"]))
+@settings(max_examples=60, deadline=None)
+def test_formulas_in_any_spelling(literal: str, new: str) -> None:
+    source = main(f"if c.Bit:\n        calc({literal}, ds[1])")
+    place({"prog.py": source, "nicknames.csv": table("DS5,INT,Old,0,Yes,")})
+    before = build("prog.py")
+    assert before.ok, before.diagnostics
+    done("Old", new)
+    assert build("prog.py").files["main.csv"] == before.files["main.csv"]
+    parsed = decode("prog.py", text().encode(), Diagnostics())
+    assert parsed is not None
+    names = read_names(parsed, Diagnostics())
+    assert names is not None
+    assert names.of("Old") == []
+    # What stands around the formula is untouched.
+    assert text().count("# Old") == source.count("# Old")
+    assert len(text().splitlines()) == len(source.splitlines())
