@@ -26,7 +26,6 @@ from clickgen.lower.place import PlaceScratch
 from clickgen.lower.scratch import Scratch
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
-from clickgen.resolve.blocks import Block
 from clickgen.resolve.layers import beside_workbook, is_workbook
 from clickgen.resolve.read_table import TableUnreadable, read_table
 from clickgen.resolve.record import record_beside, with_placed
@@ -361,8 +360,8 @@ def _resolve(state: _Build) -> None:
 def _doubting_blocks(problem: Diagnostic, blocks: Mapping[str, Block]) -> Diagnostic:
     """A problem whose fix speaks of a block is not mended by itself.
 
-    The opposite of a bit is nc(...), which of a block says that none of its bits is on; and what is a block, other files
-    and the table may say.
+    The opposite of a bit is nc(...), which of a block says that none of its bits is on; and what is a block, other
+    files and the table may say.
     """
     fix = problem.fix
     if fix is None or not blocks:
