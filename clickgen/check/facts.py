@@ -14,7 +14,7 @@ from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import CALL, NEXT
 from clickgen.instructions.spec import Spec
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
-from clickgen.ir.logic import are_exclusive
+from clickgen.ir.logic import always_holds, are_exclusive
 from clickgen.ir.operands import Cell, Single
 from clickgen.ir.program import Action, Branch, Declaration, Item, Loop, Program, Routine, Rung
 from clickgen.ir.walk import condition_operands, leaves
@@ -174,6 +174,15 @@ class Facts:
             if placed.spec is CALL:
                 calls.setdefault(placed.action.word("subroutine"), []).append(placed)
         return {name: tuple(placed) for name, placed in calls.items()}
+
+    def sometimes(self, routine: Routine) -> Any | None:
+        """When a subroutine is called; None when that is in every scan, or never."""
+        calls = self.calls.get(routine.name, ())
+        conditions = tuple(self.seen_through(call.condition) for call in calls)
+        never = Contact(Cell(ALWAYS_ON, routine.span), routine.span, negated=True)
+        if not calls or always_holds(Any((*conditions, never), routine.span)):
+            return None
+        return Any(conditions, routine.span)
 
     def run_apart(self, one: Routine, other: Routine) -> bool:
         """True for two subroutines that are never called in the same scan: all their calls exclude each other."""

@@ -5,13 +5,11 @@ from __future__ import annotations
 from clickgen.check.facts import Facts
 from clickgen.check.rule import Rule, Wrong
 from clickgen.device.banks import Address
-from clickgen.device.system import ALWAYS_ON
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions import communication
 from clickgen.ir.conditions import Any, Contact
-from clickgen.ir.logic import always_holds, implies
+from clickgen.ir.logic import implies
 from clickgen.ir.operands import Cell
-from clickgen.ir.program import Routine
 from clickgen.ir.walk import leaves
 
 CODE = "CG514"
@@ -22,7 +20,7 @@ _CLOCKS = frozenset(Address("SC", number) for number in range(3, 10))
 
 def check(facts: Facts, problems: Diagnostics) -> None:
     sometimes = {
-        routine.name: condition for routine in facts.program.subroutines if (condition := _when(facts, routine))
+        routine.name: condition for routine in facts.program.subroutines if (condition := facts.sometimes(routine))
     }
     edges: dict[tuple[str, Address, str], list[Contact]] = {}
     for site in facts.sites:
@@ -45,16 +43,6 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 *(Label(contact.span, "the same edge") for contact in contacts[1:]),
             ),
         )
-
-
-def _when(facts: Facts, routine: Routine) -> Any | None:
-    """When a subroutine is called; None when that is in every scan, or never."""
-    calls = facts.calls.get(routine.name, ())
-    conditions = tuple(facts.seen_through(call.condition) for call in calls)
-    never = Contact(Cell(ALWAYS_ON, routine.span), routine.span, negated=True)
-    if not calls or always_holds(Any((*conditions, never), routine.span)):
-        return None
-    return Any(conditions, routine.span)
 
 
 def _changes_without(facts: Facts, address: Address, name: str, sometimes: dict[str, Any]) -> bool:

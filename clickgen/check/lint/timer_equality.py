@@ -1,4 +1,4 @@
-"""A timer's current value compared with == or !=: it counts in leaps of a scan and may leap over the value."""
+"""A running current value compared with == or !=: a timer leaps over values, a counter goes on where nobody looks."""
 
 from __future__ import annotations
 
@@ -10,8 +10,10 @@ from clickgen.check.rule import Rule, Wrong
 from clickgen.device.banks import Address, current_value
 from clickgen.diagnostics import Diagnostics, Edit, Fix
 from clickgen.instructions import drums, timers
-from clickgen.ir.conditions import Compare
+from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Integer, Single
+from clickgen.ir.program import Routine
+from clickgen.ir.walk import leaves
 from clickgen.source import Span
 
 CODE = "CG511"
@@ -21,6 +23,42 @@ _RESTS = (0, timers.PRESET_MAX)
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
+    _check_timers(facts, problems)
+    _check_counters(facts, problems)
+
+
+def _check_counters(facts: Facts, problems: Diagnostics) -> None:
+    """A counter that counts on while the subroutine that asks for one of its values is not called."""
+    for site in facts.sites:
+        if site.routine.is_main:
+            continue
+        for leaf in leaves(site.condition):
+            counter = _counter_in(leaf)
+            if counter and facts.sometimes(site.routine) and _counts_elsewhere(facts, counter.address, site.routine):
+                problems.add(
+                    CODE,
+                    leaf.span,
+                    f"{facts.shown(counter.address)} counts on while {site.routine.name} is not called: the value may "
+                    "have passed by then",
+                    "compare with >=, or compare in main and set a bit",
+                )
+
+
+def _counter_in(leaf: Contact | Compare) -> Cell | None:
+    """The counter's value that is asked for a number by equality."""
+    if isinstance(leaf, Compare) and leaf.op == "==":
+        for side, other in ((leaf.left, leaf.right), (leaf.right, leaf.left)):
+            if isinstance(side, Cell) and side.bank == "CTD" and isinstance(other, Integer) and other.value:
+                return side
+    return None
+
+
+def _counts_elsewhere(facts: Facts, value: Address, routine: Routine) -> bool:
+    writers = facts.writers(value)
+    return bool(writers) and all(writer.routine is not routine for writer in writers)
+
+
+def _check_timers(facts: Facts, problems: Diagnostics) -> None:
     compares = [compare for compare in facts.comparisons if compare.op in ("==", "!=") and _has_timer(compare)]
     if not compares:
         return
@@ -84,7 +122,7 @@ instead; with `all(td.Cycle >= 500, td.Cycle < 600)` for a window. A timer does 
 
 Equality with 0 (the timer is at rest), with 32767 (it counts no further) and with a copy of the value is fine. So are
 timers in seconds and longer units: they keep each value for many scans. Counters count one by one, and equality meets
-every value.
+every value, where it is asked in every scan: in a subroutine that is called now and then the counter may have gone on.
 """,
     wrong=(
         Wrong(
