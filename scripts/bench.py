@@ -3,6 +3,7 @@
 cold build and cold check of 2,000 rungs against a bare libcst.parse_module of the same file, whole processes;
 growth of the build from 500 to 4,000 rungs;
 a repeated check, and its growth with the number of files, against a bare python -c pass;
+growth of nicknames sync, nicknames check and workbook with the rows of the address table;
 clickgen --version against the same.
 """
 
@@ -16,6 +17,8 @@ import tempfile
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
+
+from clickgen.device.banks import BANKS
 
 RUNS = 7
 PER_ROUTINE = 200
@@ -80,6 +83,26 @@ def clean_program(rungs: int) -> str:
     return f"def main():\n{body}\n    if True:\n        end()\n"
 
 
+def project(rows: int, folder: Path) -> Path:
+    """A program that uses half of the names of an address table of so many rows."""
+    banks = [bank for bank in BANKS.values() if bank.allocatable and bank.name not in ("X", "Y", "T", "CT")]
+    share = rows / sum(bank.last for bank in banks)
+    names = {bank: [f"{bank.name}_value_{n}" for n in range(1, round(bank.last * share) + 1)] for bank in banks}
+    lines = ["Address,Data Type,Nickname,Initial Value,Retentive,Address Comment"]
+    rungs = []
+    for bank, own in names.items():
+        rest = f"{'' if bank.name == 'TXT' else 0},{'Yes' if bank.retentive else 'No'}"
+        lines += [f'{bank.name}{n},{bank.kind.value},"{name}",{rest},"value {n}"' for n, name in enumerate(own, 1)]
+        quarter = len(own) // 4
+        for one, other in zip(own[:quarter], own[-quarter:], strict=True):
+            action = f"out(c.{other})" if bank.is_bit else f"copy({bank.dsl}.{one}, {bank.dsl}.{other})"
+            rungs.append(f"    if {f'c.{one}' if bank.is_bit else 'x[1]'}:\n        {action}\n")
+    folder.mkdir()
+    (folder / "nicknames.csv").write_text("\n".join((*lines, "")))
+    (folder / "plc.py").write_text(f"def main():\n{''.join(rungs)}    if True:\n        end()\n")
+    return folder / "plc.py"
+
+
 def seconds(command: Sequence[str], before: Callable[[], None]) -> float:
     before()
     start = time.perf_counter()
@@ -137,6 +160,21 @@ def main() -> None:
         print(f"repeated check of one file / python -c pass: {warm / nothing:.1f} (at most 6)")
         more, warm = compare(every, one, lambda: None)
         print(f"each further unchanged file: {1000 * (more - warm) / (FILES - 1):.2f} ms (below 1)")
+
+        for what, command in (
+            ("nicknames sync", ["nicknames", "sync"]),
+            ("nicknames check", ["nicknames", "check"]),
+            ("workbook", ["workbook", "-o", str(folder / "project.xlsx")]),
+        ):
+            times = {}
+            for rows in (2500, 5000, 10000):
+                path = folder / f"table{rows}" / "plc.py"
+                path = path if path.exists() else project(rows, path.parent)
+                times[rows] = statistics.median(
+                    seconds([*clickgen, *command, str(path)], lambda: None) for _ in range(3)
+                )
+            per_row = ", ".join(f"{rows}: {1000 * spent / rows:.2f} ms" for rows, spent in times.items())
+            print(f"{what}, time per row as tables grow: {per_row} (linear: it does not rise)")
 
         version, nothing = compare([*clickgen, "--version"], [python, "-c", "pass"], lambda: None)
         print(f"clickgen --version / python -c pass: {version / nothing:.1f} (at most 6)")

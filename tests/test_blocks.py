@@ -118,7 +118,7 @@ def test_a_list_of_outputs_takes_a_block(tmp_path: Path) -> None:
         ('calc("ds.Recipe[10] + 1", ds[1])', "CG214", "ds.Recipe has 10 members"),
         ('calc("ds.Recipe + 1", ds[1])', "CG214", "ds.Recipe is a block of 10 where one address stands"),
         ('calc("ds.Recipe[0:3] + 1", ds[1])', "CG116", "a range has a place only in SUM"),
-        ('calc("SUM(ds.Other)", ds[1])', "CG116", "SUM adds up one range"),
+        ('calc("SUM(ds.Other)", ds[1])', "CG214", "ds.Other is no block"),
         ("copy(ds.Recipes[1], ds[1])", "CG214", "ds.Recipes is no block"),
         ("copy(dd.Recipe[1], ds[1])", "CG214", "Recipe is the block ds.Recipe, DS100 to DS109"),
         ("ton(t[1], ds.Recipe)", "CG301", "a range of DS"),

@@ -6,7 +6,7 @@ Mistakes that are no syntax errors are told here, all of them; parsing goes on w
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from lark import Token
@@ -38,7 +38,7 @@ from clickgen.formula.words import (
     SHIFTS,
     TERMINAL,
 )
-from clickgen.ir.operands import Named, Range, Section
+from clickgen.ir.operands import WHOLE, Named, Range, Section
 
 # A constant beyond the ranges of DD and DF fits no register.
 _LARGEST_INTEGER = INTEGER_RANGES[Kind.INT32][1]
@@ -144,7 +144,7 @@ class Builder:
             self.loose.remove(only)
             return Sum(only.range, start, end)
         if len(arguments) == 1 and isinstance(only, Operand) and isinstance(only.ref, Named) and only.ref.part is None:
-            return Sum(only.ref, start, end)
+            return Sum(replace(only.ref, part=WHOLE), start, end)
         if len(arguments) > 1 or not isinstance(only, Told):
             self.report.add("CG116", start, end, "SUM adds up one range", "SUM(ds[1:11]) adds up DS1 to DS10")
             self.loose = [part for part in self.loose if part.start < start]

@@ -26,6 +26,9 @@ def without_members(
     return _Members(blocks, table, problems).program(program)
 
 
+_SUM = "SUM(ds[1:11]) adds up DS1 to DS10; or name a block"
+
+
 class _Members(Rewriter):
     def __init__(self, blocks: Mapping[str, Block], table: AddressTable, problems: Diagnostics) -> None:
         self._blocks = blocks
@@ -68,14 +71,7 @@ class _Members(Rewriter):
         if isinstance(operand, Range):
             return operand
         found = self._found(operand)
-        if isinstance(found, Range):
-            return found
-        if isinstance(found, Named) and found.part is not None:
-            return found
-        self._problems.add(
-            "CG116", operand.span, "SUM adds up one range", "SUM(ds[1:11]) adds up DS1 to DS10; or name a block"
-        )
-        return replace(operand, part=WHOLE)
+        return found if isinstance(found, Range | Named) else self._refused(operand, "SUM adds up one range", _SUM)
 
     # -- what it is ---------------------------------------------------------------------------------------------------
 

@@ -55,9 +55,11 @@ def resolve(
     """
     declared = declare(program.declarations, table, problems)
     blocks = declare_blocks(program.blocks, table, declared, problems)
-    program = without_members(program, blocks, table, problems)
-    resolver = _Resolver(table, declared, frozen, problems)
     operands = list(program_operands(program))
+    if blocks or any(name.part is not None for name in _names_in(operands)):
+        program = without_members(program, blocks, table, problems)
+        operands = list(program_operands(program))
+    resolver = _Resolver(table, declared, frozen, problems)
     marked = (address for block in blocks.values() for address in block.addresses())
     resolver.allocator.take((*reserved, *marked, *_addresses(operands)))
     resolver.name(program, list(_named(operands)))
@@ -240,12 +242,15 @@ class _Resolver:
 
 
 def _named(operands: Iterable[Operand]) -> Iterable[Named]:
+    # What stands for no member of a block has its problem.
+    return (name for name in _names_in(operands) if name.part is None)
+
+
+def _names_in(operands: Iterable[Operand]) -> Iterator[Named]:
     for operand in operands:
-        if isinstance(operand, Immediate):
-            operand = operand.target
-        # What stands for no member of a block has its problem.
-        if isinstance(operand, Named) and operand.part is None:
-            yield operand
+        named = operand.target if isinstance(operand, Immediate) else operand
+        if isinstance(named, Named):
+            yield named
 
 
 def _owned(program: Program) -> Iterator[tuple[str, str]]:
