@@ -85,7 +85,7 @@ def clean_program(rungs: int) -> str:
 
 def project(rows: int, folder: Path) -> Path:
     """A program that uses half of the names of an address table of so many rows."""
-    banks = [bank for bank in BANKS.values() if bank.allocatable and bank.name not in ("X", "Y", "T", "CT")]
+    banks = [bank for bank in BANKS.values() if bank.allocatable and bank.name not in ("X", "Y")]
     share = rows / sum(bank.last for bank in banks)
     names = {bank: [f"{bank.name}_value_{n}" for n in range(1, round(bank.last * share) + 1)] for bank in banks}
     lines = ["Address,Data Type,Nickname,Initial Value,Retentive,Address Comment"]
@@ -93,8 +93,8 @@ def project(rows: int, folder: Path) -> Path:
     for bank, own in names.items():
         rest = f"{'' if bank.name == 'TXT' else 0},{'Yes' if bank.retentive else 'No'}"
         lines += [f'{bank.name}{n},{bank.kind.value},"{name}",{rest},"value {n}"' for n, name in enumerate(own, 1)]
-        quarter = len(own) // 4
-        for one, other in zip(own[:quarter], own[-quarter:], strict=True):
+        quarter = 0 if bank.name in ("T", "CT") else len(own) // 4
+        for one, other in zip(own[:quarter], own[len(own) - quarter :], strict=True):
             action = f"out(c.{other})" if bank.is_bit else f"copy({bank.dsl}.{one}, {bank.dsl}.{other})"
             rungs.append(f"    if {f'c.{one}' if bank.is_bit else 'x[1]'}:\n        {action}\n")
     folder.mkdir()

@@ -1,1 +1,1 @@
-"""Reading source text: libcst for statements and their comments, ast for expressions and their places."""
+"""Reading source text: statements, expressions and comments, each with its place."""

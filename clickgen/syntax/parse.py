@@ -1,26 +1,18 @@
-"""Text to trees: the libcst module, and the ast of the same text, which knows every position cheaply.
-
-libcst's PositionProvider costs more than parsing; ``ast.parse`` gives positions in a tenth of the time and its
-statements run in step with libcst's.
-"""
+"""Bytes to text, and text to Python's syntax tree. A program is read and never run."""
 
 from __future__ import annotations
 
 import ast
 import warnings
-from typing import TYPE_CHECKING
 
 from clickgen.diagnostics import Diagnostics
 from clickgen.source import FORM_FEED, SourceFile, Span
-
-if TYPE_CHECKING:
-    import libcst
 
 _SPLIT = "split it into several rungs"
 MAX_DEPTH = 100
 """How deep the syntax tree may be: far beyond any rung, and safe for every recursive walk."""
 _TERMS_MAX = 1000
-"""Terms of one ``and`` or ``or``: level for Python, but libcst's parser goes one deeper for each (it ends at 7,000)."""
+"""Terms of one ``and`` or ``or``: level for Python, and far beyond any rung."""
 
 
 def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
@@ -42,7 +34,7 @@ def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
             "save the file as UTF-8 in your editor",
         )
         return None
-    # For Python a form feed begins its line anew; libcst does not know that.
+    # For Python a form feed begins its line anew; without them a line is what an editor shows.
     return SourceFile(path, FORM_FEED.sub("", text))
 
 
@@ -51,8 +43,8 @@ def _lines(text: str) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def parse_trees(source: SourceFile, problems: Diagnostics) -> tuple[libcst.Module, ast.Module] | None:
-    """Both trees of a source file, or None with a CG101 or CG118 problem."""
+def parse_tree(source: SourceFile, problems: Diagnostics) -> ast.Module | None:
+    """The syntax tree of a source file, or None with a CG101 or CG118 problem."""
     if "\0" in source.text:
         before = source.text[: source.text.index("\0")]
         line, col = before.count("\n") + 1, len(before) - before.rfind("\n")
@@ -81,14 +73,7 @@ def parse_trees(source: SourceFile, problems: Diagnostics) -> tuple[libcst.Modul
         )
         return None
 
-    import libcst
-
-    try:
-        return libcst.parse_module(source.text), tree
-    except libcst.ParserSyntaxError as error:
-        span = source.span(error.raw_line, error.raw_column + 1, error.raw_line, error.raw_column + 2)
-        problems.add("CG101", span, "libcst cannot read this", "write it in simpler Python")
-        return None
+    return tree
 
 
 def _syntax_problem(source: SourceFile, error: SyntaxError, problems: Diagnostics) -> None:

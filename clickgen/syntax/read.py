@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.instructions import INSTRUCTIONS
@@ -21,10 +20,7 @@ from clickgen.syntax.comments import rung_comment
 from clickgen.syntax.conditions import read_condition
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import read_constant, read_operand, shorten
-from clickgen.syntax.parse import parse_trees
-
-if TYPE_CHECKING:
-    import libcst
+from clickgen.syntax.parse import parse_tree
 
 _DSL_MODULE = "clickgen.dsl"
 
@@ -39,15 +35,14 @@ class FileContent:
 
 def read_file(source: SourceFile, problems: Diagnostics) -> FileContent | None:
     """Read one program file; None when it is not Python. Everything else that is wrong is in ``problems``."""
-    trees = parse_trees(source, problems)
-    if trees is None:
+    tree = parse_tree(source, problems)
+    if tree is None:
         return None
-    module, tree = trees
     context = Context(source, problems)
     items: list[Routine | Declaration | BlockDeclaration | Import | None] = []
-    for cst_node, node in _in_step(module.body, tree.body):
+    for node in tree.body:
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
-            items.append(_read_routine(context, cst_node, node))
+            items.append(_read_routine(context, node))
         elif isinstance(node, ast.Expr) and _is_call_of(node.value, "nickname"):
             assert isinstance(node.value, ast.Call)
             items.append(_read_declaration(context, node.value))
@@ -61,16 +56,6 @@ def read_file(source: SourceFile, problems: Diagnostics) -> FileContent | None:
                 "move logic into a rung of main or of a subroutine",
             )
     return FileContent(source.path, tuple(item for item in items if item is not None))
-
-
-def _in_step(body: Sequence[libcst.CSTNode], nodes: Sequence[ast.stmt]) -> Iterator[tuple[libcst.CSTNode, ast.stmt]]:
-    """Pair libcst's statements with ast's, which has one for each small statement of a line."""
-    remaining = iter(nodes)
-    for cst_node in body:
-        small = getattr(cst_node, "body", None)
-        count = len(small) if isinstance(small, Sequence) else 1
-        for _ in range(count):
-            yield cst_node, next(remaining)
 
 
 def _is_call_of(node: ast.expr, name: str) -> bool:
@@ -114,7 +99,7 @@ def _alias_span(context: Context, alias: ast.alias) -> Span:
 # -- routines ---------------------------------------------------------------------------------------------------------
 
 
-def _read_routine(context: Context, cst_node: libcst.CSTNode, node: ast.FunctionDef | ast.AsyncFunctionDef) -> Routine:
+def _read_routine(context: Context, node: ast.FunctionDef | ast.AsyncFunctionDef) -> Routine:
     source = context.source
     # From def to the end of the name, for which ast has no place.
     start = source.column(node.lineno, node.col_offset)
@@ -138,49 +123,40 @@ def _read_routine(context: Context, cst_node: libcst.CSTNode, node: ast.Function
                 f"write @sub on the line above def {node.name}():",
             )
     before = len(problems.found)
-    rungs = _read_rungs(context, _block(cst_node), node.body)
+    rungs = _read_rungs(context, node.body, node.lineno)
     return Routine(node.name, rungs, span, node.name == "main", len(problems.found) == before)
 
 
-def _block(cst_node: libcst.CSTNode) -> Sequence[libcst.CSTNode]:
-    """The statements of a compound statement's body; of ``if a: out(b)`` on one line, its one simple line."""
-    import libcst
-
-    body = getattr(cst_node, "body", None)
-    if isinstance(body, libcst.IndentedBlock):
-        return body.body
-    return (body,) if isinstance(body, libcst.SimpleStatementSuite) else ()
-
-
 def _read_rungs(
-    context: Context, cst_body: Sequence[libcst.CSTNode], nodes: Sequence[ast.stmt], holder: str = "a routine"
+    context: Context, nodes: Sequence[ast.stmt], header: int, holder: str = "a routine"
 ) -> tuple[Rung, ...]:
+    """The rungs of a block; ``header`` is the last line of what holds it."""
     rungs: list[Rung] = []
-    for index, (cst_node, node) in enumerate(_in_step(cst_body, nodes)):
+    before: ast.stmt | None = None
+    for node in nodes:
         if isinstance(node, ast.If):
-            rungs.append(_read_rung(context, cst_node, node))
-        elif not (isinstance(node, ast.Pass) or (index == 0 and _is_docstring(node))):
+            rungs.append(_read_rung(context, node, rung_comment(context.source, node, before, header)))
+        elif not (isinstance(node, ast.Pass) or (before is None and _is_docstring(node))):
             help = "put it under a condition; if True: is the unconditional rung"
             context.problem("CG103", node, f"{holder} holds only rungs: if ...:", help)
+        before = node
     return tuple(rungs)
 
 
-def _read_rung(context: Context, cst_node: libcst.CSTNode, node: ast.If) -> Rung:
-    condition, items = _read_if(context, cst_node, node, is_branch=False)
+def _read_rung(context: Context, node: ast.If, comment: str) -> Rung:
+    condition, items = _read_if(context, node, is_branch=False)
     span = context.span(node)
     if condition is None:
         condition = Always(context.span(node.test))
     head = Span(span.path, span.line, span.col, condition.span.end_line, condition.span.end_col)
-    return Rung(condition, items, rung_comment(getattr(cst_node, "leading_lines", ())), head, span)
+    return Rung(condition, items, comment, head, span)
 
 
-def _read_if(
-    context: Context, cst_node: libcst.CSTNode | None, node: ast.If, is_branch: bool
-) -> tuple[Condition | None, tuple[Item, ...]]:
+def _read_if(context: Context, node: ast.If, is_branch: bool) -> tuple[Condition | None, tuple[Item, ...]]:
     """The condition and the items of an ``if``. A rung has no else; the problem stands at the ``else`` itself."""
     before = len(context.problems.found)
     condition = read_condition(context, node.test)
-    items = _read_items(context, cst_node, node.body)
+    items = _read_items(context, node.body)
     span = _else_span(context, node)
     if span is not None:
         arms = [Arm(context.span(node), node.test, condition, items), *_read_arms(context, node)]
@@ -204,11 +180,11 @@ def _read_arms(context: Context, node: ast.If) -> Iterator[Arm]:
     while span is not None:
         following = node.orelse[0]
         if context.source.line(span.line)[span.col - 1 :].startswith("else"):
-            yield Arm(span, None, Always(span), _read_items(context, None, node.orelse))
+            yield Arm(span, None, Always(span), _read_items(context, node.orelse))
             return
         assert isinstance(following, ast.If)
         condition = read_condition(context, following.test)
-        yield Arm(span, following.test, condition, _read_items(context, None, following.body))
+        yield Arm(span, following.test, condition, _read_items(context, following.body))
         node, span = following, _else_span(context, following)
 
 
@@ -229,32 +205,24 @@ def _else_span(context: Context, node: ast.If) -> Span | None:
 # -- rung bodies ------------------------------------------------------------------------------------------------------
 
 
-def _read_items(context: Context, cst_node: libcst.CSTNode | None, nodes: Sequence[ast.stmt]) -> tuple[Item, ...]:
-    # Only loop bodies hold rungs with comments of their own, so only there libcst's side is walked.
-    has_loop = cst_node is not None and any(isinstance(node, ast.For | ast.If) for node in nodes)
-    pairs: Iterator[tuple[libcst.CSTNode | None, ast.stmt]]
-    pairs = _in_step(_block(cst_node), nodes) if has_loop and cst_node else iter([(None, node) for node in nodes])
-    items: list[Item] = []
-    for cst_child, node in pairs:
-        item = _read_item(context, cst_child, node)
-        if item is not None:
-            items.append(item)
+def _read_items(context: Context, nodes: Sequence[ast.stmt]) -> tuple[Item, ...]:
+    items = [item for node in nodes if (item := _read_item(context, node)) is not None]
     if not items and all(isinstance(node, ast.Pass) for node in nodes):
         items.append(Action(NOP, {}, context.span(nodes[0])))
     return tuple(items)
 
 
-def _read_item(context: Context, cst_node: libcst.CSTNode | None, node: ast.stmt) -> Item | None:
+def _read_item(context: Context, node: ast.stmt) -> Item | None:
     if isinstance(node, ast.Expr) and _is_call_of(node.value, "nickname"):
         context.problem("CG112", node, "nickname(...) has no place in a rung", "write it at the top level, above main")
         return None
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
         return read_call(context, node.value)
     if isinstance(node, ast.If):
-        condition, items = _read_if(context, cst_node, node, is_branch=True)
+        condition, items = _read_if(context, node, is_branch=True)
         return Branch(condition or Always(context.span(node.test)), items, context.span(node))
     if isinstance(node, ast.For | ast.AsyncFor):
-        return _read_loop(context, cst_node, node)
+        return _read_loop(context, node)
     if isinstance(node, ast.Return):
         if node.value is not None:
             context.problem("CG112", node.value, "return gives nothing back", "write return alone")
@@ -270,7 +238,7 @@ def _read_item(context: Context, cst_node: libcst.CSTNode | None, node: ast.stmt
     return None
 
 
-def _read_loop(context: Context, cst_node: libcst.CSTNode | None, node: ast.For | ast.AsyncFor) -> Loop | None:
+def _read_loop(context: Context, node: ast.For | ast.AsyncFor) -> Loop | None:
     if (
         isinstance(node, ast.AsyncFor)
         or not (isinstance(node.target, ast.Name) and node.target.id == "_")
@@ -293,7 +261,7 @@ def _read_loop(context: Context, cst_node: libcst.CSTNode | None, node: ast.For 
             context.problem("CG109", keyword, "a loop has no such argument", "for _ in range(n, oneshot=True):")
     body: tuple[Rung, ...] | None = None
     if not all(isinstance(child, ast.Pass) for child in node.body):
-        body = _read_rungs(context, _block(cst_node) if cst_node else (), node.body, "the body of a loop")
+        body = _read_rungs(context, node.body, call.end_lineno or call.lineno, "the body of a loop")
     if count is None:
         return None
     args["count"] = count
