@@ -354,12 +354,14 @@ _TEXTS = re.compile(
 _NAME = re.compile(r"([A-Za-z_@.]\w*)([\w.]*)[ \t]*([\[(]?)")
 """A name, what hangs on it with dots, and the bracket behind. One behind a dot or an @ is no name of its own."""
 _MAKING = re.compile(r"(?:def|class|import)[ \t]+(\w+)")
-_SUB = re.compile(r"^@sub[ \t]*$", re.MULTILINE)
-_ROUTINE = re.compile(r"^(?:(?:async[ \t]+)?def[ \t]+main\b|@sub\b|nickname\b|\w+[ \t]*\(\s*\w+[.\[])", re.MULTILINE)
-_EDITOR = re.compile(r"^from[ \t]+clickgen\.dsl[ \t]+import\b", re.MULTILINE)
-_STAR = re.compile(r"import[ \t]*\*")
-_FIRST_INDENT = re.compile(r"^([ \t]+)\S", re.MULTILINE)
-_RUNG = re.compile(rf"(?:if|for|pass|{'|'.join(sorted(CALL_WORDS))})\b|[)\]}}]")
+
+# What few files need is compiled when they do: a repeated check is over before all of it would be.
+_SUB = r"(?m)^@sub[ \t]*$"
+_ROUTINE = r"(?m)^(?:(?:async[ \t]+)?def[ \t]+main\b|@sub\b|nickname\b|\w+[ \t]*\(\s*\w+[.\[])"
+_EDITOR = r"(?m)^from[ \t]+clickgen\.dsl[ \t]+import\b"
+_STAR = r"import[ \t]*\*"
+_FIRST_INDENT = r"(?m)^([ \t]+)\S"
+_RUNG = rf"(?:if|for|pass|{'|'.join(sorted(CALL_WORDS))})\b|[)\]}}]"
 
 
 def is_program(text: str) -> bool:
@@ -374,9 +376,10 @@ def is_program(text: str) -> bool:
 
 def _is_program(code: str) -> bool:
     """``is_program`` of a text without what is in quotes."""
-    if _EDITOR.search(code):
+    if "clickgen.dsl" in code and re.search(_EDITOR, code):
         return True
-    is_plain = _ROUTINE.search(code) is not None and not _STAR.search(code)
+    has_routine = "\ndef main(" in code or re.search(_ROUTINE, code) is not None
+    is_plain = has_routine and not ("*" in code and re.search(_STAR, code))
     return (is_plain or _is_made_of_rungs(code)) and _uses_own_words(code)
 
 
@@ -387,7 +390,7 @@ def _uses_own_words(code: str) -> bool:
         if word in _OWN_WORDS:
             is_own = word in BANK_WORDS and _is_cell(rest[1:], bracket) if rest else _is_own(word, bracket)
             (used if is_own else made).add(word)
-    return bool(used - made) or ("sub" not in made and _SUB.search(code) is not None)
+    return bool(used - made) or ("sub" not in made and re.search(_SUB, code) is not None)
 
 
 def _is_cell(rest: str, bracket: str) -> bool:
@@ -402,9 +405,9 @@ def _is_own(word: str, bracket: str) -> bool:
 
 def _is_made_of_rungs(code: str) -> bool:
     """True when most statements are a rung's. It decides where there is no main or @sub, or an ``import *``."""
-    indent = _FIRST_INDENT.search(code)
+    indent = re.search(_FIRST_INDENT, code)
     inner: list[str] = re.findall(rf"^{indent[1]}(?=\S)(.*)", code, re.MULTILINE) if indent else []
-    return len(inner) < 2 * sum(_RUNG.match(line) is not None for line in inner)
+    return len(inner) < 2 * sum(re.match(_RUNG, line) is not None for line in inner)
 
 
 # -- what stands in a file --------------------------------------------------------------------------------------------

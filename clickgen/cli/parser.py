@@ -117,13 +117,10 @@ def parse(arguments: Sequence[str]) -> int:
     )
     parser.add_argument("--version", action="version", version=f"clickgen {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", dest="command", parser_class=_Parser)
-    _add_build(commands)
-    _add_check(commands)
-    _add_nicknames(commands)
-    _add_workbook(commands)
-    _add_stubs(commands)
-    _add_rules(commands)
-    _add_explain(commands)
+    # To set up the arguments of every command takes longer than a check out of the cache.
+    wanted = [arguments[0]] if arguments and arguments[0] in _COMMANDS else list(_COMMANDS)
+    for command in wanted:
+        _COMMANDS[command](commands)
     options, rest = parser.parse_known_args(arguments)
     run: Callable[[argparse.Namespace], int] | None = getattr(options, "run", None)
     if rest:
@@ -376,3 +373,15 @@ def _run_build(options: argparse.Namespace) -> int:
     from clickgen.cli.build import run
 
     return run(options.program, options.output, options.nicknames, options.frozen, options.config)
+
+
+_COMMANDS: dict[str, Callable[[argparse._SubParsersAction[_Parser]], None]] = {
+    "build": _add_build,
+    "check": _add_check,
+    "nicknames": _add_nicknames,
+    "workbook": _add_workbook,
+    "stubs": _add_stubs,
+    "rules": _add_rules,
+    "explain": _add_explain,
+}
+"""What sets up the arguments of each command, in the order of the help."""
