@@ -77,6 +77,9 @@ def test_a_name_that_moves_into_the_workbook_may_stay_in_the_table(tmp_path: Pat
         ('DS100,INT,"Rate",0,Yes,""', "DS100 is Rate here and Speed in IO!A4 of"),
         ('DS101,INT,"Rate",0,Yes,""', "DS101 is Rate here and given no name in IO!A5 of"),
         ('DS100,INT,"",0,Yes,"x"', "DS100 is given no name here and Speed in IO!A4 of"),
+        ('DS100,INT,"Speed",7,Yes,""', "the initial value of DS100 is 7 here and 0 in IO!A4 of"),
+        ('DS100,INT,"Speed",0,No,""', "the retention of DS100 is No here and Yes in IO!A4 of"),
+        ('DS100,INT,"Speed",0,Yes,"m/s"', 'the comment of DS100 is "m/s" here and "rpm" in IO!A4 of'),
         ('DS100,INT,"Scratch_DS100",0,Yes,"split of main rung 2"', "DS100 is Scratch_DS100 here and Speed"),
     ],
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
@@ -139,6 +140,48 @@ def test_prune_leaves_what_another_program_of_the_table_needs(run: Run, other: s
     assert 'DS1,INT,"Speed",0,Yes,""' in table()
 
 
+USER = OTHER.replace("c.Other", "ds.Speed > 5")
+
+
+@pytest.mark.parametrize("place", ["below", "settings", "part"])
+def test_prune_leaves_what_a_program_without_a_table_names(run: Run, place: str) -> None:
+    """It may be built with this table another time."""
+    write("plant/prog.py", PROGRAM)
+    write("plant/io.csv", HEADER)
+    run("sync", "plant/prog.py", "--nicknames", "plant/io.csv")
+    if place == "below":
+        write("plant/sub/other.py", USER)
+    elif place == "settings":
+        write("elsewhere/other.py", USER)
+        write(
+            "plant/clickgen.toml", 'programs = ["prog.py", { path = "../elsewhere/other.py", nicknames = "io.csv" }]\n'
+        )
+    else:
+        write(
+            "plant/part.py",
+            "@sub\ndef part():\n    if ds.Speed > 5:\n        out(c.Run)\n    if True:\n        return\n",
+        )
+    write("plant/prog.py", PROGRAM.replace("ds.Speed", "ds.Shown"))
+    run("sync", "plant/prog.py", "--nicknames", "plant/io.csv", "--prune")
+    assert 'DS1,INT,"Speed",0,Yes,""' in table("plant/io.csv")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need rights there")
+def test_prune_looks_around_the_table_that_a_link_leads_to(run: Run) -> None:
+    write("prog.py", USER)
+    write("nicknames.csv", HEADER)
+    write("sub/other.py", PROGRAM)
+    Path("sub/nicknames.csv").symlink_to("../nicknames.csv")
+    run("sync", "sub/other.py")
+    assert Path("nicknames.placed").exists()
+    write("sub/other.py", PROGRAM.replace("ds.Speed", "ds.Shown"))
+    run("sync", "sub/other.py", "--prune")
+    assert 'DS1,INT,"Speed",0,Yes,""' in table()
+    write("prog.py", OTHER)
+    run("sync", "prog.py", "sub/other.py", "--prune")
+    assert 'DS1,INT,"Speed",0,Yes,""' not in table()
+
+
 def test_prune_says_what_keeps_a_name(run: Run) -> None:
     write("prog.py", PROGRAM)
     run("sync", "prog.py")
@@ -181,11 +224,11 @@ def test_beside_a_workbook_only_what_it_lacks_is_added(run: Run) -> None:
     run("sync", "prog.py", "--nicknames", "io.xlsx")
     assert table() == ['C1,BIT,"Run",0,No,""', 'DS1,INT,"Shown",0,Yes,""']
     assert run("check", "prog.py", "--nicknames", "io.xlsx").code == 0
-    # All of this table is clickgen's own, with or without the record.
-    Path("nicknames.placed").unlink()
+    own = ['C7,BIT,"Panel",0,No,""', 'DS50,INT,"Noted",7,Yes,"set by the panel"']
+    write("nicknames.csv", "\n".join((HEADER.strip(), 'C1,BIT,"Run",0,No,""', own[0], *table()[1:], own[1], "")))
     write("prog.py", PROGRAM.replace("c.Run", "c.Ran"))
     run("sync", "prog.py", "--nicknames", "io.xlsx", "--prune")
-    assert table() == ['C2,BIT,"Ran",0,No,""', 'DS1,INT,"Shown",0,Yes,""']
+    assert table() == ['C2,BIT,"Ran",0,No,""', own[0], 'DS1,INT,"Shown",0,Yes,""', own[1]]
     assert Path("io.xlsx").read_bytes() == before
 
 
@@ -222,6 +265,28 @@ def test_check_says_what_is_missing_and_writes_nothing(run: Run) -> None:
     assert [path.name for path in Path().iterdir()] == ["prog.py"]
     run("sync", "prog.py")
     assert run("check", "prog.py") == (0, "nicknames.csv: 3 addresses, in agreement with prog.py\n", "")
+
+
+@pytest.mark.parametrize(
+    "above",
+    [
+        'nickname(ds.Speed, ds[1], comment="rpm")\n',
+        "nickname(ds.Recipe, ds[100:110])\n",
+        "nickname(c.New, c[9])\n",
+    ],
+)
+def test_check_says_what_the_source_gives_otherwise_than_the_table(run: Run, above: str) -> None:
+    write("prog.py", PROGRAM)
+    run("sync", "prog.py")
+    before = Path("nicknames.csv").read_bytes()
+    write("prog.py", f"{above}\n\n{PROGRAM}")
+    said = run("check", "prog.py")
+    assert said.code == 1
+    assert "would be" in said.out
+    assert said.err == "clickgen: run clickgen nicknames sync and commit the table\n"
+    assert Path("nicknames.csv").read_bytes() == before
+    run("sync", "prog.py")
+    assert run("check", "prog.py").code == 0
 
 
 def test_check_leaves_other_errors_to_the_check_of_programs(run: Run) -> None:

@@ -60,12 +60,13 @@ def _sync(options: argparse.Namespace) -> int:
             write_problems(each.diagnostics, each.sources, sys.stderr)
         _say(f"{_summary(result.results)}; nothing was written")
         return PROBLEMS
+    # What is shown of the table is what was read, so before anything is written.
+    for each in result.results:
+        write_problems(filter(_is_about_names, each.diagnostics), each.sources, sys.stderr)
     if not options.dry_run:
         put_in_place(result.writes, (), result.unchanged)
     for table in result.tables:
         print("\n".join(_table_lines(table, options.dry_run)))
-    for each in result.results:
-        write_problems(filter(_is_about_names, each.diagnostics), each.sources, sys.stderr)
     return OK
 
 
@@ -98,6 +99,8 @@ def _reason(table: TableSync, row: Row) -> str:
 
 def _check(options: argparse.Namespace) -> int:
     """The problems of names, addresses and the table; others are counted, for ``clickgen check`` tells them."""
+    from clickgen.nicknames.sync import sync
+
     found = _jobs(options, options.programs)
     results = [build(job.program, settings=replace(job.settings, frozen=True)) for job in found]
     told = 0
@@ -109,6 +112,12 @@ def _check(options: argparse.Namespace) -> int:
         if others:
             _say(f"{result.program} has {counted(len(others), 'other error')}: see clickgen check {result.program}")
     if told:
+        return PROBLEMS
+    lacking = [table for table in sync(found, settings_of(options.config)).tables if table.added or table.changed]
+    for table in lacking:
+        print("\n".join(_table_lines(replace(table, unused=()), is_dry=True)))
+    if lacking:
+        _say("run clickgen nicknames sync and commit the table")
         return PROBLEMS
     tables = {str(result.table_path): len(result.rows) for result in results}
     for path, count in tables.items():

@@ -9,8 +9,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from clickgen.checking.discover import targets
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
-from clickgen.cli.jobs import Job, jobs, near
+from clickgen.cli.jobs import Job, jobs, near, settings_of
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
 from clickgen.pipeline import KnownNames, known_names
@@ -25,7 +26,8 @@ STUB_NAME = "__builtins__.pyi"
 def run(programs: Sequence[str], nicknames: str | None, frozen: bool, is_check: bool, config: str | None) -> int:
     """Write the stub file of every folder with a program, or say which are stale; returns the exit code."""
     try:
-        names = _names(jobs(programs, nicknames, frozen, config))
+        named = jobs(programs, nicknames, frozen, config)
+        names = _names([*named, *_beside(named, frozen, config)])
         stubs = {near(folder / STUB_NAME): _stub(found) for folder, found in names.items()}
         stale = {path: text for path, text in stubs.items() if _is_stale(path, text)}
         if is_check:
@@ -34,6 +36,8 @@ def run(programs: Sequence[str], nicknames: str | None, frozen: bool, is_check: 
     except CouldNotRun as error:
         print(f"clickgen: {printable(str(error))}", file=sys.stderr)
         return COULD_NOT_RUN
+    except BrokenPipeError:
+        raise
     except OSError as error:
         place = f"{error.filename}: " if error.filename else ""
         print(f"clickgen: {printable(place)}{error.strerror or error}; nothing was written", file=sys.stderr)
@@ -41,6 +45,20 @@ def run(programs: Sequence[str], nicknames: str | None, frozen: bool, is_check: 
     for path in stubs:
         print(f"{path}: {'written' if path in stale else 'nothing has changed'}")
     return OK
+
+
+def _beside(found: Sequence[Job], frozen: bool, config: str | None) -> list[Job]:
+    """The other programs of the same folders: they share the file."""
+    settings = settings_of(config)
+    folders = sorted({os.path.dirname(os.path.abspath(job.program)) for job in found})
+    known = {os.path.realpath(job.program) for job in found}
+    others = [
+        target.path
+        for target in targets([str(near(Path(folder))) for folder in folders], settings)
+        if os.path.dirname(os.path.abspath(target.path)) in folders and os.path.realpath(target.path) not in known
+        if not target.is_part
+    ]
+    return jobs(others, None, frozen, config) if others else []
 
 
 def _names(found: Sequence[Job]) -> dict[Path, list[KnownNames]]:

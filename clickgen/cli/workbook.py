@@ -32,6 +32,8 @@ def run(program: str, output: str | None, nicknames: str | None, config: str | N
     except CouldNotRun as error:
         print(f"clickgen: {printable(str(error))}", file=sys.stderr)
         return COULD_NOT_RUN
+    except BrokenPipeError:
+        raise
     except OSError as error:
         place = f"{error.filename}: " if error.filename else ""
         print(f"clickgen: {printable(place)}{error.strerror or error}; nothing was written", file=sys.stderr)

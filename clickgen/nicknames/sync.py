@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from clickgen.config import Config
+from clickgen.config import Config, find_config
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, VALUE_BANK, Address
 from clickgen.diagnostics import CouldNotRun, Diagnostics
 from clickgen.nicknames.programs import Files, Job, Program, programs_around
@@ -60,13 +60,15 @@ def sync(jobs: Sequence[Job], config: Config, prune: bool = False) -> Sync:
     results = build_all((job.program, job.settings) for job in jobs)
     if not all(result.ok for result in results):
         return Sync(tuple(results), (), {}, {})
-    around = programs_around(jobs, config, Files())
+    places = [result.table_path for result in results]
+    places += [Path(os.path.realpath(place)) for place in places]
+    around = programs_around(jobs, _with_programs_of(config, places), Files(), places)
     tables: list[TableSync] = []
     writes: dict[Path, bytes] = {}
     unchanged: dict[Path, bytes | None] = {}
     for key in dict.fromkeys(os.path.realpath(result.table_path) for result in results):
         own = [result for result in results if os.path.realpath(result.table_path) == key]
-        others = [program for program in around if program.table_key == key and not program.is_job]
+        others = [program for program in around if not program.is_job]
         table = _Table(own, others, prune)
         tables.append(table.sync)
         for path, data, before in table.files():
@@ -76,11 +78,24 @@ def sync(jobs: Sequence[Job], config: Config, prune: bool = False) -> Sync:
     return Sync(tuple(results), tuple(tables), writes, unchanged)
 
 
+def _with_programs_of(config: Config, tables: Iterable[Path]) -> Config:
+    """The settings with the programs that those around the tables name."""
+    found = [find_config(table.parent) for table in tables if table.parent.is_dir()]
+    return config._replace(programs=(*config.programs, *(each for one in found for each in one.programs)))
+
+
 class _Table:
-    """One table with the programs that use it: those that were named, in their order, and the others."""
+    """One table with the programs that use it: those that were named, in their order, and the others.
+
+    A program around it that has a table of its own is none of them. One whose table is not there may be used with this
+    one on some other day, so what it names stays.
+    """
 
     def __init__(self, own: Sequence[BuildResult], others: Sequence[Program], prune: bool) -> None:
         self._path = own[0].table_path
+        key = os.path.realpath(self._path)
+        self._strangers = [each for each in others if each.table_key != key and not os.path.exists(each.table_key)]
+        others = [each for each in others if each.table_key == key]
         self._before = own[0].table_before
         self._record = _bytes(record_beside(self._path))
         self._placed = placed_in(self._record)
@@ -93,7 +108,7 @@ class _Table:
         removed: list[Row] = []
         kept: dict[Address, str] = {}
         for row in unused if prune else ():
-            reason = _reason_to_stay(row, users, doubtful) if self._is_ours(row, table) else None
+            reason = self._reason_to_stay(row, users, doubtful) if self._is_ours(row) else None
             if reason == "":
                 removed.append(row)
             elif reason:
@@ -105,12 +120,24 @@ class _Table:
         changed = tuple(row for row in rows if before.get(row.address, row.content) != row.content)
         self.sync = TableSync(self._path, added, changed, tuple(unused), tuple(removed), kept, tuple(doubtful))
 
-    def _is_ours(self, row: Row, table: AddressTable) -> bool:
+    def _is_ours(self, row: Row) -> bool:
         """True for a row that clickgen wrote and no person has touched since."""
-        if is_scratch(row) or table.base:
+        if is_scratch(row):
             return True
         is_bare = replace(row, nickname="").is_default
         return is_bare and self._placed.get(row.address, "") == row.nickname != ""
+
+    def _reason_to_stay(self, row: Row, users: Iterable[BuildResult], doubtful: Sequence[str]) -> str:
+        if doubtful:
+            return f"{doubtful[0]} has errors, so nobody knows what it uses"
+        for program in self._strangers:
+            if any(file.of(row.nickname) for file in program.names):
+                return f"{program.path} names it"
+        for result in users:
+            uses = result.facts.uses if result.facts else None
+            if uses and any(uses.is_pointed(row.address.bank, way) for way in (True, False)):
+                return f"{result.program} points into {row.address.bank}"
+        return ""
 
     def files(self) -> list[tuple[Path, bytes | None, bytes | None]]:
         """The table and the record beside it: what they should hold, and what they held."""
@@ -163,14 +190,3 @@ def _is_used(row: Row, result: BuildResult) -> bool:
     twins = (bank, VALUE_BANK.get(bank), CURRENT_VALUE_OF.get(bank))
     addresses = [row.address._replace(bank=twin) for twin in twins if twin]
     return result.facts is not None and any(result.facts.uses.at(address) for address in addresses)
-
-
-def _reason_to_stay(row: Row, users: Iterable[BuildResult], doubtful: Sequence[str]) -> str:
-    if doubtful:
-        return f"{doubtful[0]} has errors, so nobody knows what it uses"
-    for result in users:
-        if result.facts is not None and any(
-            result.facts.uses.is_pointed(row.address.bank, way) for way in (True, False)
-        ):
-            return f"{result.program} points into {row.address.bank}"
-    return ""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
 from clickgen.diagnostics import Diagnostics, Label
-from clickgen.resolve.rows import Row, is_scratch
+from clickgen.resolve.rows import Row, default_row, is_scratch
 from clickgen.resolve.table import AddressTable
 
 _WORKBOOKS = (".xlsx", ".xlsm")
@@ -33,7 +33,21 @@ def beside_workbook(table: AddressTable, base: Iterable[Row], problems: Diagnost
             )
         elif holder is not None and holder.address != row.address:
             _disagree(layered, row, holder, f"{row.nickname} is {row.address} here and {holder.address}", problems)
+        elif stands is not None:
+            for what, here, there in _other_settings(row, stands):
+                _disagree(layered, row, stands, f"the {what} of {row.address} is {here} here and {there}", problems)
     return layered
+
+
+def _other_settings(row: Row, other: Row) -> Iterator[tuple[str, str, str]]:
+    """What a row says otherwise than the workbook; a row that says nothing of its own agrees."""
+    usual = default_row(row.address, row.nickname)
+    if row.initial not in (usual.initial, other.initial):
+        yield "initial value", row.initial, other.initial or "nothing"
+    if row.retentive not in (usual.retentive, other.retentive):
+        yield "retention", "Yes" if row.retentive else "No", "Yes" if other.retentive else "No"
+    if row.comment not in ("", other.comment):
+        yield "comment", f'"{row.comment}"', f'"{other.comment}"'
 
 
 def _disagree(table: AddressTable, row: Row, other: Row, what: str, problems: Diagnostics) -> None:

@@ -6,6 +6,7 @@ nothing else; without the file nothing is removed.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -16,8 +17,9 @@ _HEAD = "# Names that clickgen placed. Commit this file with the address table."
 
 
 def record_beside(table: Path) -> Path:
-    """Where the record of a table stands: ``nicknames.placed`` beside ``nicknames.csv``."""
-    return table.with_suffix(".placed")
+    """Where the record of a table stands: ``nicknames.placed`` beside ``nicknames.csv``, where that really is."""
+    place = Path(os.path.realpath(table)) if table.is_symlink() else table
+    return place.with_suffix(".placed")
 
 
 def placed_in(data: bytes | None) -> dict[Address, str]:

@@ -24,6 +24,7 @@ from clickgen.resolve.declare_blocks import declare_blocks
 from clickgen.resolve.members import without_members
 from clickgen.resolve.rows import Row, is_scratch, looks_like_scratch
 from clickgen.resolve.table import AddressTable
+from clickgen.wording import counted
 
 
 @dataclass(frozen=True)
@@ -59,9 +60,9 @@ def resolve(
     if blocks or any(name.part is not None for name in _names_in(operands)):
         program = without_members(program, blocks, table, problems)
         operands = list(program_operands(program))
-    resolver = _Resolver(table, declared, frozen, problems)
+    resolver = _Resolver(table, declared, frozen, problems, reserved)
     marked = (address for block in blocks.values() for address in block.addresses())
-    resolver.allocator.take((*reserved, *marked, *_addresses(operands)))
+    resolver.allocator.take((*resolver.reserved, *marked, *_addresses(operands)))
     resolver.name(program, list(_named(operands)))
     resolved = _Names(resolver.addresses).program(program)
     _guard_scratch(resolved, table, problems)
@@ -104,8 +105,16 @@ def _addresses(operands: Iterable[Operand]) -> Iterable[Address]:
 
 
 class _Resolver:
-    def __init__(self, table: AddressTable, declared: Declared, frozen: bool, problems: Diagnostics) -> None:
+    def __init__(
+        self,
+        table: AddressTable,
+        declared: Declared,
+        frozen: bool,
+        problems: Diagnostics,
+        reserved: Iterable[Address] = (),
+    ) -> None:
         self.table = table
+        self.reserved = tuple(reserved)
         self.frozen = frozen
         self.problems = problems
         self.meanings: dict[str, Meaning] = {
@@ -190,7 +199,8 @@ class _Resolver:
                 "CG208",
                 use.span,
                 f"no {use.bank} address is free for {what}",
-                f"{use.bank} has {BANKS[use.bank].describe_range()}; free some rows of {self.table.path}",
+                f"{use.bank} has {BANKS[use.bank].describe_range()}; "
+                f"free some rows of {self.table.path}{self._closed(use)}",
             )
             return
         if use.bank in ("X", "Y"):
@@ -203,6 +213,11 @@ class _Resolver:
         self.meanings[use.name.lower()] = Meaning(address, "", use.span)
         self.addresses[use.bank, use.name.lower()] = address
         self.allocated.append(self.table.named(address, use.name))
+
+    def _closed(self, use: Named) -> str:
+        """How much of a bank the settings keep free, for a message."""
+        count = sum(address.bank == use.bank for address in self.reserved)
+        return f", or some of the {counted(count, 'address', 'addresses')} that the settings keep free" if count else ""
 
     def _is_allocatable(self, use: Named) -> bool:
         bank = BANKS[use.bank]
