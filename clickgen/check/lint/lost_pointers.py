@@ -60,22 +60,23 @@ class _Use(NamedTuple):
     def condition(self) -> Condition:
         return self.placed.condition
 
-    def leads_nowhere(self, number: int) -> bool:
-        return not BANKS[self.pointer.bank].has(number)
+    def leads_nowhere(self, number: int | None) -> bool:
+        return number is not None and not BANKS[self.pointer.bank].has(number)
 
-    def finds(self, number: int) -> Condition:
+    def finds(self, number: int | None) -> Condition:
         """That the use runs and finds this number, for all that its own rung asks of the register."""
         span = self.register.span
-        return All((self.condition, Compare("==", self.register, Integer(number, span), span)), span)
+        return All((self.condition, Compare("==", self.register, Integer(number or 0, span), span)), span)
 
 
 class _Writer(NamedTuple):
-    """An action that gives a register a number, always the same; ``place`` is its place in the program."""
+    """An action that gives a register a number; ``place`` is its place in the program."""
 
     placed: Placed
     condition: Condition
     place: int
-    number: int
+    number: int | None
+    """None when it is not always the same."""
 
     @property
     def clears_block(self) -> bool:
@@ -92,7 +93,7 @@ class _Writer(NamedTuple):
 
 
 class _Register(NamedTuple):
-    """What the program does with the register of a pointer. Without writers nothing is known of it."""
+    """What the program does with the register of a pointer; ``home`` is None where some number is not known."""
 
     writers: tuple[_Writer, ...] = ()
     home: Routine | None = None
@@ -143,13 +144,15 @@ class _Registers:
         writers = []
         for placed in self._facts.writers(address):
             source = placed.action.args.get("source")
-            if placed.spec not in (COPY, COPY_FILL) or not isinstance(source, Integer):
-                return _Register()
-            writers.append(_Writer(placed, placed.condition, self._places[id(placed.action)], source.value))
+            is_known = placed.spec in (COPY, COPY_FILL) and isinstance(source, Integer)
+            number = source.value if is_known and isinstance(source, Integer) else None
+            writers.append(_Writer(placed, placed.condition, self._places[id(placed.action)], number))
         if not writers:
             return _Register()
         writers.sort(key=lambda writer: writer.place)
         end = self._ends.get(id(writers[0].placed.routine), len(self._places))
+        if any(writer.number is None for writer in writers):
+            return _Register(tuple(writers), end=end)
         home = self._home(writers) if writers[-1].place < end else None
         is_open = len(writers) <= _WRITERS_MAX and all(_is_free(self._facts, each.condition) for each in writers)
         asked = frozenset(id(use.leaf) for use in self._facts.uses.reads(address) if use.leaf is not None)
@@ -180,6 +183,8 @@ def _find(facts: Facts, use: _Use, register: _Register) -> tuple[_Writer, bool] 
             return None
         if are_exclusive(use.condition, writer.condition):
             continue
+        if writer.number is None:
+            return None
         is_sure = writer.surely_runs_with(use)
         if use.leads_nowhere(writer.number):
             if not later and (is_near or (is_sure and _is_possible(use.finds(writer.number)))):
