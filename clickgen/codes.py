@@ -143,4 +143,5 @@ CODES: dict[str, Code] = {
     "CG603": Code(_E, "the address table holds a nickname that CLICK does not take"),
     "CG604": Code(_W, "part of a row of the workbook is left out"),
     "CG605": Code(_E, "the workbook and the address table beside it disagree"),
+    "CG606": Code(_W, "marks of blocks in the address table do not fit"),
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import openpyxl
 import pyclickplc
 import pytest
 from hypothesis import given
@@ -220,7 +221,8 @@ def test_a_nickname_goes_before_a_mark_of_the_same_name(tmp_path: Path) -> None:
 
 def test_a_block_without_an_end_is_told_by_its_line(tmp_path: Path) -> None:
     text = program("copy(ds.Recipe[9], ds[1])", above="")
-    (problem,) = build(tmp_path, text, 'DS100,INT,"",0,Yes,"<Recipe>"\n').diagnostics
+    warning, problem = build(tmp_path, text, 'DS100,INT,"",0,Yes,"<Recipe>"\n').diagnostics
+    assert warning.code == "CG606"
     assert problem.message.startswith("the block Recipe in line 2 of ")
     assert problem.help == "mark its last address </Recipe>"
 
@@ -264,3 +266,181 @@ def test_a_fix_does_not_take_a_block_of_elsewhere_for_a_bit(
     Path("prog.py").write_text(text)
     assert main(["check", "prog.py", "--fix", "-q"]) == 1
     assert Path("prog.py").read_text() == text
+
+
+# -- names and marks that do not fit ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["R/", "/R", "S<x>", 'R"', "sum", "_r", "x" * 35, "12", " R", "Ö", "Scratch_C5", ""])
+def test_the_name_of_a_block_is_one_that_its_mark_gives_back(name: str, tmp_path: Path) -> None:
+    above = f"nickname(ds[{name!r}], ds[100:110])"
+    (problem,) = build(tmp_path, program("copy(1, dd[5])", above=above)).diagnostics
+    assert problem.code == "CG203"
+    assert problem.help
+
+
+def test_a_wrong_name_of_a_block_is_told_once(tmp_path: Path) -> None:
+    rung = 'copy(ds["R/"][1], ds[1])'
+    (problem,) = build(tmp_path, program(rung, above='nickname(ds["R/"], ds[100:110])')).diagnostics
+    assert problem.code == "CG203"
+
+
+def test_a_block_of_the_table_keeps_its_name(tmp_path: Path) -> None:
+    """ClickNick gives blocks names such as Base.field, which are no nicknames."""
+    table = 'DS100,INT,"",0,Yes,"<Alarm.id:udt>"\nDS109,INT,"",0,Yes,"</Alarm.id:udt>"\n'
+    above = 'nickname(ds["alarm.id:udt"], ds[100:110])'
+    result = build(tmp_path, program('copy(ds["Alarm.id:udt"][1], ds[1])', above=above), table)
+    assert outputs(result) == ["copy(DS101,DS1)"]
+    assert result.table.decode() == HEADER + table
+
+
+@pytest.mark.parametrize("name", ["Recipe", "Mix 2", "2nd", "a_b"])
+def test_a_table_with_blocks_does_not_grow(name: str, tmp_path: Path) -> None:
+    above = f'nickname(ds["{name}"], ds[100:110])\nnickname(c["{name} c"], c[1:2])'
+    first = build(tmp_path, program("copy(1, dd[5])", above=above))
+    first.write(tmp_path / "out")
+    again = build(tmp_path, program("copy(1, dd[5])", above=above))
+    assert again.ok
+    assert again.table == first.table
+
+
+@pytest.mark.parametrize(
+    ("table", "words"),
+    [
+        ('DS100,INT,"",0,Yes,"<R>"\nDS109,INT,"",0,Yes,"</R>"\n', "DS100 is marked <R> in line 2 of"),
+        ('DS100,INT,"",0,Yes,"<R>"\nDS105,INT,"",0,Yes,"</R>"\n', "DS100 is marked <R> in line 2 of"),
+        ('DS105,INT,"",0,Yes,"<R>"\nDS109,INT,"",0,Yes,"</R>"\n', "DS109 is marked </R> in line 3 of"),
+        ('DS100,INT,"",0,Yes,"kept <R /> too"\n', "DS100 is marked <R /> in line 2 of"),
+        ('DS100,INT,"",0,Yes,"</Q>"\nDS109,INT,"",0,Yes,"<Q>"\n', "DS100 is marked </Q> in line 2 of"),
+        ('DS50,INT,"",0,Yes,"<Q>"\n', "DS50 is marked <Q> in line 2 of"),
+        ('DS100,INT,"",0,Yes,"<Q>"\nDS105,INT,"",0,Yes,"<Q>"\n', "DS105 is marked <Q> in line 3 of"),
+    ],
+)
+def test_a_mark_in_the_way_of_a_block_is_told(table: str, words: str, tmp_path: Path) -> None:
+    above = "nickname(ds.Q, ds[100:110])"
+    result = build(tmp_path, program("copy(1, ds.Q[0])", above=above), table)
+    (problem,) = (problem for problem in result.diagnostics if problem.is_error)
+    assert problem.code == "CG205"
+    assert problem.message.startswith("Q is DS100 to DS109 here, and the comment of ")
+    assert words in problem.message
+    assert problem.help
+    assert problem.labels
+
+
+def test_half_a_block_is_completed_without_a_warning(tmp_path: Path) -> None:
+    result = build(tmp_path, program("copy(1, ds.Recipe[0])"), 'DS100,INT,"",0,Yes,"<Recipe>"\n')
+    assert result.diagnostics == ()
+    assert 'DS109,INT,"",0,Yes,"</Recipe>"' in result.table.decode()
+
+
+@pytest.mark.parametrize(
+    ("table", "line", "words"),
+    [
+        ('DS1,INT,"",0,Yes,"<R>"\n', 2, '"<R>" in the comment of DS1 is taken for the beginning of a block'),
+        (
+            'DS1,INT,"",0,Yes,"on"\nDS2,INT,"",0,Yes,"end </R>"\n',
+            3,
+            '"</R>" in the comment of DS2 is taken for the end',
+        ),
+        (
+            'DS1,INT,"",0,Yes,"<R>"\nDS3,INT,"",0,Yes,"<Q>"\nDS5,INT,"",0,Yes,"</R>"\nDS7,INT,"",0,Yes,"</Q>"\n',
+            3,
+            "the blocks R, DS1 to DS5, and Q, DS3 to DS7, overlap",
+        ),
+        ('DS1,INT,"",0,Yes,"<R />"\nDS3,INT,"",0,Yes,"<r />"\n', 3, "a second block r, DS3, is marked"),
+        ('DS1,INT,"",0,Yes,"<R />"\nDD3,INT2,"",0,Yes,"<R />"\n', 3, "a second block R, DD3, is marked"),
+        ('X015,BIT,"",0,No,"<R>"\nX022,BIT,"",0,No,"</R>"\n', 2, "the block R, X015 to X022, spans addresses that"),
+    ],
+)
+def test_marks_that_do_not_fit_are_a_warning(table: str, line: int, words: str, tmp_path: Path) -> None:
+    result = build(tmp_path, program("copy(1, dd[5])", above=""), table)
+    (problem,) = result.diagnostics
+    assert (problem.code, problem.is_error) == ("CG606", False)
+    assert problem.span is not None
+    assert problem.span.line == line
+    assert problem.message.startswith(words)
+    assert problem.help
+    assert result.table.decode() == HEADER + table
+
+
+@pytest.mark.parametrize(
+    "table",
+    [
+        'DS1,INT,"",0,Yes,"< 5 >"\n',
+        'DS1,INT,"",0,Yes,"a < b"\n',
+        'DS1,INT,"",0,Yes,"<>"\n',
+        'DS1,INT,"",0,Yes,"<R />"\n',
+        'DS1,INT,"",0,Yes,"<R>"\nDS3,INT,"",0,Yes,"<Q />"\nDS5,INT,"",0,Yes,"</R>"\n',
+        'T1,BIT,"",0,No,"<R>"\nT3,BIT,"",0,No,"</R>"\nTD1,INT,"",0,No,"<R>"\nTD3,INT,"",0,No,"</R>"\n',
+    ],
+    ids=["number", "less", "empty", "one", "nested", "timers"],
+)
+def test_what_is_no_mark_or_a_good_one_is_no_warning(table: str, tmp_path: Path) -> None:
+    assert build(tmp_path, program("copy(1, dd[5])", above=""), table).diagnostics == ()
+
+
+def test_of_two_openings_the_later_one_is_closed_as_clicknick_has_it(tmp_path: Path) -> None:
+    table = 'DS1,INT,"",0,Yes,"<R>"\nDS3,INT,"",0,Yes,"<R>"\nDS9,INT,"",0,Yes,"</R>"\n'
+    result = build(tmp_path, program("copy_fill(0, ds.R)", above=""), table)
+    assert outputs(result) == ["fill(0,DS3..DS9)"]
+    (problem,) = result.diagnostics
+    assert problem.span is not None
+    assert (problem.code, problem.span.line) == ("CG606", 2)
+
+
+def test_a_declared_block_that_crosses_a_marked_one_is_a_warning(tmp_path: Path) -> None:
+    table = 'DS105,INT,"",0,Yes,"<Q>"\nDS115,INT,"",0,Yes,"</Q>"\n'
+    result = build(tmp_path, program("copy(1, ds.Recipe[0])"), table)
+    (problem,) = result.diagnostics
+    assert problem.code == "CG606"
+    result.write(tmp_path / "out")
+    (problem,) = clickgen.build(tmp_path / "prog.py").diagnostics
+    assert problem.code == "CG606"
+
+
+@pytest.mark.parametrize("part", ["[2]", "[0:4]", ""])
+def test_a_member_in_a_gap_of_the_inputs_is_told(part: str, tmp_path: Path) -> None:
+    table = 'X015,BIT,"",0,No,"<R>"\nX022,BIT,"",0,No,"</R>"\n'
+    text = f"def main():\n    if x.R{part}:\n        out(y[1])\n    if True:\n        end()\n"
+    (problem,) = (problem for problem in build(tmp_path, text, table).diagnostics if problem.is_error)
+    assert problem.code == "CG214"
+    assert "X017" in problem.message
+
+
+def workbook(folder: Path, *rows: tuple[str, ...]) -> Path:
+    book = openpyxl.Workbook()
+    sheet = book.active
+    assert sheet is not None
+    for row in (("Address", "Tag", "Comment"), *rows):
+        sheet.append(row)
+    book.save(folder / "io.xlsx")
+    return folder / "io.xlsx"
+
+
+@pytest.mark.parametrize(("row", "comment"), [("DS100", ""), ("DS109", "noted")])
+def test_a_block_at_a_row_of_a_workbook_has_no_marks(row: str, comment: str, tmp_path: Path) -> None:
+    (tmp_path / "prog.py").write_text(program("copy(ds.Recipe[1], ds[1])"))
+    book = workbook(tmp_path, (row, "Given", comment))
+    result = clickgen.build(tmp_path / "prog.py", nicknames=book)
+    assert outputs(result) == ["copy(DS101,DS1)"]
+    assert result.diagnostics == ()
+    assert result.table.decode() == HEADER
+    assert "Recipe" not in result.files["nicknames.csv"]
+
+
+def test_half_a_block_of_a_workbook_is_completed_in_the_table(tmp_path: Path) -> None:
+    (tmp_path / "prog.py").write_text(program("copy(ds.Recipe[1], ds[1])"))
+    book = workbook(tmp_path, ("DS100", "Given", "<Recipe>"))
+    result = clickgen.build(tmp_path / "prog.py", nicknames=book)
+    assert result.diagnostics == ()
+    assert result.table.decode() == HEADER + 'DS109,INT,"",0,Yes,"</Recipe>"\n'
+
+
+def test_a_declared_comment_leaves_the_mark_of_a_block(tmp_path: Path) -> None:
+    text = program("copy(ds.R[0], ds.First)", above='nickname(ds.First, ds[100], comment="mine")')
+    table = 'DS100,INT,"First",0,Yes,"old <R> text"\nDS109,INT,"",0,Yes,"</R>"\n'
+    result = build(tmp_path, text, table)
+    assert result.ok
+    assert 'DS100,INT,"First",0,Yes,"<R>mine"' in result.table.decode()
+    result.write(tmp_path / "out")
+    assert build(tmp_path, text).table == result.table

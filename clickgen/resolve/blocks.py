@@ -7,7 +7,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 from typing import NamedTuple
 
 from clickgen.device.banks import CURRENT_VALUE_OF, Address
@@ -37,8 +36,16 @@ class Block(NamedTuple):
         """True where the block goes by this bank: its own, or TD and CTD for one of T and CT."""
         return bank == self.bank or CURRENT_VALUE_OF.get(bank) == self.bank
 
+    def meets(self, other: Block) -> bool:
+        """True where both have an address."""
+        return self.bank == other.bank and self.first <= other.last and other.first <= self.last
+
+    def lies_in(self, other: Block) -> bool:
+        return self.bank == other.bank and other.first <= self.first and self.last <= other.last
+
     def __str__(self) -> str:
-        return f"{Address(self.bank, self.first)} to {Address(self.bank, self.last)}"
+        first = str(Address(self.bank, self.first))
+        return first if self.size == 1 else f"{first} to {Address(self.bank, self.last)}"
 
 
 class Mark(NamedTuple):
@@ -76,46 +83,70 @@ def _read_mark(word: str) -> Mark:
 def marked(comment: str, name: str, opens: bool, closes: bool) -> str:
     """A comment with a block's mark in front; as it is where it has that mark already."""
     mark = mark_in(comment)
-    if mark and (mark.name, mark.opens, mark.closes) == (name, opens, closes):
+    if mark and (mark.name.lower(), mark.opens, mark.closes) == (name.lower(), opens, closes):
         return comment
     word = f"{name} /" if opens and closes else name if opens else f"/{name}"
     return f"<{word}>{comment}"
 
 
+class MarkedRow(NamedTuple):
+    row: Row
+    mark: Mark
+
+
+class Marks(NamedTuple):
+    """What the comments of a table mark."""
+
+    rows: tuple[MarkedRow, ...]
+    """In CLICK's order."""
+    blocks: dict[str, Block]
+    """By their lowercase names."""
+    doubles: tuple[tuple[Block, Block], ...]
+    """Blocks whose name another has already, with that other."""
+    halves: tuple[MarkedRow, ...]
+    """Those of ``rows`` that open a block which no row closes, or close one that no row opens."""
+
+
+def read_marks(table: AddressTable) -> Marks:
+    """The blocks of a table. An end belongs to the last beginning before it, as ClickNick has it."""
+    rows = _marked_rows(table)
+    open_rows: dict[tuple[str, str], list[MarkedRow]] = {}
+    blocks: dict[str, Block] = {}
+    doubles: list[tuple[Block, Block]] = []
+    halves: list[MarkedRow] = []
+    for each in rows:
+        row, mark = each
+        waiting = open_rows.setdefault((row.address.bank, mark.name.lower()), [])
+        if mark.opens and not mark.closes:
+            waiting.append(each)
+        elif not mark.opens and not waiting:
+            halves.append(each)
+        else:
+            block = _block(mark.name, row if mark.opens else waiting.pop().row, row, table)
+            other = blocks.setdefault(mark.name.lower(), block)
+            if other is not block:
+                doubles.append((block, other))
+    halves += (each for waiting in open_rows.values() for each in waiting)
+    return Marks(tuple(rows), blocks, tuple(doubles), tuple(halves))
+
+
+def _marked_rows(table: AddressTable) -> list[MarkedRow]:
+    found = ((row, mark_in(row.comment)) for row in table.rows if "<" in row.comment)
+    rows = [MarkedRow(row, mark) for row, mark in found if mark is not None]
+    return sorted(rows, key=lambda each: each.row.address.sort_key)
+
+
+def _block(name: str, first: Row, last: Row, table: AddressTable) -> Block:
+    bank, start, _ = first.address
+    return Block(name, bank, start, last.address.number, table.place(first), table.span(first))
+
+
 def marked_blocks(table: AddressTable) -> dict[str, Block]:
     """The blocks that the comments of a table mark, by their lowercase names; what is not closed is none."""
-    open_rows: dict[tuple[str, str], Row] = {}
-    blocks: dict[str, Block] = {}
-    for row in sorted(_with_marks(table.rows), key=lambda row: row.address.sort_key):
-        mark = mark_in(row.comment)
-        assert mark is not None
-        key = (row.address.bank, mark.name.lower())
-        if mark.opens and not mark.closes:
-            open_rows.setdefault(key, row)
-            continue
-        first = row if mark.opens else open_rows.pop(key, None)
-        if first is not None:
-            block = Block(
-                mark.name,
-                row.address.bank,
-                first.address.number,
-                row.address.number,
-                table.place(first),
-                table.span(first),
-            )
-            blocks.setdefault(mark.name.lower(), block)
-    return blocks
+    return read_marks(table).blocks
 
 
 def unclosed_block(table: AddressTable, name: str) -> Row | None:
     """The row that opens a block of this name where no row closes it."""
-    return next((row for row in _with_marks(table.rows) if _opens(row, name)), None)
-
-
-def _opens(row: Row, name: str) -> bool:
-    mark = mark_in(row.comment)
-    return mark is not None and mark.opens and mark.name.lower() == name.lower()
-
-
-def _with_marks(rows: Iterable[Row]) -> list[Row]:
-    return [row for row in rows if "<" in row.comment and mark_in(row.comment)]
+    halves = read_marks(table).halves
+    return next((row for row, mark in halves if mark.opens and mark.name.lower() == name.lower()), None)

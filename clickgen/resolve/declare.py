@@ -11,6 +11,7 @@ from clickgen.device.system import find_system_name, system_name_of
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.ir.operands import CharCode, Constant, Operand
 from clickgen.ir.program import Declaration
+from clickgen.resolve.blocks import mark_in
 from clickgen.resolve.constants import typed
 from clickgen.resolve.rows import Row, default_row, format_initial, looks_like_scratch
 from clickgen.resolve.table import AddressTable
@@ -182,7 +183,8 @@ class _Declarations:
         # A table that spells the name in another case keeps its spelling: for CLICK it is the same name.
         row = replace(stands, nickname=stands.nickname or declaration.named.name, line=0, raw="")
         if declaration.comment is not None:
-            row = replace(row, comment=declaration.comment)
+            mark = mark_in(stands.comment)
+            row = replace(row, comment=f"<{mark.word}>{declaration.comment}" if mark else declaration.comment)
         if declaration.retentive is not None:
             row = replace(row, retentive=declaration.retentive)
         if declaration.initial is not None:

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from itertools import combinations
+from typing import NamedTuple
 
-from clickgen.device.banks import BANKS, Address
-from clickgen.device.nicknames import comment_fault
+from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
+from clickgen.device.nicknames import comment_fault, nickname_fault
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.ir.program import BlockDeclaration
-from clickgen.resolve.blocks import Block, mark_in, marked, marked_blocks
+from clickgen.resolve.blocks import Block, Mark, Marks, mark_in, marked, read_marks
 from clickgen.resolve.declare import Declared, initial_of
-from clickgen.resolve.rows import Row, default_row
+from clickgen.resolve.rows import Row, default_row, looks_like_scratch
 from clickgen.resolve.table import AddressTable
 
 
@@ -19,70 +21,111 @@ def declare_blocks(
     declarations: Iterable[BlockDeclaration], table: AddressTable, declared: Declared, problems: Diagnostics
 ) -> dict[str, Block]:
     """Every block, those that the table marks among them, by lowercase name; rows go to ``declared``."""
-    reader = _Blocks(table, declared, problems)
+    marks = read_marks(table)
+    reader = _Blocks(table, marks, declared, problems)
     for declaration in declarations:
         reader.read(declaration)
+    _warn_of_marks(marks, reader.named, table, problems)
+    _warn_of_overlaps({**marks.blocks, **reader.own}.values(), problems)
     return reader.blocks
 
 
+class _Fault(NamedTuple):
+    """What stands against a block, the way out, and where."""
+
+    message: str
+    help: str
+    labels: tuple[Label, ...] = ()
+
+
 class _Blocks:
-    def __init__(self, table: AddressTable, declared: Declared, problems: Diagnostics) -> None:
+    def __init__(self, table: AddressTable, marks: Marks, declared: Declared, problems: Diagnostics) -> None:
         self.table = table
         self.declared = declared
         self.problems = problems
-        self.blocks = marked_blocks(table)
+        self.marks = marks
+        self.blocks = dict(marks.blocks)
         self.rows: dict[Address, Row] = {row.address: row for row in declared.rows}
         self.own: dict[str, Block] = {}
+        self.named: set[str] = set()
+        """The lowercase names of all declarations, the wrong ones among them."""
 
     def read(self, declaration: BlockDeclaration) -> None:
         named, range = declaration.named, declaration.range
         block = Block(named.name, range.bank, range.first, range.last, "nickname(...)", declaration.span)
+        lower = named.name.lower()
         self.declared.addresses += block.addresses()
+        self.named.add(lower)
+        fault = self._name_fault(block.name)
+        if fault is not None:
+            self.problems.add("CG203", named.span, *fault)
+            self._know(block)
+            return
         fault = self._fault(declaration, block)
         if fault is not None:
-            message, help, label = fault
-            self.problems.add("CG205", declaration.span, message, help, label)
+            self.problems.add("CG205", declaration.span, *fault)
+            if named.bank == block.bank:
+                self._know(block)
             return
-        self.blocks[named.name.lower()] = self.own[named.name.lower()] = block
+        self.blocks[lower] = self.own[lower] = block
         self._set_up(declaration, block)
         self._mark(declaration, block)
         self.declared.rows = [row for row in self.rows.values() if self._is_news(row)]
 
-    def _fault(self, declaration: BlockDeclaration, block: Block) -> tuple[str, str, tuple[Label, ...]] | None:
-        """What stands against a block, the way out, and where."""
+    def _know(self, block: Block) -> None:
+        """A wrong block is known all the same, so that its members have no problem of their own."""
+        lower = block.name.lower()
+        if lower not in self.declared.meanings and lower not in self.table.by_nickname:
+            self.blocks.setdefault(lower, block)
+
+    def _name_fault(self, name: str) -> _Fault | None:
+        """A block goes by the rules of nicknames, or by a name that the table marks already."""
+        if name.lower() in self.marks.blocks:
+            return None
+        if looks_like_scratch(name):
+            return _Fault(f"clickgen keeps names like {name} for its own cells", "choose another name")
+        fault = nickname_fault(name)
+        if fault is None and not any(character.isalpha() for character in name):
+            fault = "it has no letter"
+        if fault is None:
+            return None
+        return _Fault(f"{name!r} cannot be the name of a block: {fault}", "choose another name")
+
+    def _fault(self, declaration: BlockDeclaration, block: Block) -> _Fault | None:
         named, lower = declaration.named, block.name.lower()
         if named.bank != block.bank:
             dotted = f"{named.bank.lower()}.{block.name}"
-            return f"{dotted} cannot be {block}", f"write {block.bank.lower()}.{block.name}", ()
+            return _Fault(f"{dotted} cannot be {block}", f"write {block.bank.lower()}.{block.name}")
         if BANKS[block.bank].settings_fixed:
-            return f"{block.bank} has no blocks: CLICK takes no comments there", "write the range itself", ()
-        other = self.own.get(lower) or self._overlapping(block)
+            return _Fault(f"{block.bank} has no blocks: CLICK takes no comments there", "write the range itself")
+        other = self.own.get(lower) or next((other for other in self.own.values() if other.meets(block)), None)
         if other is not None:
-            return (
-                f"{block.name} and the block {other.name}, {other}, meet",
-                "give each its own name and addresses",
-                (_label(other)),
-            )
+            message = f"{block.name} and the block {other.name}, {other}, meet"
+            return _Fault(message, "give each its own name and addresses", _label(other))
         stands = self.blocks.get(lower)
         if stands is not None and (stands.bank, stands.first, stands.last) != (block.bank, block.first, block.last):
             message = f"{block.name} is {block} here and {stands} in {stands.said_by}"
-            return message, "change one of them; a PLC keeps its data by address", _label(stands)
+            return _Fault(message, "change one of them; a PLC keeps its data by address", _label(stands))
         meaning = self.declared.meanings.get(lower)
         row = self.table.by_nickname.get(lower)
         if meaning is not None or row is not None:
             place = self.table.place(row) if row else "another nickname(...)"
-            return f"{block.name} is the nickname of one address in {place}", "give the block another name", ()
-        return None
+            return _Fault(f"{block.name} is the nickname of one address in {place}", "give the block another name")
+        return self._mark_in_the_way(block)
 
-    def _overlapping(self, block: Block) -> Block | None:
-        return next(
-            (
-                other
-                for other in self.own.values()
-                if other.bank == block.bank and other.first <= block.last and block.first <= other.last
-            ),
-            None,
-        )
+    def _mark_in_the_way(self, block: Block) -> _Fault | None:
+        """A mark of another block where this one begins or ends, or one of this name where neither is."""
+        first, last = block.addresses()[0], block.addresses()[-1]
+        for row, mark in self.marks.rows:
+            due = (row.address == first, row.address == last)
+            is_same = mark.name.lower() == block.name.lower() and row.address.bank == block.bank
+            if (is_same or any(due)) and not (is_same and due == (mark.opens, mark.closes)):
+                where = f"the comment of {row.address} is marked <{mark.word}> in {self.table.place(row)}"
+                help = f"take the marks of {mark.name} out of the comments, or leave the block as these marks have it"
+                span = self.table.span(row)
+                labels = (Label(span, "this mark"),) if span else ()
+                return _Fault(f"{block.name} is {block} here, and {where}", help, labels)
+        return None
 
     def _set_up(self, declaration: BlockDeclaration, block: Block) -> None:
         """Initial value and retention hold for every member."""
@@ -95,18 +138,26 @@ class _Blocks:
             self.rows[address] = row if declaration.retentive is None else replace(row, retentive=declaration.retentive)
 
     def _mark(self, declaration: BlockDeclaration, block: Block) -> None:
+        """Both ends of a block; neither where one is a row of the workbook, which nobody writes."""
         first, last = block.addresses()[0], block.addresses()[-1]
-        row = self._row(first)
-        if declaration.comment is not None:
-            mark = mark_in(row.comment)
-            row = replace(row, comment=f"<{mark.word}>" if mark and mark.name == block.name else "")
-            text = declaration.comment
-        else:
-            text = ""
-        self._keep(declaration, replace(row, comment=marked(row.comment, block.name, True, first == last) + text))
+        rows = [self._opened(declaration, block, self._row(first))]
         if first != last:
             row = self._row(last)
-            self._keep(declaration, replace(row, comment=marked(row.comment, block.name, False, True)))
+            rows.append(replace(row, comment=marked(row.comment, block.name, False, True)))
+        given = {row.address: row for row in self.table.base}
+        if all(row.address not in given or row.comment == given[row.address].comment for row in rows):
+            for row in rows:
+                self._keep(declaration, row)
+
+    def _opened(self, declaration: BlockDeclaration, block: Block, row: Row) -> Row:
+        """The first row, with its mark and what the declaration says."""
+        text = ""
+        if declaration.comment is not None:
+            mark = mark_in(row.comment)
+            is_own = mark is not None and mark.name.lower() == block.name.lower()
+            row = replace(row, comment=f"<{mark.word}>" if mark and is_own else "")
+            text = declaration.comment
+        return replace(row, comment=marked(row.comment, block.name, True, block.size == 1) + text)
 
     def _keep(self, declaration: BlockDeclaration, row: Row) -> None:
         fault = comment_fault(row.comment)
@@ -127,3 +178,42 @@ class _Blocks:
 
 def _label(block: Block) -> tuple[Label, ...]:
     return (Label(block.span, "this one"),) if block.span else ()
+
+
+# -- marks in the table that do not fit -------------------------------------------------------------------------------
+
+
+def _warn_of_marks(marks: Marks, declared: set[str], table: AddressTable, problems: Diagnostics) -> None:
+    """Marks that make no block, and blocks that cannot be meant so. Those of a declared name its declaration judges."""
+    for row, mark in marks.halves:
+        if mark.name.lower() not in declared:
+            problems.add("CG606", table.span(row), *_half(row.address, mark))
+    for block, other in marks.doubles:
+        # The rows of T and TD stand in turn in CLICK: a block over both is marked in both.
+        if block.name.lower() not in declared and CURRENT_VALUE_OF.get(block.bank) != other.bank:
+            message = f"a second block {block.name}, {block}, is marked: {other} is it in {other.said_by}, and counts"
+            problems.add("CG606", block.span, message, "give one of the two another name in both of its marks")
+    for block in marks.blocks.values():
+        missing = next((address for address in block.addresses() if not BANKS[block.bank].has(address.number)), None)
+        if missing is not None:
+            message = f"the block {block.name}, {block}, spans addresses that CLICK does not have, such as {missing}"
+            help = f"{block.bank} has {BANKS[block.bank].describe_range()}: mark a block for each part"
+            problems.add("CG606", block.span, message, help)
+
+
+def _half(address: Address, mark: Mark) -> tuple[str, str]:
+    """What a mark without its other half is taken for, and the way out."""
+    if mark.opens:
+        end, other, place = "beginning", f"</{mark.name}>", "last"
+    else:
+        end, other, place = "end", f"<{mark.name}>", "first"
+    message = f'"<{mark.word}>" in the comment of {address} is taken for the {end} of a block, and there is no {other}'
+    return message, f"mark its {place} address {other}; or take the angle brackets away where this is only text"
+
+
+def _warn_of_overlaps(blocks: Iterable[Block], problems: Diagnostics) -> None:
+    in_order = sorted(blocks, key=lambda block: (block.bank, block.first))
+    for one, other in combinations(in_order, 2):
+        if one.meets(other) and not (one.lies_in(other) or other.lies_in(one)):
+            message = f"the blocks {one.name}, {one}, and {other.name}, {other}, overlap"
+            problems.add("CG606", other.span, message, "end one where the other begins", _label(one))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from clickgen.device.banks import Address
+from clickgen.device.banks import BANKS, Address
 from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.formula.printer import source_reference
 from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Operand, Range, Section, Single
@@ -97,8 +97,9 @@ class _Members(Rewriter):
             count = f"{block.size} members, {shown}[0] to {shown}[{block.size - 1}]"
             return self._refused(named, f"{shown} has {count}", f"it is {block} ({block.said_by})")
         if isinstance(part, int):
-            index = part if part >= 0 else block.size - 1
-            return Cell(Address(named.bank, block.first + index), named.span)
+            number = block.first + (part if part >= 0 else block.size - 1)
+            missing = self._missing(named, number, number)
+            return missing or Cell(Address(named.bank, number), named.span)
         return self._section(named, block, part)
 
     def _section(self, named: Named, block: Block, part: Section) -> Named | Range:
@@ -107,7 +108,17 @@ class _Members(Rewriter):
         indices = range(block.size)[slice(*part)]
         if not indices:
             return self._refused(named, "this part of the block is empty", "the end of a slice is not included")
-        return Range(named.bank, block.first + indices[0], block.first + indices[-1], named.span)
+        first, last = block.first + indices[0], block.first + indices[-1]
+        return self._missing(named, first, last) or Range(named.bank, first, last, named.span)
+
+    def _missing(self, named: Named, first: int, last: int) -> Named | None:
+        """A member that CLICK does not have, refused: a mark may reach over a gap of X or Y."""
+        bank = BANKS[named.bank]
+        missing = next((n for n in range(min(first, last), max(first, last) + 1) if not bank.has(n)), None)
+        if missing is None:
+            return None
+        message = f"{source_reference(named)} is no address: there is no {Address(bank.name, missing)}"
+        return self._refused(named, message, f"{bank.name} has {bank.describe_range()}")
 
     def _no_block(self, named: Named) -> tuple[str, str]:
         shown = source_reference(replace(named, part=None))
