@@ -33,6 +33,9 @@ Namer = Callable[[Operand], str]
 ALWAYS_CONTACT = str(ALWAYS_ON)
 NEVER_CONTACT = f"~{ALWAYS_ON}"
 
+CONVERSION = "convert"
+"""The word before a copy's option."""
+
 
 def operand_token(operand: Operand) -> str:
     """An operand as CLICK writes it: ``DS5``, ``C1..C8``, ``DS[DS1]``, ``00FFh``, ``"ABC"``, ``$0D``."""
@@ -116,7 +119,7 @@ def _texts(action: Action, name: Namer) -> dict[str, str]:
 def _argument(action: Action, param: Param, name: Namer) -> str:
     value = reached(action, param) if param.extends_over else action.args.get(param.name)
     if param.kind is ParamKind.FLAG:
-        return f",{param.name}=1" if action.flag(param.name) else ""
+        return f",{keyword_of(param)}=1" if action.flag(param.name) else ""
     if param.kind is ParamKind.OPTIONS:
         return _options(value) if isinstance(value, Options) else ""
     if isinstance(value, Word):
@@ -137,8 +140,16 @@ def _argument(action: Action, param: Param, name: Namer) -> str:
         return ""
     if isinstance(value, Range) and len(value) == 1 and value.bank in param.slot.cells and not param.extends_over:
         value = Cell(Address(value.bank, value.first), value.span)
-    is_keyword = param.default is None and not param.of_pin
-    return f",{param.name}={name(value)}" if is_keyword else name(value)
+    word = keyword_of(param)
+    return f",{word}={name(value)}" if word else name(value)
+
+
+def keyword_of(param: Param) -> str:
+    """The word before an argument that may be left out of a token, with its comma; "" for one that is always there."""
+    if param.kind is ParamKind.OPTIONS:
+        return CONVERSION
+    is_left_out = param.kind is ParamKind.FLAG or (param.kind is ParamKind.OPERAND and param.default is None)
+    return param.name if is_left_out and not param.of_pin else ""
 
 
 def _target(target: Target) -> str:
@@ -160,10 +171,10 @@ def _remote(remote: Remote) -> str:
 def _options(options: Options) -> str:
     """All three settings of to_text are always written (click-facts, section 3)."""
     if options.name != "to_text":
-        return f",convert={options.name}"
+        return f",{CONVERSION}={options.name}"
     code = "none" if options.termination_code is None else f"${options.termination_code:02X}"
     suppress, exponential = int(options.suppress_zero), int(options.exponential)
-    return f",convert=to_text(suppress_zero={suppress},exponential={exponential},termination_code={code})"
+    return f",{CONVERSION}=to_text(suppress_zero={suppress},exponential={exponential},termination_code={code})"
 
 
 def pin_row(spec: Spec, param: Param) -> int:

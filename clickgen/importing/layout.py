@@ -1,0 +1,89 @@
+"""Source text laid out as ``ruff format`` does it: on one line where it fits, else inside its brackets."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+WIDTH = 88
+INDENT = "    "
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """What is never divided."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Brackets:
+    """``all(...)`` or ``[...]``: parts between an opening, which includes what stands before it, and a closing."""
+
+    opening: str
+    parts: tuple[Piece, ...]
+    closing: str
+
+
+@dataclass(frozen=True, slots=True)
+class Keyword:
+    """``reset=`` or ``lambda: `` before a piece."""
+
+    text: str
+    piece: Piece
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    left: str
+    op: str
+    right: str
+
+
+Piece = Word | Brackets | Keyword | Comparison
+
+
+def flat(piece: Piece) -> str:
+    """On one line."""
+    if isinstance(piece, Word):
+        return piece.text
+    if isinstance(piece, Keyword):
+        return piece.text + flat(piece.piece)
+    if isinstance(piece, Comparison):
+        return f"{piece.left} {piece.op} {piece.right}"
+    return f"{piece.opening}{', '.join(map(flat, piece.parts))}{piece.closing}"
+
+
+def lines(piece: Piece, depth: int, before: str = "", after: str = "") -> list[str]:
+    """The lines of a piece at a depth of indentation, with what stands before it and behind it."""
+    indent = INDENT * depth
+    whole = f"{indent}{before}{flat(piece)}{after}"
+    if len(whole) <= WIDTH or isinstance(piece, Word):
+        return [whole]
+    if isinstance(piece, Keyword):
+        return lines(piece.piece, depth, before + piece.text, after)
+    if isinstance(piece, Comparison):
+        return _divided(piece, depth, before, after)
+    return [f"{indent}{before}{piece.opening}", *_inside(piece, depth + 1), f"{indent}{piece.closing}{after}"]
+
+
+def _inside(piece: Brackets, depth: int) -> list[str]:
+    """The parts of brackets that do not fit on one line: the arguments of a call on one of their own, or one each.
+
+    An only argument that cannot be divided has no comma behind it.
+    """
+    together = f"{INDENT * depth}{', '.join(map(flat, piece.parts))}"
+    is_only_word = len(piece.parts) == 1 and isinstance(piece.parts[0], Word)
+    if piece.closing == ")" and (len(together) <= WIDTH or is_only_word):
+        return [together]
+    return [line for part in piece.parts for line in lines(part, depth, after=",")]
+
+
+def _divided(piece: Comparison, depth: int, before: str, after: str) -> list[str]:
+    """A comparison in two lines: as an argument without brackets, behind ``if`` and ``lambda:`` with them."""
+    indent = INDENT * depth
+    if not before:
+        return [f"{indent}{piece.left}", f"{indent}{piece.op} {piece.right}{after}"]
+    inner = INDENT * (depth + 1)
+    whole = f"{inner}{flat(piece)}"
+    parts = [whole] if len(whole) <= WIDTH else [f"{inner}{piece.left}", f"{inner}{piece.op} {piece.right}"]
+    return [f"{indent}{before}(", *parts, f"{indent}){after}"]
