@@ -345,7 +345,7 @@ def test_merge_takes_what_is_asked_for(run: Run) -> None:
     write("export.csv", EXPORT)
     said = run("merge", "export.csv", "--accept", "renamed,changed")
     assert said.code == 1
-    assert "Run stands in programs: clickgen nicknames rename Run Started renames it there too\n" in said.out
+    assert "Run stands in programs: clickgen nicknames rename Run Started prog.py renames it there too\n" in said.out
     assert table()[:2] == ['C1,BIT,"Started",0,No,""', 'DS1,INT,"Speed",0,Yes,"rpm"']
     assert run("rename", "Run", "Started", "prog.py").code == 0
     assert "c.Started" in Path("prog.py").read_text("utf-8")

@@ -5,21 +5,26 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import NamedTuple
 
+import openpyxl
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from test_table import made_rows
 
+from clickgen.cli import main
 from clickgen.device.banks import Address, parse_address
 from clickgen.diagnostics import Diagnostics
 from clickgen.nicknames.changes import differing
 from clickgen.nicknames.diff import conflict_lines, diff_lines, summary
 from clickgen.nicknames.merge import KINDS, Merge, merge
+from clickgen.nicknames.uses import ProgramsSay, places_in, read_names
 from clickgen.resolve.read_table import read_table
 from clickgen.resolve.rows import HEADER, Row, default_row, format_row, is_scratch, scratch_name
 from clickgen.resolve.table import AddressTable
 from clickgen.source import Span
+from clickgen.syntax.parse import decode
 
 ALL = set(KINDS)
 
@@ -267,6 +272,268 @@ def test_a_shift_of_many_names_is_quick() -> None:
     found = merge(ours, theirs)
     assert found.taken({"moved"}).rows[0].address == Address("DS", 2)
     assert time.perf_counter() - start < 2  # 0.05 s on an idle machine; the margin is for a busy one
+
+
+# -- what programs say ------------------------------------------------------------------------------------------------
+
+
+def of_programs(before: list[str], after: list[str], text: str) -> Merge:
+    source = decode("prog.py", text.encode(), Diagnostics())
+    assert source is not None
+    names = read_names(source, Diagnostics())
+    assert names is not None
+    return merge(table(*before), table(*after), places_in([names]), ProgramsSay([names, names]))
+
+
+DECLARING = """\
+nickname(c.Decl, c[7])
+nickname(ds.Limit, ds[5], initial=3, retentive=True, comment="rows")
+nickname(ds.Recipe, ds[100:110])
+
+
+def main():
+    if c.A:
+        copy_fill(0, ds[1:20])
+    if x[3]:
+        copy(xd[0], dh[1])
+    if True:
+        end()
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "reason"),
+    [
+        (["C7 Decl"], ["C8 Decl"], "Decl is C7 by nickname(...) at prog.py:1"),
+        ([], ["C8 decl"], "decl is C7 by nickname(...) at prog.py:1"),
+        (["C9 Other"], ["C9 Decl"], "Decl is C7 by nickname(...) at prog.py:1"),
+        ([], ["C7 Foreign"], "C7 is Decl by nickname(...) at prog.py:1"),
+        (["C9 Other"], ["C7 Other"], "C7 is Decl by nickname(...) at prog.py:1"),
+        ([], ["DS9 Recipe"], "Recipe is a block by nickname(...) at prog.py:3"),
+        (["DS5 Limit 3 Yes rows"], ["DS5 Limit 4 Yes rows"], "gives DS5 its initial: change it there"),
+        (["DS5 Limit 3 Yes rows"], ["DS5 Limit 3 No more"], "gives DS5 its retentive and comment: change it there"),
+    ],
+)
+def test_what_a_program_declares_is_changed_there(before: list[str], after: list[str], reason: str) -> None:
+    found = of_programs(before, after, DECLARING)
+    (conflict,) = found.conflicts(ALL)
+    assert reason in conflict.reason
+    assert conflict.accept == ()
+    assert found.never == (conflict,)
+    assert found.taken(ALL).to_bytes() == table(*before).to_bytes()
+
+
+def test_what_agrees_with_a_declaration_is_taken() -> None:
+    for before, after in (
+        ([], ["C7 Decl"]),
+        (["C7 Decl"], ["C7 DECL"]),
+        (["C7 Decl"], ["C7 Motor"]),  # a rename in the programs follows
+        (["DS5 Limit 0 No old"], ["DS5 Limit 3 Yes rows"]),
+        (["C7 Decl"], ["C7 Decl 1 Yes words"]),
+    ):
+        assert of_programs(before, after, DECLARING).conflicts(ALL) == ()
+
+
+def test_a_name_on_a_cell_that_a_program_uses_by_number_is_noted() -> None:
+    found = of_programs(["DS30 Gone"], ["DS5 Panel", "DS6 Gone", "DS21 Far", "X002 In"], DECLARING)
+    assert diff_lines(found) == [
+        "+ X002 In (X002 is used by its number at prog.py:10)",
+        "+ DS5 Panel (DS5 is used by its number at prog.py:8)",
+        "> Gone DS30 -> DS6 (moved; DS6 is used by its number at prog.py:8)",
+        "+ DS21 Far",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "used", "lines"),
+    [
+        (
+            ["C1 A", "C2 B"],
+            ["C1 B", "C2 A"],
+            "A",
+            [
+                "~ C1 A -> B (swapped; B was C2; programs that say A use C2 then; used at p.py:2)",
+                "~ C2 B -> A (swapped; A was C1)",
+            ],
+        ),
+        (
+            ["C1 A", "C2 B"],
+            ["C1 B", "C2 C"],
+            "B",
+            [
+                "~ C1 A -> B (swapped; B was C2)",
+                "~ C2 B -> C (swapped; programs that say B use C1 then; used at p.py:2)",
+            ],
+        ),
+        # A rename in the programs follows where the name that moves stands in none.
+        (
+            ["C1 A", "C2 B"],
+            ["C1 B", "C2 C"],
+            "A",
+            ["~ C1 A -> B (renamed; B was C2; used at p.py:2)", "~ C2 B -> C (renamed)"],
+        ),
+        (
+            ["C1 A", "C2 B"],
+            ["C1 B", "C2 A"],
+            "Z",
+            ["~ C1 A -> B (renamed; B was C2)", "~ C2 B -> A (renamed; A was C1)"],
+        ),
+    ],
+)
+def test_names_that_go_round_and_that_programs_use(
+    before: list[str], after: list[str], used: str, lines: list[str]
+) -> None:
+    found = merged(before, after, lambda name: ["p.py:2"] if name == used else [])
+    assert diff_lines(found) == lines
+    is_swapped = "swapped" in lines[0]
+    assert rows(found.taken(ALL - {"swapped"})) == (before if is_swapped else after)
+    assert rows(found.taken(ALL)) == after
+
+
+# -- the command ------------------------------------------------------------------------------------------------------
+
+
+class Command(NamedTuple):
+    code: int
+    out: str
+    err: str
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., Command]:
+    monkeypatch.chdir(tmp_path)
+
+    def command(*arguments: str) -> Command:
+        code = main(["nicknames", *arguments])
+        return Command(code, *capsys.readouterr())
+
+    return command
+
+
+def put(name: str, *lines: str) -> None:
+    Path(name).parent.mkdir(parents=True, exist_ok=True)
+    Path(name).write_text("\n".join([HEADER, *map(row, lines), ""]) if name.endswith(".csv") else lines[0], "utf-8")
+
+
+def put_workbook(name: str, *cells: tuple[str, str]) -> None:
+    book = openpyxl.Workbook()
+    assert book.active is not None
+    book.active.title = "IO"
+    for line in (("Address", "Tag"), *cells):
+        book.active.append(line)
+    book.save(name)
+
+
+def program(*conditions: str) -> str:
+    rungs = "".join(f"    if {condition}:\n        out(y[{n}])\n" for n, condition in enumerate(conditions, 1))
+    return f"def main():\n{rungs}    if True:\n        end()\n"
+
+
+SETTINGS = 'programs = [{ path = "a.py", nicknames = "io.xlsx" }]\n'
+
+
+def test_what_the_workbook_says_is_not_new(run: Callable[..., Command]) -> None:
+    put_workbook("io.xlsx", ("C1", "A"), ("C5", "W"))
+    put("a.py", program("c.A", "c.Own"))
+    put("clickgen.toml", SETTINGS)
+    assert run("sync").code == 0
+    book, own = Path("io.xlsx").read_bytes(), Path("nicknames.csv").read_bytes()
+    put("e.csv", "C1 A", "C2 Own", "C5 W")
+    assert run("merge", "e.csv") == (0, "e.csv: nothing differs\n", "")
+    put("e.csv", "C1 A2", "C2 Own", "C5 W", "C9 New")
+    said = run("merge", "e.csv")
+    assert said == (
+        1,
+        "e.csv: 1 added, 1 renamed\n  ~ C1 A -> A2 (renamed; used at a.py:2)\n  + C9 New\ncannot be taken at all:\n"
+        "  ! ~ C1 A -> A2 (renamed; used at a.py:2): C1 stands in IO!A2 of io.xlsx, and a workbook is changed by hand\n"
+        "1 change taken, 1 not\n",
+        "",
+    )
+    assert Path("nicknames.csv").read_bytes() == own + b'C9,BIT,"New",0,No,""\n'
+    assert Path("io.xlsx").read_bytes() == book
+    said = run("merge", "e.csv", "--accept", "all")
+    assert said.code == 1
+    assert "C1 stands in IO!A2 of io.xlsx" in said.err
+    assert run("check").code == 0
+
+
+def test_a_workbook_that_is_named_is_the_base_of_the_table(run: Callable[..., Command]) -> None:
+    put_workbook("io.xlsx", ("C1", "A"), ("C5", "W"))
+    put("e.csv", "C1 A", "C5 W", "C6 New")
+    put("a.py", program("c.A"))
+    assert run("merge", "e.csv", "--nicknames", "io.xlsx").out == ("e.csv: 1 added\n  + C6 New\n1 change taken\n")
+    assert Path("nicknames.csv").read_text().splitlines()[1:] == ['C6,BIT,"New",0,No,""']
+    # Beside a program of the settings.
+    put("plant/b.py", program("c.B"))
+    put("clickgen.toml", 'programs = [{ path = "plant/b.py", nicknames = "io.xlsx" }, "a.py"]\n')
+    assert run("merge", "e.csv", "--nicknames", "io.xlsx").code == 0
+    assert Path("plant/nicknames.csv").is_file()
+    # The table beside it brings the workbook along.
+    assert run("merge", "e.csv", "--nicknames", "plant/nicknames.csv").out == "e.csv: nothing differs\n"
+    put("plant/nicknames.csv", "C5 Other")
+    said = run("merge", "e.csv", "--nicknames", "plant/nicknames.csv")
+    assert said.code == 2
+    assert "CG605" in said.err
+
+
+def test_a_table_that_is_named_must_exist(run: Callable[..., Command]) -> None:
+    put("e.csv", "C1 A")
+    for name in ("nope.csv", "nope.xlsx"):
+        said = run("merge", "e.csv", "--nicknames", name)
+        assert said.code == 2
+        assert f"at {name}" in said.err
+        assert [path.name for path in Path().iterdir()] == ["e.csv"]
+
+
+def test_swapped_names_are_asked_for_by_their_own_word(run: Callable[..., Command]) -> None:
+    put("a.py", program("c.A", "c.B"))
+    run("sync", "a.py")
+    put("e.csv", "C1 B", "C2 A")
+    before = Path("nicknames.csv").read_bytes()
+    said = run("merge", "e.csv", "--accept", "all")
+    assert said.code == 1
+    assert said.out.splitlines()[1:] == [
+        "  ~ C1 A -> B (swapped; B was C2; programs that say A use C2 then; used at a.py:2)",
+        "  ~ C2 B -> A (swapped; A was C1; programs that say B use C1 then; used at a.py:4)",
+        "0 changes taken, 2 not: take them with --accept swapped",
+        "2 addresses swapped names that programs use: no rename follows that, and the programs would drive other "
+        "addresses at a.py:2, a.py:4",
+    ]
+    assert Path("nicknames.csv").read_bytes() == before
+    said = run("merge", "e.csv", "--accept", "swapped")
+    assert said.code == 0
+    assert "the programs drive other addresses now at a.py:2, a.py:4" in said.out
+    assert Path("nicknames.csv").read_text().splitlines()[1:] == ['C1,BIT,"B",0,No,""', 'C2,BIT,"A",0,No,""']
+
+
+def test_the_advice_can_be_followed(run: Callable[..., Command]) -> None:
+    put("a.py", program('c["Old one"]'))
+    run("sync", "a.py")
+    put("e.csv", "C1 New_one")
+    (advice,) = (
+        line for line in run("merge", "e.csv", "--accept", "renamed").out.splitlines() if "stands in programs" in line
+    )
+    assert advice == (
+        "Old one stands in programs: clickgen nicknames rename 'Old one' 'New one' a.py renames it there too"
+    )
+    assert run("rename", "Old one", "New one", "a.py").code == 0
+    assert run("check", "a.py").code == 0
+
+
+def test_a_declared_name_is_not_moved_by_the_command(run: Callable[..., Command]) -> None:
+    put("a.py", "nickname(c.Decl, c[7])\n\n\n" + program("c.Decl"))
+    run("sync", "a.py")
+    put("e.csv", "C8 Decl")
+    said = run("merge", "e.csv", "--accept", "moved")
+    assert said.code == 1
+    assert "Decl is C7 by nickname(...) at a.py:1" in said.err
+    assert run("check", "a.py").code == 0
+    # Seen from the working folder where the settings name the program too.
+    put("nicknames.csv", "C7 Decl")
+    put("b.py", "nickname(c.More, c[9])\n\n\n" + program("c.Decl"))
+    put("clickgen.toml", 'programs = ["a.py", "b.py"]\n')
+    put("e.csv", "C7 Decl", "C10 More")
+    assert run("merge", "e.csv").err.endswith(": More is C9 by nickname(...) at b.py:1\n")
 
 
 # -- the table itself -------------------------------------------------------------------------------------------------

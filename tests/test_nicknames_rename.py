@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -11,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from clickgen.cli import main as run
 from clickgen.config import Config, ProgramSettings
 from clickgen.diagnostics import CouldNotRun, Diagnostics
 from clickgen.emit.write import ChangedMeanwhile, put_in_place
@@ -252,6 +254,32 @@ def test_a_workbook_is_not_written(monkeypatch: pytest.MonkeyPatch) -> None:
     assert text() == main("if c.New:\n        out(y[1])")
 
 
+def test_the_record_of_what_clickgen_placed_follows(capsys: pytest.CaptureFixture[str]) -> None:
+    place({"prog.py": main("if c.Old:\n        out(c.Other)")})
+    assert run(["nicknames", "sync", "prog.py"]) == 0
+    before = text("nicknames.placed")
+    change = done("old", "New")
+    assert change.counts == {Path("prog.py"): 1, Path("nicknames.csv"): 1}
+    assert text("nicknames.placed") == before.replace("C1 Old", "C1 New") != before
+    place({"prog.py": main("if c.Other:\n        out(y[1])")})
+    assert run(["nicknames", "sync", "prog.py", "--prune"]) == 0
+    assert "  - C1 New\n" in capsys.readouterr().out
+    assert "New" not in text("nicknames.csv") + text("nicknames.placed")
+
+
+def test_the_record_of_a_name_that_a_person_placed_stays() -> None:
+    record = "# Names\nC9 Old\nC5 Other\n"
+    place({"prog.py": main("if c.Old:\n        out(y[1])"), "nicknames.csv": table(OLD_ROW)})
+    place({"nicknames.placed": record})
+    change = done("Old", "New")
+    assert text("nicknames.placed") == record
+    place({"nicknames.placed": "C5 New\n"})
+    change = rename("New", "Newer", [Job("prog.py")], Config(Path.cwd()))
+    place({"nicknames.placed": record})
+    with pytest.raises(ChangedMeanwhile):
+        put_in_place(change.writes, (), change.unchanged)
+
+
 # -- which files ------------------------------------------------------------------------------------------------------
 
 
@@ -274,6 +302,49 @@ def test_imported_files_and_their_unused_routines() -> None:
     # Its table is the one beside it.
     assert text("deep/far.py") == files["deep/far.py"]
     assert text("unrelated.py") == files["unrelated.py"]
+
+
+def test_a_part_of_no_program_is_mentioned_where_its_table_is_another(capsys: pytest.CaptureFixture[str]) -> None:
+    part = "@sub\ndef spare():\n    if c.Old:\n        return\n    if True:\n        return\n"
+    place(
+        {
+            "prog.py": main("if c.Old:\n        out(y[2])"),
+            "spare.py": part,
+            "plant.csv": table(OLD_ROW),
+            # What has a table of its own is another matter.
+            "deep/far.py": part,
+            "deep/nicknames.csv": table(OLD_ROW),
+        }
+    )
+    place({"clickgen.toml": 'programs = [{ path = "prog.py", nicknames = "plant.csv" }]\n'})
+    assert run(["nicknames", "rename", "Old", "New"]) == 0
+    assert capsys.readouterr().out == (
+        "plant.csv: 1 time renamed\nprog.py: 1 time renamed\n"
+        "spare.py:3 says Old too, in a file that no program imports: it stays as it is\n"
+        "Old is New now; the ladder of prog.py is the same\n"
+    )
+    assert text("spare.py") == part
+
+
+def test_what_the_command_says_is_seen_from_the_working_folder(capsys: pytest.CaptureFixture[str]) -> None:
+    place(
+        {"one.py": main("if c.Old:  # Old\n        out(y[1])"), "two.py": main("if c.Old:  # Old\n        out(y[2])")}
+    )
+    place({"clickgen.toml": 'programs = ["one.py", "two.py"]\n', "nicknames.csv": table(OLD_ROW)})
+    assert run(["nicknames", "rename", "Old", "New", "one.py", "--dry-run"]) == 0
+    assert capsys.readouterr().out == (
+        "nicknames.csv: 1 time would be renamed\none.py: 1 time would be renamed\ntwo.py: 1 time would be renamed\n"
+        "one.py: 1 comment still says Old\ntwo.py: 1 comment still says Old\n"
+        "Old would become New; the ladder of one.py, two.py would be the same\n"
+    )
+    assert "Old" in text("one.py")
+
+
+def test_a_table_that_is_a_pipe_is_refused() -> None:
+    place({"prog.py": main("if c.Old:\n        out(y[1])")})
+    os.mkfifo("nicknames.csv")
+    with pytest.raises(CouldNotRun, match=r"nicknames\.csv is a pipe or a device"):
+        rename("Old", "New", [Job("prog.py")], Config(Path.cwd()))
 
 
 def test_configured_programs_share_a_table() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import datetime
 import io
+import os
 import random
 import re
 import time
@@ -98,7 +99,7 @@ def listed(*rows: Iterable[Any]) -> bytes:
     return workbook(IO=[TITLE, *rows])
 
 
-def unreadable(data: bytes, limit: float = 15) -> str:
+def unreadable(data: bytes, limit: float = 10) -> str:
     """Why these bytes cannot be read, said within some seconds."""
     start = time.process_time()
     with pytest.raises(TableUnreadable) as caught:
@@ -248,6 +249,22 @@ def test_lists_beside_each_other() -> None:
         "X002 Stop|0|No| IO!A3",
         "Y001 Lamp|0|No|red IO!E2",
     ]
+
+
+def test_a_row_of_words_that_are_titles_too_is_data() -> None:
+    titles = ("Address", "Nickname", "Comment")
+    data = workbook(IO=[titles, ("DS1", "Signal", "Register"), ("DS2", "Name", "Address"), ("DS3", "Speed", "rpm")])
+    assert [in_words(row) for row in rows_of(data)] == [
+        "DS1 Signal|0|Yes|Register IO!A2",
+        "DS2 Name|0|Yes|Address IO!A3",
+        "DS3 Speed|0|Yes|rpm IO!A4",
+    ]
+
+
+def test_a_terminal_is_no_address() -> None:
+    data = workbook(IO=[("Terminal", "PLC Addr", "Symbolic name"), ("C1", "X001", "Start")])
+    assert [in_words(row) for row in rows_of(data)] == ["X001 Start|0|No| IO!B2"]
+    unreadable(workbook(IO=[("Terminal", "Name"), ("C1", "Start")]))
 
 
 def test_several_sheets_hidden_ones_too() -> None:
@@ -513,11 +530,19 @@ def test_formulas_dates_and_errors_are_no_values() -> None:
         "CG601 IO!A2 the address in IO!A2 is a formula",
         "CG601 IO!B3 the nickname in IO!B3 is a formula, and so are 2 more below",
         "CG601 IO!C5 the initial value in IO!C5 is a formula",
-        "CG601 IO!E5 the comment in IO!E5 is a date",
+        "CG604 IO!E5 the comment in IO!E5 is a date and is left out",
         "CG601 IO!B7 the nickname in IO!B7 is an error",
     ]
     _, problems = judged(data)
     assert problems[0].help.startswith("copy the cells and paste them as values")
+
+
+def test_a_formula_as_a_comment_is_left_out_with_a_warning() -> None:
+    data = listed(
+        ("C1", "A", None, None, '="for "&"A"'), ("C2", "B", None, None, "kept"), ("C3", "C", None, None, "=A1")
+    )
+    assert said(data) == ["CG604 IO!E2 the comment in IO!E2 is a formula and is left out, and so is 1 more below"]
+    assert [(row.nickname, row.comment) for row in judged(data)[0]] == [("A", ""), ("B", "kept"), ("C", "")]
 
 
 # -- what is said twice -----------------------------------------------------------------------------------------------
@@ -700,6 +725,39 @@ def test_an_archive_that_lies_about_the_size_of_a_part() -> None:
 )  # fmt: skip
 def test_far_too_many_cells(content: str) -> None:
     assert "far too many cells" in unreadable(with_sheet(content))
+
+
+@pytest.mark.parametrize("width", [1, 25])
+@pytest.mark.parametrize("empty", ["/>", "></c>"])
+def test_a_million_cells_that_are_only_formatted_cost_little(width: int, empty: str) -> None:
+    rows = "".join(
+        f'<row r="{number}" ht="15" s="1">'
+        + "".join(f'<c r="{chr(65 + column)}{number}" s="1"{empty}' for column in range(width))
+        + "</row>"
+        for number in range(3, 1_000_000 // width + 3)
+    )
+    titles = "".join(
+        f'<c r="{chr(65 + n)}1" t="inlineStr"><is><t>{title}</t></is></c>' for n, title in enumerate(TITLE)
+    )
+    xml = f'<worksheet {MAIN}><sheetData><row r="1">{titles}</row>{START}{rows}</sheetData></worksheet>'
+    start = time.process_time()
+    assert [row.nickname for row in rows_of(repacked(listed(), {SHEET: xml}))] == ["S"]
+    assert time.process_time() - start < 6  # 2 s on an idle machine
+
+
+def test_blank_cells_that_do_not_say_where_they_stand_keep_their_place() -> None:
+    assert [
+        in_words(row)
+        for row in rows_of(with_sheet(START.replace("</row>", "<c s='1'/><c/><c t='str'><v>c</v></c></row>")))
+    ] == ["X001 S|0|No|c IO!A2"]
+
+
+def test_a_pipe_and_a_device(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "io.xlsx")
+    (tmp_path / "zero.xlsx").symlink_to("/dev/zero")
+    for name in ("io.xlsx", "zero.xlsx"):
+        with pytest.raises(TableUnreadable, match=f"{name} is a pipe or a device; name a file"):
+            read_workbook(tmp_path / name, name, Diagnostics())
 
 
 def test_one_endless_tag() -> None:

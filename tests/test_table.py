@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+import os
 import struct
 import time
 from itertools import accumulate
@@ -176,7 +177,16 @@ def test_an_empty_table() -> None:
         (HEADER.encode() + b",More\n", "is not a CLICK nickname CSV"),
         (f'"{HEADER}"\n'.encode(), "is not a CLICK nickname CSV"),
         (HEADER.encode() + b"\rC1,BIT,A,0,No,\r", "lone carriage return"),
-        (b"PK\x03\x04\0\0\0", "Excel workbook"),
+        (b"PK\x03\x04" + b"xl/workbook.xml", "Excel workbook: give it a name that ends in .xlsx"),
+        (b"PK\x03\x04\0\0\0", "a zip archive and no nickname CSV"),
+        (
+            b"PK\x03\x04".ljust(30, b"\0") + b"mimetypeapplication",
+            "(.ods): open it in a spreadsheet program and save it",
+        ),
+        (b"PK\x03\x04" + b"xl/workbook.bin", "(.xlsb): open it in a spreadsheet program and save it as .xlsx"),
+        (b"\xd0\xcf\x11\xe0\xa1\xb1", "(.xls), or protected by a password: open it in a spreadsheet program"),
+        (HEADER.encode().ljust(32 * 2**20 + 1), "has more than 32 MB"),
+        (HEADER.encode() + b"\n" * 200_001, "has more than 200,000 lines"),
         ("\ufeff".encode("utf-16-le") + HEADER.encode("utf-16-le"), "UTF-16"),
         (HEADER.encode() + b'\nC1,BIT,"A",0,No,"\xe4"\n', "line 2 holds the byte E4; save it as CSV UTF-8"),
         (b"x" * 100_000, "..."),
@@ -196,6 +206,20 @@ def test_no_file_and_a_folder(tmp_path: Path) -> None:
         read_table(tmp_path / "gone.csv", "gone.csv", Diagnostics())
     with pytest.raises(TableUnreadable, match="plant is a folder"):
         read_table(tmp_path, "plant", Diagnostics())
+
+
+def test_an_export_that_is_a_workbook(tmp_path: Path) -> None:
+    (tmp_path / "e.xlsx").write_bytes(b"PK\x03\x04xl/workbook.xml")
+    with pytest.raises(TableUnreadable, match=r"e\.xlsx is an Excel workbook, and a nickname CSV"):
+        read_table(tmp_path / "e.xlsx", "e.xlsx", Diagnostics())
+
+
+def test_a_pipe_and_a_device(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.csv")
+    (tmp_path / "zero.csv").symlink_to("/dev/zero")
+    for name in ("pipe.csv", "zero.csv"):
+        with pytest.raises(TableUnreadable, match=f"{name} is a pipe or a device; name a file"):
+            read_table(tmp_path / name, name, Diagnostics())
 
 
 # -- what is wrong with rows ------------------------------------------------------------------------------------------
@@ -308,6 +332,17 @@ def test_everything_is_said_at_once_and_reading_goes_on(file: Path) -> None:
     ]
     table, _ = judged(file, HEADER + "\n" + "\n".join(rows))
     assert [row.nickname for row in table.rows] == ["A", "B-2", "C", "c", "E"]
+
+
+@pytest.mark.parametrize("row", ['C1,BIT,"A",0,No,""', "nonsense", 'C2,BIT,"open,0,No,""', 'C1,INT,"A",0,Maybe,""'])
+def test_a_table_with_endless_problems_is_not_read_to_its_end(file: Path, row: str) -> None:
+    rows = ['C1,BIT,"A",0,No,""', *[row] * 150_000]
+    start = time.perf_counter()
+    _, problems = judged(file, "\n".join([HEADER, *rows]))
+    assert time.perf_counter() - start < 4  # 0.5 s on an idle machine
+    assert len(problems) == 1_000
+    assert [problem for problem in problems if "and more" in problem.message] == [problems[-1]]
+    assert problems[-1].message.endswith("; and more: nothing below is read")
 
 
 @given(st.binary(max_size=200) | st.text(st.sampled_from('C1,"\r\n\0 AbitNo0ä;'), max_size=80).map(str.encode))

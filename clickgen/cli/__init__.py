@@ -32,15 +32,35 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Exception as error:
         if isinstance(error.__cause__, KeyboardInterrupt):  # Python wraps one that comes while a class is made.
             return _interrupted()
-        if os.environ.get(TRACEBACK):
+        reason = _reason(error)
+        if reason is None and os.environ.get(TRACEBACK):
             raise
-        print(
-            f"clickgen: internal error: {type(error).__name__}: {error}\n"
+        complain(
+            reason
+            or f"internal error: {type(error).__name__}: {error}\n"
             f"This is a fault of clickgen, not of your program. Please report it with the program; {TRACEBACK}=1 shows "
-            "where it happened.",
-            file=sys.stderr,
+            "where it happened."
         )
         return COULD_NOT_RUN
+
+
+def complain(text: str) -> None:
+    """Say what is in the way, on the standard error."""
+    from clickgen.report.frames import printable
+
+    print(f"clickgen: {printable(text)}", file=sys.stderr)
+
+
+def _reason(error: Exception) -> str | None:
+    """What kept a command from running; None for a fault of clickgen."""
+    from clickgen.diagnostics import CouldNotRun
+
+    if isinstance(error, CouldNotRun):
+        return str(error)
+    if isinstance(error, OSError):
+        place = f"{error.filename}: " if error.filename else ""
+        return f"{place}{error.strerror or error}; nothing was written"
+    return None
 
 
 def _interrupted() -> int:

@@ -7,36 +7,26 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
+from clickgen.cli import OK, PROBLEMS, complain
 from clickgen.cli.jobs import Job, jobs, near
 from clickgen.diagnostics import CouldNotRun
 from clickgen.pipeline import BuildResult, build_all, write_all
-from clickgen.report.frames import printable, summary, write_problems
+from clickgen.report.frames import summary, write_problems
 from clickgen.wording import counted
 
 
 def run(program: str | None, output: str | None, nicknames: str | None, frozen: bool, config: str | None) -> int:
     """Build and write, without a program every configured one, all of them or none; returns the exit code."""
-    try:
-        jobs = _jobs(program, output, nicknames, frozen, config)
-        results = build_all((job.program, job.settings) for job in jobs)
-        for result in results:
-            write_problems(result.diagnostics, result.sources, sys.stderr)
-        if not all(result.ok for result in results):
-            print(f"clickgen: {_summary(results)}; nothing was written", file=sys.stderr)
-            return PROBLEMS
-        write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
-        for job, result in zip(jobs, results, strict=True):
-            print(_report(result, job.folder))
-    except CouldNotRun as error:
-        print(f"clickgen: {printable(str(error))}", file=sys.stderr)
-        return COULD_NOT_RUN
-    except BrokenPipeError:
-        raise
-    except OSError as error:
-        place = f"{error.filename}: " if error.filename else ""
-        print(f"clickgen: {printable(place)}{error.strerror or error}; nothing was written", file=sys.stderr)
-        return COULD_NOT_RUN
+    jobs = _jobs(program, output, nicknames, frozen, config)
+    results = build_all((job.program, job.settings) for job in jobs)
+    for result in results:
+        write_problems(result.diagnostics, result.sources, sys.stderr)
+    if not all(result.ok for result in results):
+        complain(f"{_summary(results)}; nothing was written")
+        return PROBLEMS
+    write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
+    for job, result in zip(jobs, results, strict=True):
+        print(_report(result, job.folder))
     return OK
 
 

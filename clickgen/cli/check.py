@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from clickgen.check.select import Selection
 from clickgen.checking.run import Outcome, Request, add_ignores
 from clickgen.checking.run import run as run_check
-from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
+from clickgen.cli import OK, PROBLEMS, complain
 from clickgen.codes import CODES
 from clickgen.config import Config, find_config, read_config
 from clickgen.diagnostics import CouldNotRun, did_you_mean
@@ -36,32 +36,13 @@ class _Wrong(CouldNotRun):
 
 def run(options: argparse.Namespace) -> int:
     """Check what the command line names; returns the exit code."""
-    try:
-        return _run(options)
-    except CouldNotRun as error:
-        _complain(str(error))
-    except BrokenPipeError:
-        raise
-    except OSError as error:
-        place = f"{error.filename}: " if error.filename else ""
-        _complain(f"{place}{error.strerror or error}; nothing was written")
-    return COULD_NOT_RUN
-
-
-def _complain(text: str) -> None:
-    from clickgen.report.frames import printable
-
-    print(f"clickgen: {printable(text)}", file=sys.stderr)
-
-
-def _run(options: argparse.Namespace) -> int:
     _refuse_contradictions(options)
     config = read_config(Path(options.config)) if options.config else find_config(Path.cwd())
     with _progress() as progress:
         request = _request(options, config, progress)
         outcome = run_check(request, options.fix or options.diff, options.unsafe_fixes)
     for folder in outcome.empty:
-        _complain(f"no program in {folder}")
+        complain(f"no program in {folder}")
     if options.baseline and request.baseline is None:
         outcome = _begin_baseline(Path(options.baseline), outcome)
     if options.diff:

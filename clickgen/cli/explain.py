@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import sys
-
-from clickgen.cli import COULD_NOT_RUN, OK
+from clickgen.cli import COULD_NOT_RUN, OK, complain
 from clickgen.codes import CODES
 from clickgen.diagnostics import did_you_mean
 from clickgen.explain import explanation, plain
@@ -16,7 +14,7 @@ def run(code: str) -> int:
     if name not in CODES:
         group = [known for known in CODES if known.startswith(name)]
         hint = f"it begins {', '.join(group)}" if group else did_you_mean(name, CODES) or "clickgen rules lists them"
-        print(f"clickgen: there is no code {code}; {hint}", file=sys.stderr)
+        complain(f"there is no code {code}; {hint}")
         return COULD_NOT_RUN
     print(plain(explanation(name)), end="")
     return OK

@@ -4,41 +4,34 @@ from __future__ import annotations
 
 import argparse
 import os
+import shlex
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
-from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
-from clickgen.cli.jobs import Job, jobs, settings_of
+from clickgen.cli import OK, PROBLEMS, complain
+from clickgen.cli.jobs import Job, jobs, near, settings_of
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
 from clickgen.emit.write import put_in_place
-from clickgen.nicknames.changes import KINDS, RENAMED
+from clickgen.nicknames.changes import KINDS, RENAMED, SWAPPED
 from clickgen.nicknames.merge import Merge
+from clickgen.nicknames.programs import Program
 from clickgen.nicknames.sync import TableSync
+from clickgen.nicknames.uses import FileNames
 from clickgen.pipeline import TABLE_NAME, BuildResult, build
-from clickgen.report.frames import printable, summary, write_problems
+from clickgen.report.frames import summary, write_problems
+from clickgen.resolve.layers import is_workbook
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
+from clickgen.source import SourceFile
 from clickgen.wording import counted
 
 
 def run(options: argparse.Namespace) -> int:
     """Run one of the commands; returns the exit code."""
-    try:
-        return _COMMANDS[options.action](options)
-    except CouldNotRun as error:
-        _say(printable(str(error)))
-    except BrokenPipeError:
-        raise
-    except OSError as error:
-        place = f"{error.filename}: " if error.filename else ""
-        _say(f"{printable(place)}{error.strerror or error}; nothing was written")
-    return COULD_NOT_RUN
-
-
-def _say(text: str) -> None:
-    print(f"clickgen: {text}", file=sys.stderr)
+    return _COMMANDS[options.action](options)
 
 
 def _jobs(options: argparse.Namespace, programs: Iterable[str]) -> list[Job]:
@@ -58,7 +51,7 @@ def _sync(options: argparse.Namespace) -> int:
     if not result.ok:
         for each in result.results:
             write_problems(each.diagnostics, each.sources, sys.stderr)
-        _say(f"{_summary(result.results)}; nothing was written")
+        complain(f"{_summary(result.results)}; nothing was written")
         return PROBLEMS
     # What is shown of the table is what was read, so before anything is written.
     for each in result.results:
@@ -110,14 +103,14 @@ def _check(options: argparse.Namespace) -> int:
         write_problems(own, result.sources, sys.stdout)
         told += len([problem for problem in own if problem.is_error]) + len(others)
         if others:
-            _say(f"{result.program} has {counted(len(others), 'other error')}: see clickgen check {result.program}")
+            complain(f"{result.program} has {counted(len(others), 'other error')}: see clickgen check {result.program}")
     if told:
         return PROBLEMS
     lacking = [table for table in sync(found, settings_of(options.config)).tables if table.added or table.changed]
     for table in lacking:
         print("\n".join(_table_lines(replace(table, unused=()), is_dry=True)))
     if lacking:
-        _say("run clickgen nicknames sync and commit the table")
+        complain("run clickgen nicknames sync and commit the table")
         return PROBLEMS
     tables = {str(result.table_path): len(result.rows) for result in results}
     for path, count in tables.items():
@@ -136,22 +129,30 @@ def _programs(results: Iterable[BuildResult], path: str) -> str:
 # -- merge ------------------------------------------------------------------------------------------------------------
 
 
+class _Merging(NamedTuple):
+    """What an export is taken into: the table, the workbook that it adds to, and programs that are known to use it."""
+
+    table: Path
+    workbook: Path | None
+    jobs: list[Job]
+
+
 def _merge(options: argparse.Namespace) -> int:
-    from clickgen.nicknames.diff import conflict_lines, diff_lines, summary
+    from clickgen.nicknames.diff import conflict_lines, diff_lines, never_lines, summary
     from clickgen.nicknames.merge import merge
     from clickgen.nicknames.programs import Files, programs_around
-    from clickgen.nicknames.uses import places_in
+    from clickgen.nicknames.uses import ProgramsSay, places_in
 
     kinds = _kinds(options.accept)
-    path, found = _table_to_merge(options)
-    table, before = _read(path, must_exist=False)
+    target = _table_to_merge(options)
+    path = target.table
+    table, before = _read(path, bool(options.nicknames) and target.workbook is None, target.workbook)
     export, _ = _read(Path(options.export), must_exist=True)
-    around = programs_around(found, settings_of(options.config), Files(), [path])
-    key = os.path.realpath(path)
-    used = places_in(name for program in around if program.table_key == key for name in program.names)
-    result = merge(table, export, used)
+    around = programs_around(target.jobs, settings_of(options.config), Files(), [path])
+    own = [program for program in around if program.table_key == os.path.realpath(path)]
+    names = [_seen_from_here(file) for program in own for file in program.names]
+    result = merge(table, export, places_in(names), ProgramsSay(names))
     conflicts = conflict_lines(result, kinds)
-    left = [change for change in result.changes if change.kind not in kinds]
     print("\n".join([f"{options.export}: {summary(result)}", *_indented(diff_lines(result))]))
     if conflicts:
         print("\n".join(["cannot be taken so:", *_indented(conflicts)]), file=sys.stderr)
@@ -159,27 +160,69 @@ def _merge(options: argparse.Namespace) -> int:
     after = result.taken(kinds).to_bytes()
     if not options.dry_run and after != before and (before is not None or result.of(kinds)):
         put_in_place({path: after}, (), {path: before})
+    never = never_lines(result, kinds)
+    if never:
+        print("\n".join(["cannot be taken at all:", *_indented(never)]))
     if result.changes:
-        print(_merged(result, kinds, len(left), options.dry_run))
-    for change in result.of({RENAMED} & kinds):
+        print(_merged(result, kinds, options.dry_run))
+    print("".join(f"{line}\n" for line in _after_renames(options, result, kinds, own)), end="")
+    return OK if all(change.kind in kinds for change in result.changes) else PROBLEMS
+
+
+def _seen_from_here(file: FileNames) -> FileNames:
+    """A file of a program whose messages name it as seen from the working folder."""
+    path = str(near(Path(file.source.path)))
+    declarations = tuple(replace(each, span=each.span._replace(path=path)) for each in file.declarations)
+    return replace(file, source=SourceFile(path, file.source.text), declarations=declarations)
+
+
+def _merged(merged: Merge, kinds: set[str], is_dry: bool) -> str:
+    left = [change for change in merged.changes if change.kind not in kinds]
+    said = f"{counted(len(merged.changes) - len(left), 'change')} {'would be ' if is_dry else ''}taken"
+    if not left:
+        return said
+    never = {conflict.change for conflict in merged.never}
+    waiting = sorted({change.kind for change in left if change not in never}, key=KINDS.index)
+    them = "those that can be" if never & {*left} else "them" if len(left) > 1 else "it"
+    return f"{said}, {len(left)} not" + (f": take {them} with --accept {','.join(waiting)}" if waiting else "")
+
+
+def _after_renames(
+    options: argparse.Namespace, merged: Merge, kinds: set[str], programs: list[Program]
+) -> Iterator[str]:
+    """What is to be done in programs, and what they would do, where names have changed their addresses."""
+    for change in merged.of({RENAMED} & kinds):
         if change.before and change.after and change.used and not change.is_case_only:
             old, new = change.before.nickname, change.after.nickname
-            print(f"{old} stands in programs: clickgen nicknames rename {old} {new} renames it there too")
-    return PROBLEMS if left else OK
+            words = ["clickgen", "nicknames", "rename", old, new, *_program_with(old, programs), *_table_words(options)]
+            yield f"{old} stands in programs: {shlex.join(words)} renames it there too"
+    swapped = merged.of([SWAPPED])
+    if swapped:
+        places = list(dict.fromkeys(place for change in swapped for place in change.used or ()))
+        did = "drive other addresses now" if SWAPPED in kinds and not options.dry_run else "would drive other addresses"
+        yield (
+            f"{counted(len(swapped), 'address', 'addresses')} swapped names that programs use: no rename follows that, "
+            f"and the programs {did} at {', '.join(places)}"
+        )
 
 
-def _merged(merged: Merge, kinds: set[str], left: int, is_dry: bool) -> str:
-    taken = len(merged.changes) - left
-    said = f"{counted(taken, 'change')} {'would be ' if is_dry else ''}taken"
-    if left:
-        waiting = sorted({change.kind for change in merged.changes if change.kind not in kinds}, key=KINDS.index)
-        said += f", {left} not: take {'them' if left > 1 else 'it'} with --accept {','.join(waiting)}"
-    return said
+def _program_with(name: str, programs: list[Program]) -> list[str]:
+    """A program that uses a name, or one that stands for the parts that do: a rename finds all others."""
+    whole = [program for program in programs if not program.is_part]
+    using = [program for program in whole if any(file.of(name) for file in program.names)]
+    return [str(near(Path(program.path))) for program in (using or whole)[:1]]
+
+
+def _table_words(options: argparse.Namespace) -> list[str]:
+    words = ["--nicknames", options.nicknames] if options.nicknames else []
+    return [*words, *(["--config", options.config] if options.config else [])]
 
 
 def _kinds(accepted: Iterable[str]) -> set[str]:
     words = {word.strip() for words in accepted for word in words.split(",") if word.strip()}
-    kinds = {"added", *(KINDS if "all" in words else words)}
+    # What programs do changes with swapped names: these are asked for by their own word alone.
+    everything = {*KINDS} - {SWAPPED} if "all" in words else set()
+    kinds = {"added"} | everything | (words - {"all"})
     unknown = sorted(kinds - set(KINDS))
     if unknown:
         from clickgen.diagnostics import did_you_mean
@@ -189,34 +232,55 @@ def _kinds(accepted: Iterable[str]) -> set[str]:
     return kinds
 
 
-def _table_to_merge(options: argparse.Namespace) -> tuple[Path, list[Job]]:
-    """The table that takes the export in, and the programs that are known to use it."""
-    config = settings_of(options.config)
-    found = jobs([], config=options.config) if config.programs else []
-    if options.nicknames:
-        return Path(options.nicknames), found
+def _table_to_merge(options: argparse.Namespace) -> _Merging:
+    """The table that takes the export in: the one that is named, else the one of the settings."""
     from clickgen.nicknames.programs import table_of
 
-    tables = list(dict.fromkeys(table_of(job.program, job.settings) for job in found))
+    config = settings_of(options.config)
+    found = jobs([], config=options.config) if config.programs else []
+    named = Path(options.nicknames) if options.nicknames else None
+    if named is not None and not is_workbook(named):
+        own = [job for job in found if _same(table_of(job.program, job.settings), named)]
+        return _Merging(named, _one_workbook(own), found)
+    own = [job for job in found if named is None or _same(job.settings.nicknames, named)] or found
+    others = [job for job in found if job not in own]
+    if named is not None:
+        own = [replace(job, settings=replace(job.settings, nicknames=named)) for job in own]
+    tables = list(dict.fromkeys(table_of(job.program, job.settings) for job in own))
     if len(tables) > 1:
-        raise CouldNotRun(f"the settings know {len(tables)} tables: name one with --nicknames")
-    return (tables[0] if tables else Path(TABLE_NAME)), found
+        raise CouldNotRun(f"the settings know {len(tables)} tables: name one of them with --nicknames")
+    return _Merging(tables[0] if tables else Path(TABLE_NAME), named or _one_workbook(own), own + others)
 
 
-def _read(path: Path, must_exist: bool) -> tuple[AddressTable, bytes | None]:
+def _same(one: str | os.PathLike[str] | None, other: Path) -> bool:
+    return one is not None and os.path.realpath(one) == os.path.realpath(other)
+
+
+def _one_workbook(own: Iterable[Job]) -> Path | None:
+    """The workbook that the programs of a table have in the settings."""
+    named = (Path(job.settings.nicknames) for job in own if job.settings.nicknames is not None)
+    books = list(dict.fromkeys(path for path in named if is_workbook(path)))
+    if len(books) > 1:
+        raise CouldNotRun(f"the settings know {len(books)} workbooks for this table: name one with --nicknames")
+    return books[0] if books else None
+
+
+def _read(path: Path, must_exist: bool, workbook: Path | None = None) -> tuple[AddressTable, bytes | None]:
+    """A table, with the rows of a workbook in front, and the bytes of its file."""
+    from clickgen.nicknames.tables import over_workbook
     from clickgen.resolve.read_table import TableUnreadable, read_table
 
-    if not must_exist and not path.exists():
-        return AddressTable.empty(str(path)), None
     problems = Diagnostics()
+    is_there = must_exist or os.path.lexists(path)
     try:
-        table = read_table(path, str(path), problems)
+        table = read_table(path, str(path), problems) if is_there else AddressTable.empty(str(path))
+        table = over_workbook(table, workbook, problems) if workbook is not None else table
     except TableUnreadable as error:
         raise CouldNotRun(str(error)) from None
     if problems.has_errors:
         write_problems(problems.in_order(), [], sys.stderr)
         raise CouldNotRun(f"{path} has {summary(problem.severity for problem in problems.found)}; nothing was written")
-    return table, table.to_bytes()
+    return table, table.to_bytes() if is_there else None
 
 
 def _indented(lines: Iterable[str]) -> list[str]:
@@ -234,11 +298,17 @@ def _rename(options: argparse.Namespace) -> int:
     if not options.dry_run:
         put_in_place(result.writes, (), result.unchanged)
     would = "would be " if options.dry_run else ""
-    for path in sorted(result.writes):
-        print(f"{path}: {counted(result.counts[path], 'time')} {would}renamed")
-    for path, count in sorted(result.comments.items()):
+    for path, count in sorted((near(path), count) for path, count in result.counts.items()):
+        print(f"{path}: {counted(count, 'time')} {would}renamed")
+    for path, count in sorted((near(path), count) for path, count in result.comments.items()):
         print(f"{path}: {counted(count, 'comment')} still {'say' if count > 1 else 'says'} {result.old}")
-    print(f"{result.old} {would or 'is '}{result.new} now; the ladder of {', '.join(result.programs)} is the same")
+    for span in result.left:
+        place = f"{near(Path(span.path))}:{span.line}"
+        print(f"{place} says {result.old} too, in a file that no program imports: it stays as it is")
+    becomes, stays = ("would become", "would be") if options.dry_run else ("is", "is")
+    now = "" if options.dry_run else " now"
+    programs = ", ".join(str(near(Path(program))) for program in result.programs)
+    print(f"{result.old} {becomes} {result.new}{now}; the ladder of {programs} {stays} the same")
     return OK
 
 
@@ -255,7 +325,7 @@ def _why(options: argparse.Namespace) -> int:
     for result in broken:
         write_problems([problem for problem in result.diagnostics if problem.is_error], result.sources, sys.stderr)
     if broken:
-        _say(f"{_summary(broken)}; a program with errors has no addresses yet")
+        complain(f"{_summary(broken)}; a program with errors has no addresses yet")
         return PROBLEMS
     said = []
     for job, result in zip(found, results, strict=True):
@@ -264,7 +334,7 @@ def _why(options: argparse.Namespace) -> int:
         said += why(options.name, result, job.settings.reserved, data)
     if not said:
         hint = suggestion(options.name, results)
-        _say(f"no program knows {options.name}{f'; {hint}' if hint else ''}")
+        complain(f"no program knows {options.name}{f'; {hint}' if hint else ''}")
         return PROBLEMS
     print("\n".join(said))
     return OK

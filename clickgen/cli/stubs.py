@@ -10,12 +10,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from clickgen.checking.discover import targets
-from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
+from clickgen.cli import OK, PROBLEMS, complain
 from clickgen.cli.jobs import Job, jobs, near, settings_of
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
 from clickgen.pipeline import KnownNames, known_names
-from clickgen.report.frames import printable
 from clickgen.stubs.stub import MARK, builtins_stub
 from clickgen.wording import counted
 
@@ -25,23 +24,13 @@ STUB_NAME = "__builtins__.pyi"
 
 def run(programs: Sequence[str], nicknames: str | None, frozen: bool, is_check: bool, config: str | None) -> int:
     """Write the stub file of every folder with a program, or say which are stale; returns the exit code."""
-    try:
-        named = jobs(programs, nicknames, frozen, config)
-        names = _names([*named, *_beside(named, frozen, config)])
-        stubs = {near(folder / STUB_NAME): _stub(found) for folder, found in names.items()}
-        stale = {path: text for path, text in stubs.items() if _is_stale(path, text)}
-        if is_check:
-            return _say_stale(stale, _command(programs, nicknames, frozen, config))
-        put_in_place(stale)
-    except CouldNotRun as error:
-        print(f"clickgen: {printable(str(error))}", file=sys.stderr)
-        return COULD_NOT_RUN
-    except BrokenPipeError:
-        raise
-    except OSError as error:
-        place = f"{error.filename}: " if error.filename else ""
-        print(f"clickgen: {printable(place)}{error.strerror or error}; nothing was written", file=sys.stderr)
-        return COULD_NOT_RUN
+    named = jobs(programs, nicknames, frozen, config)
+    names = _names([*named, *_beside(named, frozen, config)])
+    stubs = {near(folder / STUB_NAME): _stub(found) for folder, found in names.items()}
+    stale = {path: text for path, text in stubs.items() if _is_stale(path, text)}
+    if is_check:
+        return _say_stale(stale, _command(programs, nicknames, frozen, config))
+    put_in_place(stale)
     for path in stubs:
         print(f"{path}: {'written' if path in stale else 'nothing has changed'}")
     return OK
@@ -77,7 +66,7 @@ def _say_errors(program: str, known: KnownNames) -> None:
     errors = sum(problem.is_error for problem in known.diagnostics)
     if errors:
         said = f"{program} has {counted(errors, 'error')}, so some of its names may be missing"
-        print(f"clickgen: {said}; see clickgen check {program}", file=sys.stderr)
+        complain(f"{said}; see clickgen check {program}")
 
 
 def _stub(names: Sequence[KnownNames]) -> bytes:
@@ -101,7 +90,7 @@ def _say_stale(stale: Mapping[Path, bytes], command: str) -> int:
         print(f"{path} is {'stale' if path.exists() else 'missing'}", file=sys.stderr)
     if not stale:
         return OK
-    print(f"clickgen: run {command} and commit what it writes", file=sys.stderr)
+    complain(f"run {command} and commit what it writes")
     return PROBLEMS
 
 

@@ -6,38 +6,28 @@ import os
 import sys
 from pathlib import Path
 
-from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
+from clickgen.cli import OK, PROBLEMS, complain
 from clickgen.cli.jobs import Job, jobs
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
 from clickgen.pipeline import BuildResult, build
-from clickgen.report.frames import printable, summary, write_problems
+from clickgen.report.frames import summary, write_problems
 from clickgen.wording import counted
 
 
 def run(program: str, output: str | None, nicknames: str | None, config: str | None) -> int:
     """Write the workbook of a program; returns the exit code."""
-    try:
-        (job,) = jobs([program], nicknames, config=config)
-        path = _place(job, output)
-        before = _former(path, job)
-        result = build(job.program, settings=job.settings)
-        write_problems(result.diagnostics, result.sources, sys.stderr)
-        noted = summary(problem.severity for problem in result.diagnostics)
-        if not result.ok:
-            print(f"clickgen: {noted}; nothing was written", file=sys.stderr)
-            return PROBLEMS
-        put_in_place({path: _workbook(result, job)}, unchanged={path: before})
-        print(_report(result, path, noted))
-    except CouldNotRun as error:
-        print(f"clickgen: {printable(str(error))}", file=sys.stderr)
-        return COULD_NOT_RUN
-    except BrokenPipeError:
-        raise
-    except OSError as error:
-        place = f"{error.filename}: " if error.filename else ""
-        print(f"clickgen: {printable(place)}{error.strerror or error}; nothing was written", file=sys.stderr)
-        return COULD_NOT_RUN
+    (job,) = jobs([program], nicknames, config=config)
+    path = _place(job, output)
+    before = _former(path, job)
+    result = build(job.program, settings=job.settings)
+    write_problems(result.diagnostics, result.sources, sys.stderr)
+    noted = summary(problem.severity for problem in result.diagnostics)
+    if not result.ok:
+        complain(f"{noted}; nothing was written")
+        return PROBLEMS
+    put_in_place({path: _workbook(result, job)}, unchanged={path: before})
+    print(_report(result, path, noted))
     return OK
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from clickgen.device.banks import Address, Kind
 from clickgen.resolve.rows import Row, format_initial
 
-ADDED, RENAMED, MOVED, REMOVED, CHANGED = KINDS = ("added", "renamed", "moved", "removed", "changed")
+ADDED, RENAMED, SWAPPED, MOVED, REMOVED, CHANGED = KINDS = (
+    "added", "renamed", "swapped", "moved", "removed", "changed"
+)  # fmt: skip
 
 Rows = Mapping[Address, Row]
 
@@ -19,6 +21,8 @@ class Change:
 
     ``added`` has no row before where the table has none at the address; ``removed`` has one after where the address
     keeps a comment or a value without its name. ``changed`` is about initial value, retention and comment alone.
+    ``swapped`` is a name that comes from another address of the table, where programs use names that went round so:
+    no rename in the programs keeps their ladder.
     """
 
     kind: str
@@ -26,11 +30,13 @@ class Change:
     after: Row | None
     used: tuple[str, ...] | None = None
     """Where programs use the name of the row before; None when nobody looked."""
+    by_number: tuple[str, ...] = ()
+    """Where programs use the number of the address that gets a name."""
 
     @property
     def name(self) -> str:
         """The nickname that a program may use and that this takes away or moves; "" when there is none."""
-        is_felt = self.kind in (RENAMED, MOVED, REMOVED) and not self.is_case_only
+        is_felt = self.kind in (RENAMED, SWAPPED, MOVED, REMOVED) and not self.is_case_only
         return self.before.nickname if self.before and is_felt else ""
 
     @property
@@ -52,6 +58,26 @@ def changes_between(ours: Iterable[Row], theirs: Iterable[Row]) -> list[Change]:
     renamed = _renamed(before, after)
     found = [*_of_names(before, after, renamed), *_of_content(before, after, renamed)]
     return sorted(found, key=lambda change: change.sort_key)
+
+
+def with_swaps(changes: list[Change]) -> list[Change]:
+    """The changes, with those ``swapped`` that pass names round which programs use."""
+    renamed = {_name(change.before): n for n, change in enumerate(changes) if change.kind == RENAMED}
+    follower = {n: renamed.get(_name(changes[n].after)) for n in renamed.values()}
+    follower = {n: other for n, other in follower.items() if other not in (None, n)}
+    swapped: set[int] = set()
+    waiting = [other for other in follower.values() if other is not None and changes[other].used]
+    around: dict[int, list[int]] = {}
+    for one, other in follower.items():
+        assert other is not None
+        around.setdefault(one, []).append(other)
+        around.setdefault(other, []).append(one)
+    while waiting:
+        index = waiting.pop()
+        if index not in swapped:
+            swapped.add(index)
+            waiting += around[index]
+    return [replace(change, kind=SWAPPED) if n in swapped else change for n, change in enumerate(changes)]
 
 
 def differing(one: Row, other: Row) -> list[str]:

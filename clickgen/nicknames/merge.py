@@ -2,17 +2,20 @@
 
 CLICK knows addresses, a program knows names. So where the same addresses have names before and after, they were
 renamed; where a name left an address without one, or came to one without, it moved. Rows of SC and SD are CLICK's and
-rows of scratch cells are clickgen's: both stay as they are.
+rows of scratch cells are clickgen's: both stay as they are. What a workbook or a declaration of a program says is
+changed there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
 from clickgen.device.banks import Address
+from clickgen.diagnostics import Diagnostics
+from clickgen.ir.program import BlockDeclaration, Declaration
 from clickgen.nicknames.changes import (
     ADDED,
     CHANGED,
@@ -20,13 +23,18 @@ from clickgen.nicknames.changes import (
     MOVED,
     REMOVED,
     RENAMED,
+    SWAPPED,
     Change,
     changes_between,
+    differing,
+    with_swaps,
 )
+from clickgen.nicknames.uses import ProgramsSay
+from clickgen.resolve.declare import initial_of
 from clickgen.resolve.rows import Row, is_scratch
 from clickgen.resolve.table import AddressTable
 
-__all__ = ["KINDS", "Change", "Conflict", "Merge", "merge"]
+__all__ = ["KINDS", "SWAPPED", "Change", "Conflict", "Merge", "merge"]
 
 OWN_BANKS = ("SC", "SD")
 """What CLICK does with such rows on import is unknown (click-facts, section 1): they are neither taken nor written."""
@@ -59,6 +67,7 @@ class Merge:
     export: AddressTable
     changes: tuple[Change, ...]
     kept_apart: int
+    says: ProgramsSay = field(default_factory=ProgramsSay)
 
     def of(self, kinds: Collection[str]) -> tuple[Change, ...]:
         """The changes of these kinds, in CLICK's row order."""
@@ -74,6 +83,11 @@ class Merge:
         stuck = sorted(index for index in self._stuck(kinds) if self.changes[index].kind in kinds)
         return tuple(self._conflict(index, kinds) for index in stuck)
 
+    @cached_property
+    def never(self) -> tuple[Conflict, ...]:
+        """The changes that no kind settles, and why."""
+        return tuple(conflict for conflict in self.conflicts(KINDS) if not conflict.accept)
+
     def taken(self, kinds: Collection[str]) -> AddressTable:
         """The table with the changes of these kinds. Order, foreign rows and what nobody changed stay."""
         taken = self.takes(kinds)
@@ -82,7 +96,7 @@ class Merge:
             if change.before and change.kind in (MOVED, REMOVED):
                 rows[change.before.address] = self._without_name(change.before)
         for change in taken:
-            if change.after and change.kind in (ADDED, MOVED, RENAMED):
+            if change.after and change.kind in (ADDED, MOVED, RENAMED, SWAPPED):
                 rows[change.after.address] = self._named(change.after, rows)
         for change in taken:
             if change.after and change.kind == CHANGED:
@@ -110,7 +124,7 @@ class Merge:
         leaving = {
             change.before.address: index
             for index, change in enumerate(self.changes)
-            if change.before and change.before.nickname and change.kind in (MOVED, REMOVED, RENAMED)
+            if change.before and change.before.nickname and change.kind in (MOVED, REMOVED, RENAMED, SWAPPED)
         }
         needs: list[_Needs] = []
         for change in self.changes:
@@ -166,6 +180,29 @@ class Merge:
             first = self.export.by_nickname[after.nickname.lower()]
             if first.address != after.address and first.address.bank not in OWN_BANKS:
                 return f"the export gives {after.nickname} to {first.address} and to {after.address}"
+        return self._declared_otherwise(change)
+
+    def _declared_otherwise(self, change: Change) -> str:
+        """What a declaration of a program says against a change."""
+        after = change.after
+        if after is None or change.is_case_only:
+            return ""
+        here = self.says.declared_at.get(after.address)
+        if change.kind == CHANGED:
+            assert change.before is not None
+            fixed = [what for what in differing(change.before, after) if here and _says_otherwise(here, what, after)]
+            fields = " and ".join(fixed)
+            return f"{_declared(here)} gives {after.address} its {fields}: change it there" if here and fixed else ""
+        name = after.nickname.lower()
+        there, block = self.says.declared.get(name), self.says.blocks.get(name)
+        if there is not None and there.cell.address != after.address:
+            return f"{after.nickname} is {there.cell.address} by {_declared(there)}"
+        if block is not None:
+            return f"{after.nickname} is a block by {_declared(block)}"
+        # A rename in the programs reaches a declaration too.
+        is_followed = change.before is not None and change.before.nickname.lower() == _lower(here)
+        if name and here is not None and _lower(here) != name and not (change.kind == RENAMED and is_followed):
+            return f"{after.address} is {here.named.name} by {_declared(here)}"
         return ""
 
     def _in_the_way(self, change: Change) -> Iterator[Row]:
@@ -187,17 +224,47 @@ class Merge:
         return f"{row.nickname} is {row.address} in the table ({place})"
 
 
-def merge(table: AddressTable, export: AddressTable, used: Callable[[str], list[str]] | None = None) -> Merge:
+def merge(
+    table: AddressTable,
+    export: AddressTable,
+    used: Callable[[str], list[str]] | None = None,
+    says: ProgramsSay | None = None,
+) -> Merge:
     """Compare an export with the table, both without errors; an export that gives a name twice has conflicts.
 
-    ``used`` gives the places where programs use a nickname, such as ``prog.py:12``.
+    ``used`` gives the places where programs use a nickname, such as ``prog.py:12``; ``says`` is what else they say.
     """
     ours = [row for row in table.rows if _is_shared(row) and not is_scratch(row)]
     changes = changes_between(ours, [row for row in export.rows if _is_shared(row) and _is_news(row, table)])
     if used is not None:
         changes = [replace(change, used=tuple(used(change.name))) if change.name else change for change in changes]
+        changes = with_swaps(changes)
+    if says is not None:
+        changes = [replace(change, by_number=_by_number(change, says)) for change in changes]
     kept_apart = sum(row.address.bank in OWN_BANKS for row in export.rows)
-    return Merge(table, export, tuple(changes), kept_apart)
+    return Merge(table, export, tuple(changes), kept_apart, says or ProgramsSay())
+
+
+def _by_number(change: Change, says: ProgramsSay) -> tuple[str, ...]:
+    after = change.after
+    gets_a_name = after is not None and after.nickname and change.kind in (ADDED, MOVED)
+    return tuple(says.by_number(after.address)) if after is not None and gets_a_name else ()
+
+
+def _declared(declaration: Declaration | BlockDeclaration) -> str:
+    return f"nickname(...) at {declaration.span.path}:{declaration.span.line}"
+
+
+def _lower(declaration: Declaration | None) -> str:
+    return declaration.named.name.lower() if declaration else ""
+
+
+def _says_otherwise(declaration: Declaration, what: str, row: Row) -> bool:
+    """True where a declaration gives an address another initial value, retention or comment than a row."""
+    if what == "initial" and declaration.initial is not None:
+        return initial_of(declaration.initial, row.address, Diagnostics()) != row.initial
+    said = {"retentive": declaration.retentive, "comment": declaration.comment}.get(what)
+    return said is not None and said != getattr(row, what)
 
 
 def _is_shared(row: Row) -> bool:

@@ -18,6 +18,7 @@ from clickgen.nicknames.prove import Side, errors_of, prove_same
 from clickgen.nicknames.tables import Table, read_tables
 from clickgen.nicknames.uses import FileNames, comments_with, read_names, word_pattern
 from clickgen.resolve.rows import is_scratch, looks_like_scratch
+from clickgen.source import Span
 from clickgen.syntax.parse import decode
 from clickgen.wording import counted
 
@@ -34,11 +35,13 @@ class Rename:
     unchanged: Mapping[Path, bytes | None]
     """Every file that it was made from, with the bytes that it must still have; None for one that must not be there."""
     counts: Mapping[Path, int]
-    """How often the name is written anew in each file."""
+    """How often the name is written anew in each file; the record of what clickgen placed is not counted."""
     comments: Mapping[Path, int]
     """How many comments of each source file hold the old name; they stay as they are."""
     programs: tuple[str, ...]
     """The programs that were built before and after, and whose ladder is the same."""
+    left: tuple[Span, ...] = ()
+    """Where the old name stays in parts beside the programs that no program imports."""
 
 
 def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None) -> Rename:
@@ -67,6 +70,7 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
 
     changed = {key: _edited(file, old, new, files) for key, file in using.items()}
     changed.update((key, table.renamed(old, new)) for key, table in tables.items() if table.row(old))
+    records = _records(tables.values(), old, new, files)
     written = {key: data for key, data in changed.items() if files.contents[key] != data}
     stand_ins = {key: found for key, table in tables.items() if (found := table.stand_in(old, new))}
     earlier = {os.path.realpath(path): data for path, data in stand_ins.values()}
@@ -75,11 +79,12 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
     return Rename(
         old,
         new,
-        {Path(files.shown[key]): data for key, data in written.items()},
+        {Path(files.shown[key]): data for key, data in {**written, **records}.items()},
         {Path(files.shown[key]): data for key, data in files.contents.items()},
         {Path(files.shown[key]): len(using[key].of(old)) if key in using else 1 for key in written},
         {Path(file.source.path): count for file in sources.values() if (count := comments_with(file.source, old))},
         proven,
+        _left(programs, members, old),
     )
 
 
@@ -189,6 +194,33 @@ def _does_not_build(path: str, errors: Sequence[Diagnostic]) -> str:
 
 
 # -- what is changed --------------------------------------------------------------------------------------------------
+
+
+def _records(tables: Iterable[Table], old: str, new: str, files: Files) -> dict[str, bytes]:
+    """The records of names that clickgen placed, by their real paths, where this name is in them."""
+    renamed: dict[str, bytes] = {}
+    for table in tables:
+        if table.row(old) is not None:
+            data = table.record_renamed(files.look(str(table.record)), old, new)
+            if data is not None:
+                renamed[os.path.realpath(table.record)] = data
+    return renamed
+
+
+def _left(programs: Iterable[Program], members: Sequence[Program], old: str) -> tuple[Span, ...]:
+    """Where the name stands in parts that belong to no program: those beside the programs, or without a table."""
+    folders = {os.path.dirname(os.path.realpath(program.path)) for program in members}
+    keys = {program.table_key for program in members}
+    loose = (
+        program
+        for program in programs
+        if program.is_part
+        and program.table_key not in keys
+        and (os.path.dirname(os.path.realpath(program.path)) in folders or not program.table.exists())
+    )
+    files = {file.source.path: file for program in loose for file in program.names}
+    done = {file.source.path for program in members for file in program.names}
+    return tuple(named.span for path, file in files.items() if path not in done for named in file.of(old))
 
 
 def _edited(file: FileNames, old: str, new: str, files: Files) -> bytes:

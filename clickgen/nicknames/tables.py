@@ -11,7 +11,8 @@ from clickgen.diagnostics import CouldNotRun, Diagnostics
 from clickgen.nicknames.programs import Files, Program
 from clickgen.resolve.blocks import Block, marked_blocks
 from clickgen.resolve.layers import beside_workbook
-from clickgen.resolve.read_table import TableUnreadable, read_table
+from clickgen.resolve.read_table import TableUnreadable, bytes_of_table, read_table
+from clickgen.resolve.record import placed_in, record_beside, record_of
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
 
@@ -46,6 +47,18 @@ class Table:
         assert row.cell is None
         return self.table.renamed(row.address, new).to_bytes()
 
+    @property
+    def record(self) -> Path:
+        """Where it says which names clickgen placed."""
+        return record_beside(self.path)
+
+    def record_renamed(self, data: bytes | None, old: str, new: str) -> bytes | None:
+        """The record with another name for one that clickgen placed; None where it is not in it."""
+        row, placed = self.row(old), placed_in(data)
+        if row is None or placed.get(row.address) != row.nickname:
+            return None
+        return record_of(placed | {row.address: new})
+
     def stand_in(self, old: str, new: str) -> tuple[Path, bytes] | None:
         """Where the table was renamed already and the sources were not: the table as it was before, and its place."""
         row = self.row(new)
@@ -66,17 +79,28 @@ def read_tables(programs: Iterable[Program], files: Files) -> dict[str, Table]:
     return tables
 
 
+def over_workbook(table: AddressTable, workbook: Path, problems: Diagnostics) -> AddressTable:
+    """The table with the rows of a workbook in front. Raises TableUnreadable."""
+    from clickgen.resolve.read_workbook import read_workbook
+
+    return beside_workbook(table, read_workbook(workbook, str(workbook), problems), problems)
+
+
+def _look(path: Path, files: Files) -> bytes | None:
+    """The bytes of a table, None where there is none. Raises TableUnreadable, and OSError."""
+    if path.exists():
+        bytes_of_table(path, str(path))
+    return files.look(str(path))
+
+
 def _read(program: Program, files: Files) -> AddressTable:
     shown = str(program.table)
     problems = Diagnostics()
     try:
-        data = files.look(shown)
+        data = _look(program.table, files)
         table = AddressTable.empty(shown) if data is None else read_table(program.table, shown, problems, data)
         if program.workbook is not None:
-            from clickgen.resolve.read_workbook import read_workbook
-
-            rows = read_workbook(program.workbook, str(program.workbook), problems)
-            table = beside_workbook(table, rows, problems)
+            table = over_workbook(table, program.workbook, problems)
     except OSError as error:
         raise CouldNotRun(f"{shown} cannot be read: {error.strerror or error}") from None
     except TableUnreadable as error:

@@ -11,10 +11,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
+from clickgen.device.banks import Address, points_of
 from clickgen.diagnostics import Diagnostics, Edit
 from clickgen.ir.imports import Import
-from clickgen.ir.operands import Immediate, Named
-from clickgen.ir.program import Declaration, FormulaText, Routine, actions_in, rungs_in
+from clickgen.ir.operands import Cell, Immediate, Named, Operand, Range
+from clickgen.ir.program import BlockDeclaration, Declaration, FormulaText, Routine, actions_in, rungs_in
 from clickgen.ir.walk import rung_operands
 from clickgen.source import EmbeddedText, SourceFile, Span
 from clickgen.syntax.context import Context
@@ -46,6 +47,9 @@ class FileNames:
     blocks: tuple[Named, ...]
     """Names with an index or a section behind them, and declared blocks."""
     formulas: tuple[FormulaText, ...]
+    declarations: tuple[Declaration | BlockDeclaration, ...] = ()
+    cells: tuple[Cell | Range, ...] = ()
+    """What routines use by its number."""
 
     def of(self, name: str) -> list[Named]:
         """The uses of a name, in any bank and any case."""
@@ -103,9 +107,12 @@ def read_names(source: SourceFile, problems: Diagnostics) -> FileNames | None:
     named: list[Named] = []
     formulas: list[FormulaText] = []
     blocks: list[Named] = []
+    cells: list[Cell | Range] = []
     for item in content.items:
         if isinstance(item, Routine):
-            named += _used(item)
+            targets = [*_targets(item)]
+            named += (target for target in targets if isinstance(target, Named))
+            cells += (target for target in targets if isinstance(target, Cell | Range))
             formulas += _formulas(item)
         elif isinstance(item, Declaration):
             named.append(item.named)
@@ -114,15 +121,14 @@ def read_names(source: SourceFile, problems: Diagnostics) -> FileNames | None:
     blocks += (name for name in named if name.part is not None)
     plain = {name.span: name for name in named if name.part is None}
     in_order = sorted(plain.values(), key=lambda name: name.span[1:3])
-    return FileNames(source, tuple(in_order), tuple(blocks), tuple(formulas))
+    declarations = (item for item in content.items if isinstance(item, Declaration | BlockDeclaration))
+    return FileNames(source, tuple(in_order), tuple(blocks), tuple(formulas), tuple(declarations), tuple(cells))
 
 
-def _used(routine: Routine) -> Iterator[Named]:
+def _targets(routine: Routine) -> Iterator[Operand]:
     for rung in routine.rungs:
         for operand in rung_operands(rung):
-            target = operand.target if isinstance(operand, Immediate) else operand
-            if isinstance(target, Named):
-                yield target
+            yield operand.target if isinstance(operand, Immediate) else operand
 
 
 def _formulas(routine: Routine) -> Iterator[FormulaText]:
@@ -168,3 +174,34 @@ def places_in(files: Iterable[FileNames]) -> Callable[[str], list[str]]:
             place = f"{file.source.path}:{named.span.line}"
             places.setdefault(named.name.lower(), {})[place] = None
     return lambda name: list(places.get(name.lower(), ()))
+
+
+class ProgramsSay:
+    """What programs say of addresses, beside the names that they use. Each file counts once."""
+
+    def __init__(self, files: Iterable[FileNames] = ()) -> None:
+        self.declared: dict[str, Declaration] = {}
+        """The declarations by their lowercase names."""
+        self.declared_at: dict[Address, Declaration] = {}
+        self.blocks: dict[str, BlockDeclaration] = {}
+        """The declared blocks by their lowercase names."""
+        self._by_number: dict[Address, dict[str, None]] = {}
+        for file in {id(file): file for file in files}.values():
+            self._add(file)
+
+    def by_number(self, address: Address) -> list[str]:
+        """Where an address is used by its number, alone or in a range: ``prog.py:12``."""
+        return list(self._by_number.get(address, ()))
+
+    def _add(self, file: FileNames) -> None:
+        for declaration in file.declarations:
+            name = declaration.named.name.lower()
+            if isinstance(declaration, BlockDeclaration):
+                self.blocks.setdefault(name, declaration)
+            else:
+                self.declared.setdefault(name, declaration)
+                self.declared_at.setdefault(declaration.cell.address, declaration)
+        for cell in file.cells:
+            for address in cell.addresses() if isinstance(cell, Range) else [cell.address]:
+                for each in (address, *points_of(address)):
+                    self._by_number.setdefault(each, {})[f"{file.source.path}:{cell.span.line}"] = None

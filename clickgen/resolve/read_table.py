@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
+import stat
 from pathlib import Path
 
 from clickgen.device.banks import BANKS, Address, parse_address
@@ -24,6 +25,11 @@ from clickgen.resolve.table import BOM, AddressTable, Entry
 from clickgen.source import Span
 
 _ADDRESS, _TYPE, _NICKNAME, _INITIAL, _RETENTIVE, _COMMENT = range(6)
+FILE_MAX = 32 * 2**20
+LINES_MAX = 200_000
+PROBLEMS_MAX = 1_000
+"""Behind so many problems a table is not read further."""
+_SAVE_AS_XLSX = "open it in a spreadsheet program and save it as .xlsx"
 # The longest address is CTD250; a field of thousands of digits is no business of int().
 _ADDRESS_MAX = 16
 
@@ -38,18 +44,30 @@ def read_table(path: Path, shown: str, problems: Diagnostics, data: bytes | None
     Raises TableUnreadable when the file is no address table. Everything wrong with single rows goes to ``problems``,
     all at once; a row whose address can be read is in the table all the same, so that its name is known.
     """
-    text, bom = _decoded(_bytes_of(path, shown) if data is None else data, shown)
+    text, bom = _decoded(bytes_of_table(path, shown) if data is None else data, shown)
     # Only \n ends a line, as in SourceFile; the \r of \r\n stays on the line, and the csv module knows it.
     lines = io.StringIO(text, newline="\n").readlines()
+    if len(lines) > LINES_MAX:
+        raise TableUnreadable(f"{shown} has more than {LINES_MAX:,} lines, far more than CLICK has addresses")
     _check_header(lines[0] if lines else "", shown)
     reader = _Reader(shown, problems)
     reader.read(lines)
     return AddressTable(shown, tuple(reader.entries), reader.entries[0].end or "\n", bom)
 
 
-def _bytes_of(path: Path, shown: str) -> bytes:
+def read_bounded(path: Path, limit: int, shown: str) -> bytes:
+    """The first bytes of a file. Raises OSError, and TableUnreadable for a pipe or a device, which may have no end."""
+    mode = path.stat().st_mode
+    if not stat.S_ISREG(mode) and not stat.S_ISDIR(mode):
+        raise TableUnreadable(f"{shown} is a pipe or a device; name a file")
+    with path.open("rb") as file:
+        return file.read(limit)
+
+
+def bytes_of_table(path: Path, shown: str) -> bytes:
+    """The bytes of an address table; raises TableUnreadable when it cannot be read."""
     try:
-        return path.read_bytes()
+        return read_bounded(path, FILE_MAX + 1, shown)
     except FileNotFoundError:
         raise TableUnreadable(f"there is no address table at {shown}") from None
     except IsADirectoryError:
@@ -62,7 +80,9 @@ def _bytes_of(path: Path, shown: str) -> bytes:
 
 def _decoded(data: bytes, shown: str) -> tuple[str, bool]:
     if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
-        raise TableUnreadable(f"{shown} is an Excel workbook: give it a name that ends in .xlsx")
+        raise TableUnreadable(_workbook_in_its_place(data, shown))
+    if len(data) > FILE_MAX:
+        raise TableUnreadable(f"{shown} has more than {FILE_MAX >> 20} MB, far more than CLICK has addresses")
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         raise TableUnreadable(f"{shown} is UTF-16 (Excel's Unicode text); save it as CSV UTF-8")
     bom = data.startswith(BOM)
@@ -73,6 +93,21 @@ def _decoded(data: bytes, shown: str) -> tuple[str, bool]:
         byte = error.object[error.start]
         message = f"{shown} is not UTF-8: line {line} holds the byte {byte:02X}; save it as CSV UTF-8"
         raise TableUnreadable(message) from None
+
+
+def _workbook_in_its_place(data: bytes, shown: str) -> str:
+    """What to say of a spreadsheet program's own file that is not read as a workbook."""
+    if shown.lower().endswith((".xlsx", ".xlsm")):
+        return f"{shown} is an Excel workbook, and a nickname CSV as CLICK exports it is needed here"
+    if data.startswith(b"\xd0\xcf"):
+        return f"{shown} is an old Excel workbook (.xls), or protected by a password: {_SAVE_AS_XLSX}"
+    if data[30:38] == b"mimetype":
+        return f"{shown} is an OpenDocument spreadsheet (.ods): {_SAVE_AS_XLSX}"
+    if b"xl/workbook.bin" in data:
+        return f"{shown} is a binary Excel workbook (.xlsb): {_SAVE_AS_XLSX}"
+    if b"xl/workbook.xml" in data:
+        return f"{shown} is an Excel workbook: give it a name that ends in .xlsx"
+    return f"{shown} is a zip archive and no nickname CSV; if it is a spreadsheet, {_SAVE_AS_XLSX}"
 
 
 def _check_header(line: str, shown: str) -> None:
@@ -105,11 +140,23 @@ class _Reader:
         self.entries: list[Entry] = []
         self._by_address: dict[Address, Row] = {}
         self._by_name: dict[str, Row] = {}
+        self._count = 0
+
+    @property
+    def is_full(self) -> bool:
+        """True when enough has been said."""
+        return self._count >= PROBLEMS_MAX
 
     def read(self, lines: list[str]) -> None:
         self._keep(None, *_cut(lines[0]))
+        start = self._read_rows(lines)
+        if start < len(lines):
+            self._keep(None, *_cut("".join(lines[start:])))
+
+    def _read_rows(self, lines: list[str]) -> int:
+        """Read rows while there are not too many problems; returns the first line that was not read."""
         start = 1
-        while start < len(lines):
+        while start < len(lines) and not self.is_full:
             # A reader of its own after each fault: the csv module would go on behind what the open quote swallowed.
             reader = csv.reader(map(lines.__getitem__, range(start, len(lines))), strict=True)
             base = start
@@ -120,11 +167,14 @@ class _Reader:
                     row = self._row(fields, text, start + 1) if any(fields) else None
                     self._keep(row, text, line_end)
                     start = end
+                    if self.is_full:
+                        break
             except csv.Error as error:
                 text, line_end = _cut(lines[start])
                 self._unsplittable(str(error), text, start + 1)
                 self._keep(None, text, line_end)
                 start += 1
+        return start
 
     def _keep(self, row: Row | None, text: str, line_end: str) -> None:
         self.entries.append(Entry(row, text, line_end))
@@ -168,7 +218,7 @@ class _Reader:
             return row
         fault = address_nickname_fault(row.address, name)
         if fault:
-            self.problems.add("CG603", _field_span(self.shown, row.line, row.raw, _NICKNAME), *fault)
+            self._add("CG603", _field_span(self.shown, row.line, row.raw, _NICKNAME), fault)
         holder = self._by_name.setdefault(name.lower(), row)
         if holder is not row and not may_share_a_name(holder.address, row.address):
             spelled = "" if holder.nickname == name else f", there spelled {short(holder.nickname)}"
@@ -185,7 +235,7 @@ class _Reader:
     def _twice(self, row: Row, field: int, earlier: Row, message: str, way_out: str) -> None:
         there = _field_span(self.shown, earlier.line, earlier.raw, field)
         here = _field_span(self.shown, row.line, row.raw, field)
-        self.problems.add("CG602", here, message, way_out, (Label(there, f"the earlier row, {earlier.address}"),))
+        self._add("CG602", here, Fault(message, way_out), (Label(there, f"the earlier row, {earlier.address}"),))
 
     def _unsplittable(self, reason: str, raw: str, line: int) -> None:
         if "field limit" in reason:
@@ -198,7 +248,13 @@ class _Reader:
         self._malformed(text_span(self.shown, line, raw, 0, len(raw)), Fault(message, way_out))
 
     def _malformed(self, span: Span, fault: Fault) -> None:
-        self.problems.add("CG601", span, *fault)
+        self._add("CG601", span, fault)
+
+    def _add(self, code: str, span: Span, fault: Fault, labels: tuple[Label, ...] = ()) -> None:
+        self._count += 1
+        if self._count <= PROBLEMS_MAX:
+            more = "; and more: nothing below is read" if self.is_full else ""
+            self.problems.add(code, span, fault.message + more, fault.way_out, labels)
 
 
 def _type_fault(address: Address, word: str) -> Fault | None:

@@ -16,8 +16,9 @@ two contradict each other both cells are named. An address of which nothing is s
 how it is meant to be written. Initial values are numbers, numbers stored as text, ON and OFF for bits, hexadecimal
 text with or without ``h`` or ``0x``; a plain number over 9 for a hexadecimal word may be meant decimal, and is refused.
 Retentive is yes, x, true, 1 or no, false, 0, and the like; empty is CLICK's default for the bank. Comments, and the
-one character of a TXT, are taken exactly, spaces and line breaks included. A formula is refused in every column that
-is read, because the result that is stored with it may be stale, and so are dates and errors.
+one character of a TXT, are taken exactly, spaces and line breaks included. A formula is refused where it should give
+an address, a nickname, an initial value or retention, because the result that is stored with it may be stale, and so
+are dates and errors; a comment that is one of these is left out, with a warning.
 """
 
 from __future__ import annotations
@@ -229,8 +230,11 @@ class _Reader:
         """Cells of one column that hold a formula, or another thing that is no plain value: said once."""
         more = len(spans) - 1
         others = f", and so {'are' if more > 1 else 'is'} {more} more below" if more else ""
-        message = f"the {what.value} in {spans[0].cell} is {fault}{others}"
-        self._add("CG601", spans[0], Fault(message, _WAYS_OUT.get(fault, "write what it should say as plain text")))
+        is_comment = what is Field.COMMENT
+        left_out = " and is left out" if is_comment else ""
+        message = f"the {what.value} in {spans[0].cell} is {fault}{left_out}{others}"
+        way_out = _WAYS_OUT.get(fault, "write what it should say as plain text")
+        self._add("CG604" if is_comment else "CG601", spans[0], Fault(message, way_out))
 
     def _strange_list(self, sheet: Sheet, line: Line, cell: Cell) -> None:
         self._add(

@@ -2,9 +2,10 @@
 
 A workbook is a zip archive of XML parts. A small file can unpack to gigabytes, and XML can cost far more than its
 length. So every part that matters is unpacked once, in bounded memory, judged as bytes, and packed anew without
-compression: openpyxl reads the copy, which holds nothing that was not measured.
+compression: openpyxl reads the copy, which holds nothing that was not measured. Cells that are only formatted, and rows
+without cells, are left out of the copy: a sheet may have hundreds of thousands of them.
 
-Refused are: files over 32 MB; parts of more than 64 MB together; more than 1,000,000 XML elements in what is read, or
+Refused are: files over 32 MB; parts of more than 64 MB together; more than 500,000 XML elements in what is read, or
 100,000 in one row of a sheet or in a part without rows; rows that are not in order, since openpyxl leaves some of them
 out; and what no spreadsheet program writes: entities and document types, comments and instructions in the XML, single
 tags of 250,000 bytes, encodings other than UTF-8, two parts of one name.
@@ -20,11 +21,11 @@ from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 
-from clickgen.resolve.read_table import TableUnreadable
+from clickgen.resolve.read_table import TableUnreadable, read_bounded
 
 FILE_MAX = 32 * 2**20
 PARTS_MAX = 64 * 2**20
-ELEMENTS_MAX = 1_000_000
+ELEMENTS_MAX = 500_000
 RUN_MAX = 100_000
 """Elements between the beginning of one row, or one shared text, and the next."""
 
@@ -39,6 +40,10 @@ _WITHOUT_CELLS = frozenset((
 _FILES_WITHOUT_CELLS = re.compile(r"(calcChain|comments\d*|connections|metadata)\.xml")
 _RUN = re.compile(rb"<(?:\w+:)?(?:row|si)\b")
 _ROW_NUMBER = re.compile(rb"<(?:\w+:)?row\b[^>]*?\sr=[\"'](\d+)")
+_UNNUMBERED = re.compile(rb"<(?:\w+:)?(?:row|c)(?=[\s/>])(?![^<>]*\sr=)")
+_BLANK_CELL = re.compile(rb"""<((?:\w+:)?)c(?:\s+[rst]=(?:"\w*"|'\w*'))+\s*(?:/>|>\s*</\1c\s*>)""")
+_BLANK_ROW = re.compile(rb"""<((?:\w+:)?)row(?:\s+[\w:]+=(?:"[^"<>]*"|'[^'<>]*'))+\s*(?:/>|>\s*</\1row\s*>)""")
+_CELLS = re.compile(rb"<((?:\w+:)?)sheetData[\s/>]")
 _STRICT = b"http://purl.oclc.org/ooxml/spreadsheetml/main"
 _UNHEARD_OF = re.compile(rb"\0|<!(?!\[CDATA\[)|<\?(?!xml\s[^<>]{0,200}\?>)|<[^<]{250000}")
 
@@ -46,8 +51,7 @@ _UNHEARD_OF = re.compile(rb"\0|<!(?!\[CDATA\[)|<\?(?!xml\s[^<>]{0,200}\?>)|<[^<]
 def bytes_of_workbook(path: Path, shown: str) -> bytes:
     """The file's bytes, of a file that is too large only the first; raises TableUnreadable when it cannot be read."""
     try:
-        with path.open("rb") as file:
-            return file.read(FILE_MAX + 1)
+        return read_bounded(path, FILE_MAX + 1, shown)
     except FileNotFoundError:
         raise TableUnreadable(f"there is no workbook at {shown}") from None
     except OSError as error:
@@ -140,6 +144,7 @@ def _parts(archive: zipfile.ZipFile, shown: str) -> Iterator[tuple[str, bytes]]:
         left -= len(part)
         if left < 0:
             raise TableUnreadable(f"{shown} unpacks to more than {PARTS_MAX >> 20} MB; {_SMALLER}")
+        part = _without_blanks(part)
         if max(map(_elements, _RUN.split(part))) > RUN_MAX:
             raise _too_many_cells(shown)
         if name in seen or _UNHEARD_OF.search(part):
@@ -152,7 +157,22 @@ def _parts(archive: zipfile.ZipFile, shown: str) -> Iterator[tuple[str, bytes]]:
         if not _in_order(part):
             raise TableUnreadable(f"{shown} is no sound workbook (its rows are out of order); {_SAVE_AGAIN}")
         seen.add(name)
-        yield name, part
+        yield name, _with_dimension(part)
+
+
+def _without_blanks(part: bytes) -> bytes:
+    """A sheet without the cells and rows that hold nothing, where each says by itself where it stands."""
+    if not _CELLS.search(part) or b"<![CDATA[" in part or _UNNUMBERED.search(part):
+        return part
+    return _BLANK_ROW.sub(b"", _BLANK_CELL.sub(b"", part))
+
+
+def _with_dimension(part: bytes) -> bytes:
+    """A sheet that says its size, true or not: openpyxl reads one that does not to its end to find that out."""
+    cells = _CELLS.search(part)
+    if cells is None or b"<![CDATA[" in part or b"dimension" in part[: cells.start()]:
+        return part
+    return part[: cells.start()] + b'<%sdimension ref="A1"/>' % cells[1] + part[cells.start() :]
 
 
 def _has_cells(name: str) -> bool:

@@ -65,13 +65,16 @@ class Sheet:
     def lines(self) -> Iterator[Line]:
         """The rows that hold something, from the top. Raises TableUnreadable when the sheet is broken."""
         self._content.reset_dimensions()  # What a file says of them need not be so.
+        from openpyxl.cell.read_only import EMPTY_CELL
+
         blank = None
         try:
             for number, row in enumerate(self._content.iter_rows(max_row=ROWS, max_col=COLUMNS_MAX), 1):
                 # One and the same row stands for all that the file leaves out, perhaps a million.
                 if row is blank:
                     continue
-                cells = {n: _cell(n, cell) for n, cell in enumerate(row, 1) if cell.value not in (None, "")}
+                there = [(n, cell) for n, cell in enumerate(row, 1) if cell is not EMPTY_CELL]
+                cells = {n: _cell(n, cell) for n, cell in there if cell.value not in (None, "")}
                 if cells:
                     yield Line(number, cells)
                 else:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from clickgen.resolve.workbook_cells import Cell, Line
+from clickgen.resolve.workbook_values import address_of
 
 HEADER_ROWS = 50
 """A sheet whose first list begins further down holds none."""
@@ -26,11 +27,12 @@ class Field(Enum):
 
 TITLES = {
     Field.ADDRESS: (
-        "Address, PLC Address, CLICK Address, I/O Address, Tag Address, Memory Address, Addr, "
+        "Address, PLC Address, CLICK Address, I/O Address, Tag Address, Memory Address, Addr, PLC Addr, I/O Addr, "
         "Adresse, SPS-Adresse, E/A-Adresse, Dirección, Dirección PLC, I/O Point, I/O, Point, Register, Operand"
     ),
     Field.NICKNAME: (
-        "Nickname, Nick Name, CLICK Nickname, Tag Name, Tag, Device Tag, PLC Tag, Symbol Name, Symbol, Signal Name, "
+        "Nickname, Nick Name, CLICK Nickname, Tag Name, Tag, Device Tag, PLC Tag, Symbol Name, Symbolic Name, Symbol, "
+        "Signal Name, "
         "Signal, Variable Name, Variable, Label, Name, Signalname, Nombre, Símbolo, Etiqueta"
     ),
     Field.INITIAL: (
@@ -43,7 +45,10 @@ TITLES = {
         "Kommentar, Beschreibung, Bezeichnung, Funktion, Bemerkung, Bemerkungen, Comentario, Descripción, Función"
     ),
 }
-"""The titles of each column; where a list has several for one field, the one that stands first here counts."""
+"""The titles of each column; where a list has several for one field, the one that stands first here counts.
+
+Terminal is none of them: what stands below it are often numbers of wires and clamps, and C1 there is no control relay.
+"""
 
 
 def _plain(title: str) -> str:
@@ -82,8 +87,9 @@ class AddressList:
 def lists_of(lines: Iterator[Line]) -> list[AddressList]:
     """The lists of a sheet, from the top; where none begins in its first rows, no further row is read.
 
-    A row with the titles of an address and a nickname begins a list, and ends those before it. Titles may be divided
-    over two rows, and lists with the same titles stand side by side.
+    A row with the titles of an address and a nickname begins a list, and ends those before it; a row with an address
+    where those before it have theirs belongs to them, whatever else it says. Titles may be divided over two rows, and
+    lists with the same titles stand side by side.
     """
     found: list[AddressList] = []
     current: list[AddressList] = []
@@ -91,7 +97,8 @@ def lists_of(lines: Iterator[Line]) -> list[AddressList]:
     for line in lines:
         if not found and line.number > HEADER_ROWS:
             break
-        begun = _begun_by(above, line)
+        is_data = any(_has_address(each, line) for each in current)
+        begun = [] if is_data else _begun_by(above, line)
         if begun:
             _drop_caption(current)
             found += begun
@@ -99,8 +106,14 @@ def lists_of(lines: Iterator[Line]) -> list[AddressList]:
         else:
             for each in current:
                 each.lines.append(line)
-        above = line
+        above = None if is_data else line
     return found
+
+
+def _has_address(listed: AddressList, line: Line) -> bool:
+    """True for a row of the list, whatever else stands in it."""
+    cell = listed.cell(line, Field.ADDRESS)
+    return cell is not None and address_of(cell.text) is not None
 
 
 def _begun_by(above: Line | None, line: Line) -> list[AddressList]:
