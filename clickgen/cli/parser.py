@@ -256,7 +256,7 @@ def _add_nicknames(commands: argparse._SubParsersAction[_Parser]) -> None:
         metavar="KINDS",
         action="append",
         default=[],
-        help="take these in too: renamed, moved, removed, changed, or all; swapped, names passed round, only by its name",
+        help="take these in too: renamed, moved, removed, changed, all; swapped only by its own name",
     )
     add("--dry-run", action="store_true", help="show the differences, and write nothing")
     add = action(
