@@ -143,6 +143,9 @@ def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
             removals += stale_files(folder, outputs)
         except ForeignFiles as error:
             raise CouldNotRun(str(error)) from None
+        own = result.address_table
+        if own.base and result.table_before is None and not own.own_rows:
+            continue  # The workbook lacks nothing.
         place = os.path.realpath(result.table_path)
         first = tables.get(place, (result.table_path, result.table_before, b""))
         tables[place] = (*first[:2], result.table)

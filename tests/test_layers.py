@@ -130,3 +130,13 @@ def test_a_workbook_that_is_not_there_is_told(name: str, tmp_path: Path, capsys:
     assert main(["build", str(tmp_path / "prog.py"), "--nicknames", str(tmp_path / name)]) == 2
     assert f"there is no workbook at {tmp_path / name}" in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["prog.py"]
+
+
+def test_beside_a_workbook_that_lacks_nothing_there_is_no_table(tmp_path: Path) -> None:
+    lay_out(tmp_path, LIST)
+    (tmp_path / "prog.py").write_text(
+        "def main():\n    if x.Start:\n        out(y.Motor)\n    if True:\n        end()\n"
+    )
+    build(tmp_path).write(tmp_path / "out")
+    assert not (tmp_path / "nicknames.csv").exists()
+    assert (tmp_path / "out" / "main.csv").is_file()

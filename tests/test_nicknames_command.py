@@ -254,6 +254,12 @@ def test_a_table_that_changes_meanwhile_is_left_alone(run: Run, monkeypatch: pyt
     )
 
 
+def test_sync_makes_no_table_for_nothing(run: Run) -> None:
+    write("prog.py", "def main():\n    if x[1]:\n        out(y[1])\n    if True:\n        end()\n")
+    assert run("sync", "prog.py").out == "nicknames.csv: up to date\n"
+    assert not Path("nicknames.csv").exists()
+
+
 # -- check ------------------------------------------------------------------------------------------------------------
 
 

@@ -144,8 +144,9 @@ class _Table:
         rows = {row.address: row.nickname for row in self._table.own_rows}
         placed = {address: name for address, name in self._placed.items() if rows.get(address) == name}
         record = record_of(placed) if placed or self._record is not None else None
+        data = None if self._before is None and not rows else self._table.to_bytes()
         return [
-            (self._path, self._table.to_bytes(), self._before),
+            (self._path, data, self._before),
             (record_beside(self._path), record, self._record),
         ]
 
