@@ -53,9 +53,10 @@ class Diagnostic(NamedTuple):
         return self.severity is Severity.ERROR
 
     @property
-    def sort_key(self) -> tuple[str, int, int, str, str]:
+    def sort_key(self) -> tuple[str, str, int, int, str, str]:
+        """By file, in a workbook by sheet, and by place."""
         span = self.span or Span("", 0, 0, 0, 0)
-        return (span.path, span.line, span.col, self.code, self.message)
+        return (span.path, span.sheet, span.line, span.col, self.code, self.message)
 
 
 class Diagnostics:

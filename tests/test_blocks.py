@@ -234,6 +234,7 @@ def test_pyclickplc_finds_the_blocks_that_are_written(tmp_path: Path) -> None:
     rows = list(pyclickplc.read_csv(tmp_path / "out" / "nicknames.csv").values())
     found = {
         (block.name, rows[block.start_idx].display_address, rows[block.end_idx].display_address)
+        # Its rows are what its own reader gives, though its protocol asks for another type.
         for block in compute_all_block_ranges(rows)  # type: ignore[arg-type]
     }
     assert found == {("Recipe", "DS100", "DS149"), ("One", "C7", "C7"), ("Timers", "T1", "T2")}

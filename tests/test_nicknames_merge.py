@@ -574,7 +574,11 @@ def pairs(draw: st.DrawFn) -> tuple[AddressTable, AddressTable]:
     for address in draw(st.sets(st.sampled_from([Address("C", n) for n in range(1, 7)]), max_size=2)):
         ours = [row for row in ours if row.address != address]
         ours.append(Row(address, scratch_name(address), "0", False, "condition of main rung 12"))
-    return tuple(read("\n".join([HEADER, *map(format_row, rows), ""]).encode()) for rows in (ours, theirs))  # type: ignore[return-value]
+    return _table_of(ours), _table_of(theirs)
+
+
+def _table_of(rows: list[Row]) -> AddressTable:
+    return read("\n".join([HEADER, *map(format_row, rows), ""]).encode())
 
 
 def said(table: AddressTable) -> dict[Address, Row]:

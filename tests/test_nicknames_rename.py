@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
+import openpyxl
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -19,10 +19,7 @@ from clickgen.emit.write import ChangedMeanwhile, put_in_place
 from clickgen.nicknames.rename import Rename, rename
 from clickgen.nicknames.uses import comments_with, places_in, read_names
 from clickgen.pipeline import Settings, build
-from clickgen.resolve.read_table import read_table
 from clickgen.resolve.rows import HEADER
-from clickgen.resolve.table import AddressTable
-from clickgen.source import Span
 from clickgen.syntax.parse import decode
 
 
@@ -235,49 +232,39 @@ def test_sources_follow_a_table_that_was_renamed_before() -> None:
     assert "so it cannot be ds.Old" in refused("Old", "New")
 
 
-def test_a_workbook_is_not_written(monkeypatch: pytest.MonkeyPatch) -> None:
-    def with_cells(*args: object) -> AddressTable:
-        table = read_table(*args)  # type: ignore[arg-type]
-        base = tuple(
-            replace(row, line=0, raw="", cell=Span.of_cell("plant.xlsx", "IO", row.line, 2)) for row in table.rows
-        )
-        return replace(AddressTable.empty("nicknames.csv"), base=base)
+def _list(nickname: str) -> None:
+    """A workbook with one name."""
+    book = openpyxl.Workbook()
+    sheet = book.active
+    assert sheet is not None
+    sheet.title = "IO"
+    for row in (("Address", "Tag"), ("C5", nickname)):
+        sheet.append(row)
+    book.save("plant.xlsx")
 
-    monkeypatch.setattr("clickgen.nicknames.tables.read_table", with_cells)
-    place({"prog.py": main("if c.Old:\n        out(y[1])"), "nicknames.csv": table(OLD_ROW)})
-    assert refused("Old", "New") == (
-        "Old stands in IO!B2 of plant.xlsx, and clickgen writes into no workbook: write New there and run this again, "
-        "then it renames in the programs"
+
+def test_a_workbook_is_not_written() -> None:
+    source = main("if c.Old:\n        out(c.Other)")
+    place({"prog.py": source, "nicknames.csv": table('C1,BIT,"Other",0,No,""')})
+    _list("Old")
+    job, here = Job("prog.py", Settings("plant.xlsx")), Config(Path.cwd())
+    with pytest.raises(CouldNotRun) as caught:
+        rename("Old", "New", [job], here)
+    assert str(caught.value) == (
+        "Old stands in the row of IO!A2 of plant.xlsx, and clickgen writes into no workbook: write New there and run "
+        "this again, then it renames in the programs"
     )
-    place({"nicknames.csv": table(OLD_ROW.replace('"Old"', '"New"'))})
-    assert done("Old", "New").writes.keys() == {Path("prog.py")}
-    assert text() == main("if c.New:\n        out(y[1])")
-
-
-def test_the_record_of_what_clickgen_placed_follows(capsys: pytest.CaptureFixture[str]) -> None:
-    place({"prog.py": main("if c.Old:\n        out(c.Other)")})
-    assert run(["nicknames", "sync", "prog.py"]) == 0
-    before = text("nicknames.placed")
-    change = done("old", "New")
-    assert change.counts == {Path("prog.py"): 1, Path("nicknames.csv"): 1}
-    assert text("nicknames.placed") == before.replace("C1 Old", "C1 New") != before
-    place({"prog.py": main("if c.Other:\n        out(y[1])")})
-    assert run(["nicknames", "sync", "prog.py", "--prune"]) == 0
-    assert "  - C1 New\n" in capsys.readouterr().out
-    assert "New" not in text("nicknames.csv") + text("nicknames.placed")
-
-
-def test_the_record_of_a_name_that_a_person_placed_stays() -> None:
-    record = "# Names\nC9 Old\nC5 Other\n"
-    place({"prog.py": main("if c.Old:\n        out(y[1])"), "nicknames.csv": table(OLD_ROW)})
-    place({"nicknames.placed": record})
-    change = done("Old", "New")
-    assert text("nicknames.placed") == record
-    place({"nicknames.placed": "C5 New\n"})
-    change = rename("New", "Newer", [Job("prog.py")], Config(Path.cwd()))
-    place({"nicknames.placed": record})
-    with pytest.raises(ChangedMeanwhile):
-        put_in_place(change.writes, (), change.unchanged)
+    # Where the workbook has the new name the programs follow, and a name of the table beside it is renamed there.
+    _list("New")
+    workbook = Path("plant.xlsx").read_bytes()
+    change = rename("Old", "New", [job], here)
+    put_in_place(change.writes, (), change.unchanged)
+    assert text() == source.replace("Old", "New")
+    change = rename("Other", "Lamp", [job], here)
+    put_in_place(change.writes, (), change.unchanged)
+    assert text() == source.replace("Old", "New").replace("Other", "Lamp")
+    assert Path("nicknames.csv").read_text("utf-8") == table('C1,BIT,"Lamp",0,No,""')
+    assert Path("plant.xlsx").read_bytes() == workbook
 
 
 # -- which files ------------------------------------------------------------------------------------------------------

@@ -22,7 +22,7 @@ import clickgen
 from clickgen.check.lint import RULES
 from clickgen.cli import main
 from clickgen.codes import CODES, Severity
-from clickgen.diagnostics import Diagnostic, Edit, Fix, Label
+from clickgen.diagnostics import Diagnostic, Diagnostics, Edit, Fix, Label
 from clickgen.fixing import apply_fixes
 from clickgen.formats import FORMATS
 from clickgen.report import Report, render, sarif
@@ -657,3 +657,10 @@ def test_places_in_a_workbook() -> None:
     ]  # fmt: skip
     assert CELL.seen_from(Span("plant/io.xlsx", 1, 1, 1, 2, "Other")) == "Inputs 2!AB7"
     assert CELL.seen_from(Span("prog.py", 1, 1, 1, 2)) == "plant/io.xlsx:Inputs 2!AB7"
+
+
+def test_problems_of_a_workbook_come_sheet_by_sheet() -> None:
+    problems = Diagnostics()
+    for sheet, row in (("B", 1), ("A", 9), ("B", 3), ("A", 2)):
+        problems.add("CG603", Span.of_cell("io.xlsx", sheet, row, 1), "a bad name")
+    assert [problem.span.cell for problem in problems.in_order() if problem.span] == ["A!A2", "A!A9", "B!A1", "B!A3"]

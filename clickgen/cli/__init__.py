@@ -76,7 +76,8 @@ def run() -> NoReturn:
     """
     gc.disable()
     for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:  # Closed by who called us, as >&- does.
+        # Closed by who called us, as >&- does. What stands in for it stays open until the process ends.
+        if getattr(sys, name) is None:
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
     try:
         code = main()

@@ -82,15 +82,16 @@ def _rung(number: int, rung: ClickRung, names: Names) -> Iterator[str]:
     yield f"Rung {number}"
     for line in rung.comment.split("\n") if rung.comment else ():
         yield f"  | {line}".rstrip()
-    yield from _condition("  ", rung.condition, names)
-    yield from _items("    ", rung.items, names)
+    yield from condition_lines("  ", rung.condition, names)
+    yield from item_lines("    ", rung.items, names)
 
 
-def _items(indent: str, items: tuple[Item, ...], names: Names) -> Iterator[str]:
+def item_lines(indent: str, items: tuple[Item, ...], names: Names) -> Iterator[str]:
+    """What hangs on a condition, a line for each instruction, branches indented."""
     for item in items:
         if isinstance(item, Branch):
-            yield from _condition(indent, item.condition, names)
-            yield from _items(indent + "  ", item.items, names)
+            yield from condition_lines(indent, item.condition, names)
+            yield from item_lines(indent + "  ", item.items, names)
         else:
             assert isinstance(item, Action)
             yield from _broken(indent, action_token(item, names.show))
@@ -140,7 +141,7 @@ def _parts(inner: str) -> list[str]:
     return [*parts, inner[start:]]
 
 
-def _condition(indent: str, condition: Condition, names: Names) -> Iterator[str]:
+def condition_lines(indent: str, condition: Condition, names: Names) -> Iterator[str]:
     """``if`` and the condition in words; a long one with each term on a line of its own."""
     words = condition_words(condition, names.show)
     if isinstance(condition, Always):

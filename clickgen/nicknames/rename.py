@@ -130,8 +130,8 @@ def _check_tables(tables: Iterable[Table], old: str, new: str) -> None:
             raise CouldNotRun(f"{row.nickname} is a cell that clickgen uses for itself ({table.place(row)})")
         if row is not None and row.cell is not None:
             raise CouldNotRun(
-                f"{row.nickname} stands in {table.place(row)}, and clickgen writes into no workbook: write {new} "
-                f"there and run this again, then it renames in the programs"
+                f"{row.nickname} stands in the row of {table.place(row)}, and clickgen writes into no workbook: "
+                f"write {new} there and run this again, then it renames in the programs"
             )
         if row is not None and other is not None and other.address != row.address:
             raise _taken(new, f"it is {other.address} ({table.place(other)})")

@@ -63,10 +63,11 @@ class _Use(NamedTuple):
     def leads_nowhere(self, number: int | None) -> bool:
         return number is not None and not BANKS[self.pointer.bank].has(number)
 
-    def finds(self, number: int | None) -> Condition:
-        """That the use runs and finds this number, for all that its own rung asks of the register."""
+    def finds(self, writer: _Writer) -> Condition:
+        """That the use runs and finds the writer's number, for all that its own rung asks of the register."""
+        assert writer.number is not None
         span = self.register.span
-        return All((self.condition, Compare("==", self.register, Integer(number or 0, span), span)), span)
+        return All((self.condition, Compare("==", self.register, Integer(writer.number, span), span)), span)
 
 
 class _Writer(NamedTuple):
@@ -187,7 +188,7 @@ def _find(facts: Facts, use: _Use, register: _Register) -> tuple[_Writer, bool] 
             return None
         is_sure = writer.surely_runs_with(use)
         if use.leads_nowhere(writer.number):
-            if not later and (is_near or (is_sure and _is_possible(use.finds(writer.number)))):
+            if not later and (is_near or (is_sure and _is_possible(use.finds(writer)))):
                 return writer, is_sure
             if may_stay and _comes_from(writer, use, later):
                 return writer, False
@@ -199,7 +200,7 @@ def _find(facts: Facts, use: _Use, register: _Register) -> tuple[_Writer, bool] 
 
 def _comes_from(writer: _Writer, use: _Use, later: Sequence[Condition]) -> bool:
     """True when the writer may run and the use find its number, while none of the later writers runs."""
-    condition = All((use.finds(writer.number), writer.condition), use.register.span)
+    condition = All((use.finds(writer), writer.condition), use.register.span)
     return not writer.clears_block and _is_possible(condition, later)
 
 
@@ -213,7 +214,7 @@ def _left_from_before(use: _Use, writers: Sequence[_Writer], index: int) -> tupl
             use.leads_nowhere(writer.number)
             and not writer.clears_block
             and _is_possible(writer.condition, [*after, *starts])
-            and _is_possible(use.finds(writer.number), before)
+            and _is_possible(use.finds(writer), before)
         ):
             return writer, False
     return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import zip_longest
 
-from clickgen.emit.listing import _condition, _items
+from clickgen.emit.listing import condition_lines, item_lines
 from clickgen.emit.workbook.project import Project
 from clickgen.emit.workbook.sheet import Cells, Column, Look, Marked, Sheet
 from clickgen.lower.split import ClickRung
@@ -41,8 +41,8 @@ def _rows(project: Project) -> Iterator[Cells]:
 
 
 def _words(project: Project, rung: ClickRung) -> Iterator[str]:
-    yield from _condition("", rung.condition, project.names)
-    yield from _items("  ", rung.items, project.names)
+    yield from condition_lines("", rung.condition, project.names)
+    yield from item_lines("  ", rung.items, project.names)
 
 
 def _portions(lines: Iterable[str], width: int) -> Iterator[str]:
