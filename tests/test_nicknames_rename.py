@@ -267,6 +267,32 @@ def test_a_workbook_is_not_written() -> None:
     assert Path("plant.xlsx").read_bytes() == workbook
 
 
+def test_the_record_of_what_clickgen_placed_follows(capsys: pytest.CaptureFixture[str]) -> None:
+    place({"prog.py": main("if c.Old:\n        out(c.Other)")})
+    assert run(["nicknames", "sync", "prog.py"]) == 0
+    before = text("nicknames.placed")
+    change = done("old", "New")
+    assert change.counts == {Path("prog.py"): 1, Path("nicknames.csv"): 1}
+    assert text("nicknames.placed") == before.replace("C1 Old", "C1 New") != before
+    place({"prog.py": main("if c.Other:\n        out(y[1])")})
+    assert run(["nicknames", "sync", "prog.py", "--prune"]) == 0
+    assert "  - C1 New\n" in capsys.readouterr().out
+    assert "New" not in text("nicknames.csv") + text("nicknames.placed")
+
+
+def test_the_record_of_a_name_that_a_person_placed_stays() -> None:
+    record = "# Names\nC9 Old\nC5 Other\n"
+    place({"prog.py": main("if c.Old:\n        out(y[1])"), "nicknames.csv": table(OLD_ROW)})
+    place({"nicknames.placed": record})
+    change = done("Old", "New")
+    assert text("nicknames.placed") == record
+    place({"nicknames.placed": "C5 New\n"})
+    change = rename("New", "Newer", [Job("prog.py")], Config(Path.cwd()))
+    place({"nicknames.placed": record})
+    with pytest.raises(ChangedMeanwhile):
+        put_in_place(change.writes, (), change.unchanged)
+
+
 # -- which files ------------------------------------------------------------------------------------------------------
 
 
