@@ -19,6 +19,8 @@ ROAD = (
     "check",
     "lower",
     "emit",
+    "ladder",
+    "comparing",
     "stubs",
     "pipeline",
     "importing",

@@ -14,9 +14,9 @@ from judges.builds import ladder_files
 from judges.codec import comments_agree, normalise
 from judges.power import HEADER, LadderRung, Row, condition_tokens, power_sets, read_ladder, situations
 
-from clickgen.importing.grid import read_ladder as read_drawn
-from clickgen.importing.rungs import ImportedRung, import_rung, routine_of
 from clickgen.importing.source import write_source
+from clickgen.ladder.grid import read_ladder as read_drawn
+from clickgen.ladder.rungs import ImportedRung, import_rung, routine_of
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
 import golden

@@ -15,8 +15,9 @@ from strategies.programs import Program
 from test_importing_cases import round_trip, source_of
 
 from clickgen.diagnostics import Diagnostics
-from clickgen.importing.source import comment_lines, is_comment_kept
+from clickgen.importing.source import comment_lines
 from clickgen.ir.program import Routine
+from clickgen.ladder.rungs import is_comment_kept
 from clickgen.source import SourceFile
 from clickgen.syntax.read import read_file
 

@@ -7,10 +7,10 @@ from test_importing_cases import CASE_NAMES, golden_ladders, imported, ladder_te
 from test_importing_properties import ruff_changes
 
 from clickgen.device.banks import Address, parse_address
-from clickgen.importing.grid import read_ladder
 from clickgen.importing.pieces import quoted
-from clickgen.importing.rungs import import_rung, routine_of
 from clickgen.importing.source import write_source
+from clickgen.ladder.grid import read_ladder
+from clickgen.ladder.rungs import import_rung, routine_of
 
 
 def addresses(names: dict[str, str]) -> dict[Address, str]:

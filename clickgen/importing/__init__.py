@@ -1,1 +1,1 @@
-"""The room of imports: what CLICK has, a ladder of rungs in cells, back to source that a person would have written."""
+"""An existing CLICK project to the text of a program."""

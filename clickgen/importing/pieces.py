@@ -8,7 +8,6 @@ from keyword import iskeyword
 from clickgen.device.banks import CURRENT_VALUE_OF, Address
 from clickgen.formula import print_source
 from clickgen.importing.layout import Brackets, Comparison, Keyword, Piece, Word
-from clickgen.importing.tokens import RAW
 from clickgen.instructions.data import SEARCH
 from clickgen.instructions.spec import Param, ParamKind
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition
@@ -29,6 +28,7 @@ from clickgen.ir.operands import (
 from clickgen.ir.program import Action, FormulaText, Operands, Options, Pattern
 from clickgen.ir.program import Word as WordValue
 from clickgen.ir.walk import Rewriter
+from clickgen.ladder.tokens import RAW
 
 Names = Mapping[Address, str]
 """The nicknames to write in place of addresses."""

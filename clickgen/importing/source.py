@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 from clickgen.importing.layout import INDENT, Brackets, Keyword, Piece, lines
 from clickgen.importing.pieces import Names, WithNames, action_piece, condition_piece, value_piece
 from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
-from clickgen.syntax.comments import DIRECTIVE
 
 NO_NAMES: Names = {}
 
@@ -35,11 +34,6 @@ def comment_lines(comment: str, depth: int = 0) -> list[str]:
         return []
     shown = (line.rstrip() for line in comment.split("\n"))
     return [f"{INDENT * depth}# {line}".rstrip() for line in shown]
-
-
-def is_comment_kept(comment: str) -> bool:
-    """False when a line of a comment would be read as something else."""
-    return not any(line.strip().startswith(DIRECTIVE) or "\0" in line for line in comment.split("\n"))
 
 
 def _rungs(rungs: Sequence[Rung], depth: int) -> list[str]:

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
-from clickgen.importing.grid import DrawnRung
-from clickgen.importing.problem import ImportProblem
 from clickgen.ir.conditions import Always, Compare, Condition, Contact
+from clickgen.ladder.grid import DrawnRung
+from clickgen.ladder.problem import LadderProblem
 from clickgen.lower.grid import COLUMNS
 from clickgen.lower.tokens import compare_token, contact_token
 
@@ -49,7 +49,7 @@ class Network:
 
 
 def network_of(rung: DrawnRung) -> Network:
-    """The graph of a rung. Raises ImportProblem for a contact that leads from or to nothing."""
+    """The graph of a rung. Raises LadderProblem for a contact that leads from or to nothing."""
     nodes = _Joined()
     for row, drawn in enumerate(rung.rows):
         nodes.join(RAIL, (row, 0))
@@ -104,7 +104,7 @@ def _refuse_loose(rung: DrawnRung, loose: list[Arc]) -> None:
         row, column = contacts[0].place
         shown = shown_contact(contacts[0].condition)
         where = f"{shown} in row {row + 1}, column {column_name(column)}"
-        raise ImportProblem(f"{where} does not lead from the power rail to an output", rung.file, rung.rows[row].line)
+        raise LadderProblem(f"{where} does not lead from the power rail to an output", rung.file, rung.rows[row].line)
 
 
 def shown_contact(condition: Condition) -> str:

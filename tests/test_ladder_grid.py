@@ -14,11 +14,11 @@ from hypothesis import strategies as st
 from judges.power import HEADER, flow, leaf_of, situations
 from test_importing_cases import CASE_NAMES, golden_ladders, ladder_text, wired
 
-from clickgen.importing.grid import DrawnRung, decode_ladder, read_ladder
-from clickgen.importing.problem import ImportProblem
-from clickgen.importing.rungs import ImportedRung, import_rung
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.program import Action, Branch, Item
+from clickgen.ladder.grid import DrawnRung, decode_ladder, read_ladder
+from clickgen.ladder.problem import LadderProblem
+from clickgen.ladder.rungs import ImportedRung, import_rung
 from clickgen.lower.tokens import contact_token
 
 OUT = wired("X001", "out(C1)", "R")
@@ -166,12 +166,12 @@ DAMAGED: dict[str, tuple[str, int, str]] = {
 def test_damage_is_told_with_row_and_reason(name: str) -> None:
     text, row, message = DAMAGED[name]
     assert (row, message) in problems(text)
-    assert str(ImportProblem(message, "main.csv", row)) == f"main.csv:{row}: {message}"
+    assert str(LadderProblem(message, "main.csv", row)) == f"main.csv:{row}: {message}"
 
 
 def test_bytes_that_are_no_text_are_told() -> None:
     assert decode_ladder(b"\xef\xbb\xbfmarker", "main.csv") == "marker"
-    with pytest.raises(ImportProblem) as caught:
+    with pytest.raises(LadderProblem) as caught:
         decode_ladder(b"marker\nR,\xff", "main.csv")
     assert (caught.value.row, caught.value.message) == (2, "the file is not UTF-8 text: byte 0xFF")
 
@@ -188,7 +188,7 @@ CHARACTERS = st.sampled_from(',"\n\r#RT-|:X~C().=15 \0é')
 )
 @settings(max_examples=300, deadline=None)
 def test_a_damaged_file_is_read_or_refused(name: str, at: int, length: int, put: str, cut: bool) -> None:
-    """Never anything but an ImportProblem in a row that is there; what is read, laddercodec reads too."""
+    """Never anything but an LadderProblem in a row that is there; what is read, laddercodec reads too."""
     text = next(iter(golden_ladders(name).values()))
     at %= len(text)
     damaged = text[:at] + put + ("" if cut else text[at + length :])
@@ -198,7 +198,7 @@ def test_a_damaged_file_is_read_or_refused(name: str, at: int, length: int, put:
     for one in ladder.rungs:
         try:
             import_rung(one)
-        except ImportProblem as problem:
+        except LadderProblem as problem:
             found.append(problem)
     assert all(1 <= problem.row <= rows and problem.file == "main.csv" and problem.message for problem in found)
     if not found:
@@ -276,7 +276,7 @@ def _imported_without_loose_ends(rows: list[list[str]]) -> tuple[DrawnRung, Impo
         [drawn] = read_ladder(ladder_text(rows), "main.csv").rungs
         try:
             return drawn, import_rung(drawn)
-        except ImportProblem as problem:
+        except LadderProblem as problem:
             place = re.search(r"in row (\d+), column (\w)", problem.message)
             if place:
                 row, column = int(place[1]) - 1, ord(place[2]) - ord("A") + 1

@@ -10,9 +10,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from clickgen.importing.network import RAIL, Arc, Place, leading, reached
 from clickgen.ir.conditions import All, Always, Any, Condition
 from clickgen.ir.walk import leaves
+from clickgen.ladder.network import RAIL, Arc, Place, leading, reached
 from clickgen.source import Span
 
 BRIDGE = (

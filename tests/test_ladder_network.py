@@ -8,14 +8,14 @@ import pytest
 from judges.builds import ladder_files
 from test_importing_cases import check_same, compared, ladder_text, round_trip, wired
 
-from clickgen.importing.grid import read_ladder
-from clickgen.importing.network import ONE_WAY_WIRE
-from clickgen.importing.problem import ImportProblem
-from clickgen.importing.reduce import BRIDGE
-from clickgen.importing.rungs import ENTANGLED, ImportedRung, import_rung, routine_of
 from clickgen.importing.source import write_source
-from clickgen.importing.tokens import RAW
 from clickgen.ir.program import Action, Rung
+from clickgen.ladder.grid import read_ladder
+from clickgen.ladder.network import ONE_WAY_WIRE
+from clickgen.ladder.problem import LadderProblem
+from clickgen.ladder.reduce import BRIDGE
+from clickgen.ladder.rungs import ENTANGLED, ImportedRung, import_rung, routine_of
+from clickgen.ladder.tokens import RAW
 from clickgen.lower.tokens import action_token
 
 Drawing = Sequence[tuple[str, str]]
@@ -242,7 +242,7 @@ REFUSED: dict[str, tuple[Drawing, int, str]] = {
 @pytest.mark.parametrize("name", REFUSED)
 def test_what_cannot_be_kept_is_refused_with_its_row(name: str) -> None:
     drawing, row, message = REFUSED[name]
-    with pytest.raises(ImportProblem) as caught:
+    with pytest.raises(LadderProblem) as caught:
         read(drawing)
     assert (caught.value.file, caught.value.row, caught.value.message) == ("main.csv", row, message)
 
@@ -254,7 +254,7 @@ def test_a_condition_beyond_reading_is_refused() -> None:
         (". " + "X003 | T:X006 . " * 7, ""),
         ("X004 " + "- X005 - - " * 7, "out(C2)"),
     ]
-    with pytest.raises(ImportProblem, match=ENTANGLED):
+    with pytest.raises(LadderProblem, match=ENTANGLED):
         read(drawing)
 
 
@@ -319,5 +319,5 @@ def test_other_loops_stay_open(between: list[list[str]]) -> None:
 
 @pytest.mark.parametrize("name", ["two words", "9lives", "class", "main"])
 def test_a_subroutine_needs_a_name_that_a_function_can_have(name: str) -> None:
-    with pytest.raises(ImportProblem, match="cannot have the name"):
+    with pytest.raises(LadderProblem, match="cannot have the name"):
         routine_of(name, rungs_of(ladder_text([wired("", "return()", "R")])), False)

@@ -13,10 +13,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from clickgen.emit.ladder_csv import HEADER
-from clickgen.importing.operands import condition_of
-from clickgen.importing.problem import ImportProblem
-from clickgen.importing.tokens import PIN, height_of, is_own_input_below, pin_row_of
 from clickgen.ir.conditions import Compare, Contact
+from clickgen.ladder.operands import condition_of
+from clickgen.ladder.problem import LadderProblem
+from clickgen.ladder.tokens import PIN, height_of, is_own_input_below, pin_row_of
 from clickgen.lower.grid import COLUMNS, MAX_ROWS
 from clickgen.source import Span
 
@@ -62,7 +62,7 @@ class DrawnRung:
     comment: str
     rows: tuple[DrawnRow, ...]
     boxes: tuple[DrawnBox, ...]
-    problems: tuple[ImportProblem, ...] = ()
+    problems: tuple[LadderProblem, ...] = ()
 
     @property
     def span(self) -> Span:
@@ -74,21 +74,21 @@ class Ladder:
     """What a file holds; ``problems`` are those that belong to no rung."""
 
     rungs: tuple[DrawnRung, ...]
-    problems: tuple[ImportProblem, ...]
+    problems: tuple[LadderProblem, ...]
 
     @property
-    def all_problems(self) -> tuple[ImportProblem, ...]:
+    def all_problems(self) -> tuple[LadderProblem, ...]:
         found = [*self.problems, *(problem for rung in self.rungs for problem in rung.problems)]
         return tuple(sorted(found, key=lambda problem: problem.row))
 
 
 def decode_ladder(data: bytes, file: str) -> str:
-    """The text of a ladder file (UTF-8, with or without a byte order mark). Raises ImportProblem."""
+    """The text of a ladder file (UTF-8, with or without a byte order mark). Raises LadderProblem."""
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         row = data.count(b"\n", 0, error.start) + 1
-        raise ImportProblem(f"the file is not UTF-8 text: byte 0x{data[error.start]:02X}", file, row) from None
+        raise LadderProblem(f"the file is not UTF-8 text: byte 0x{data[error.start]:02X}", file, row) from None
 
 
 def read_ladder(text: str, file: str) -> Ladder:
@@ -98,7 +98,7 @@ def read_ladder(text: str, file: str) -> Ladder:
         reader.record(row, fields)
     reader.close()
     if reader.comment:
-        reader.problems.append(ImportProblem("a comment at the end belongs to no rung", file, reader.comment_row))
+        reader.problems.append(LadderProblem("a comment at the end belongs to no rung", file, reader.comment_row))
     return Ladder(tuple(reader.rungs), tuple(reader.problems))
 
 
@@ -108,13 +108,13 @@ class _Reader:
 
     file: str
     rungs: list[DrawnRung] = field(default_factory=list)
-    problems: list[ImportProblem] = field(default_factory=list)
+    problems: list[LadderProblem] = field(default_factory=list)
     comment: list[str] = field(default_factory=list)
     comment_row: int = 0
     rung_row: int = 0
     """The line of the open rung; 0 when none is open."""
     rows: list[DrawnRow] = field(default_factory=list)
-    faults: list[ImportProblem] = field(default_factory=list)
+    faults: list[LadderProblem] = field(default_factory=list)
 
     def records(self, text: str) -> Iterator[tuple[int, list[str]]]:
         """The lines below the header that are not empty, each with the number of its first one."""
@@ -128,15 +128,15 @@ class _Reader:
                     is_open = tuple(name.strip() for name in fields) == HEADER
                     if not is_open:
                         message = f"the header of a ladder file is {HEADER[0]},{HEADER[1]},...,{HEADER[-1]}"
-                        self.problems.append(ImportProblem(message, self.file, row))
+                        self.problems.append(LadderProblem(message, self.file, row))
                         return
                 row = reader.line_num + 1
         except csv.Error as error:
             message = f"the quotes of this line do not fit, or the file is cut off here ({error})"
-            self.problems.append(ImportProblem(message, self.file, row))
+            self.problems.append(LadderProblem(message, self.file, row))
             return
         if not is_open:
-            self.problems.append(ImportProblem("the file is empty", self.file, 1))
+            self.problems.append(LadderProblem("the file is empty", self.file, 1))
 
     def record(self, row: int, fields: list[str]) -> None:
         marker = fields[0].strip()
@@ -145,13 +145,13 @@ class _Reader:
             self.comment_row = self.comment_row if self.comment else row
             self.comment += _lines(fields[1] if len(fields) > 1 else "")
             if any(cell.strip() for cell in fields[2:]):
-                self.problems.append(ImportProblem("a comment has text outside column A", self.file, row))
+                self.problems.append(LadderProblem("a comment has text outside column A", self.file, row))
             return
         if _MARKER.fullmatch(marker):
             self.close()
             self.rung_row = row
         elif not self.rung_row:
-            self.problems.append(ImportProblem("this line belongs to no rung: no R above it", self.file, row))
+            self.problems.append(LadderProblem("this line belongs to no rung: no R above it", self.file, row))
             return
         elif marker:
             self._fault(f"the line begins with {marker!r}, not with R, # or nothing", row)
@@ -177,7 +177,7 @@ class _Reader:
         return Square(True, is_down and column > 0, contact)
 
     def _fault(self, message: str, row: int) -> None:
-        self.faults.append(ImportProblem(message, self.file, row))
+        self.faults.append(LadderProblem(message, self.file, row))
 
     def close(self) -> None:
         """The open rung is complete."""
@@ -190,7 +190,7 @@ class _Reader:
             self._fault("a wire leads down from the last row of the rung", last.line)
         if height > MAX_ROWS:
             self._fault(f"the rung has {height} rows with its boxes at their full height, and CLICK {MAX_ROWS}", 0)
-        problems = tuple(p if p.row else ImportProblem(p.message, p.file, self.rung_row) for p in self.faults)
+        problems = tuple(p if p.row else LadderProblem(p.message, p.file, self.rung_row) for p in self.faults)
         rung = DrawnRung(
             len(self.rungs) + 1,
             self.file,

@@ -6,13 +6,13 @@ import pytest
 from judges.power import read_ladder
 from test_importing_cases import CASE_NAMES, golden_ladders
 
-from clickgen.importing.calls import call_of, split
-from clickgen.importing.formulas import formula_of
-from clickgen.importing.operands import condition_of, operand_of
-from clickgen.importing.tokens import RAW, action_of, height_of, pin_row_of, raw_of
 from clickgen.instructions import FAMILIES
 from clickgen.ir.conditions import Always, Compare, Contact
 from clickgen.ir.program import Action
+from clickgen.ladder.calls import call_of, split
+from clickgen.ladder.formulas import formula_of
+from clickgen.ladder.operands import condition_of, operand_of
+from clickgen.ladder.tokens import RAW, action_of, height_of, pin_row_of, raw_of
 from clickgen.lower.tokens import action_token, compare_token, contact_token, formula_text, operand_token, pin_token
 from clickgen.source import Span
 

@@ -7,9 +7,6 @@ from collections.abc import Callable
 
 from clickgen.device.banks import parse_address
 from clickgen.formula import Mode
-from clickgen.importing.calls import call_of, split
-from clickgen.importing.formulas import formula_of
-from clickgen.importing.operands import operand_of
 from clickgen.instructions.communication import COM_PORTS
 from clickgen.instructions.copies import CONVERSIONS
 from clickgen.instructions.spec import Param, ParamKind
@@ -17,6 +14,9 @@ from clickgen.instructions.timers import UNITS
 from clickgen.ir.modbus import RemoteCell, RemoteModbus, RtuTarget, TcpTarget
 from clickgen.ir.operands import Cell, CharCode, Immediate, Range
 from clickgen.ir.program import Operands, Options, Pattern, Value, Word
+from clickgen.ladder.calls import call_of, split
+from clickgen.ladder.formulas import formula_of
+from clickgen.ladder.operands import operand_of
 from clickgen.source import Span
 
 _HEX = re.compile(r"([0-9A-Fa-f]{1,4})h")

@@ -8,9 +8,9 @@ from clickgen.device.banks import parse_address
 from clickgen.diagnostics import Diagnostics
 from clickgen.formula import Mode, parse_formula
 from clickgen.formula.printer import source_reference
-from clickgen.importing.operands import ADDRESS, embedded
 from clickgen.ir.operands import Cell, Range
 from clickgen.ir.program import FormulaText
+from clickgen.ladder.operands import ADDRESS, embedded
 from clickgen.lower.tokens import formula_text
 from clickgen.source import Span
 

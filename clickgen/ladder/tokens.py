@@ -12,8 +12,6 @@ from dataclasses import dataclass
 from functools import cache
 
 from clickgen.device.banks import current_value, parse_address
-from clickgen.importing.calls import Call, call_of
-from clickgen.importing.values import value_of
 from clickgen.instructions import FAMILIES
 from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.instructions.counters import CTD
@@ -22,6 +20,8 @@ from clickgen.instructions.spec import REQUIRED, Param, ParamKind, Spec, Variant
 from clickgen.ir.conditions import Condition
 from clickgen.ir.operands import Cell, Range
 from clickgen.ir.program import Action, Value, Word
+from clickgen.ladder.calls import Call, call_of
+from clickgen.ladder.values import value_of
 from clickgen.lower.tokens import keyword_of, pin_row
 from clickgen.source import Span
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 
-class ImportProblem(Exception):
+class LadderProblem(Exception):
     """Something that cannot be kept: the file as shown, the line in it (from 1), and why."""
 
     def __init__(self, message: str, file: str, row: int) -> None:

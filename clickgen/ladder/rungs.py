@@ -8,16 +8,15 @@ from itertools import groupby
 from keyword import iskeyword
 
 from clickgen.device.system import ALWAYS_ON
-from clickgen.importing.grid import DrawnBox, DrawnRung
-from clickgen.importing.network import RAIL, Arc, Network, Place, network_of
-from clickgen.importing.problem import ImportProblem
-from clickgen.importing.reduce import TooEntangled, series, tree_of
-from clickgen.importing.source import is_comment_kept
-from clickgen.importing.tokens import action_of, raw_of
 from clickgen.instructions.control import FOR, NEXT, NOP
 from clickgen.ir.conditions import Always, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
+from clickgen.ladder.grid import DrawnBox, DrawnRung
+from clickgen.ladder.network import RAIL, Arc, Network, Place, network_of
+from clickgen.ladder.problem import LadderProblem
+from clickgen.ladder.reduce import TooEntangled, series, tree_of
+from clickgen.ladder.tokens import action_of, raw_of
 from clickgen.source import Span
 from clickgen.syntax.comments import DIRECTIVE
 
@@ -42,7 +41,7 @@ class _Output:
 
 
 def import_rung(drawn: DrawnRung) -> ImportedRung:
-    """A drawn rung as a program has it. Raises ImportProblem when it cannot be kept."""
+    """A drawn rung as a program has it. Raises LadderProblem when it cannot be kept."""
     if drawn.problems:
         raise drawn.problems[0]
     network = network_of(drawn)
@@ -65,7 +64,7 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
         notes += dict.fromkeys(tree_of(network.arcs, {*network.ends.values()} & fed).notes)
         actions = [_action(drawn, network, box, fed) for box in boxes]
     except TooEntangled:
-        raise ImportProblem(ENTANGLED, drawn.file, drawn.line) from None
+        raise LadderProblem(ENTANGLED, drawn.file, drawn.line) from None
     paths = [tree.path(network.ends[box.row]) if network.ends[box.row] in fed else () for box in boxes]
     items = _items([_Output(path, action) for path, action in zip(paths, actions, strict=True)])
     condition: Condition = Always(span)
@@ -75,20 +74,25 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
 
 
 def _comment_notes(drawn: DrawnRung) -> list[str]:
-    """What is to be said of the comment. Raises ImportProblem for one that would not come back."""
+    """What is to be said of the comment. Raises LadderProblem for one that would not come back."""
     if not is_comment_kept(drawn.comment):
         message = f"a line of the comment begins with {DIRECTIVE!r}, which speaks to clickgen, or holds a NUL character"
-        raise ImportProblem(message, drawn.file, drawn.line)
+        raise LadderProblem(message, drawn.file, drawn.line)
     has_spaces = any(line != line.rstrip() for line in drawn.comment.split("\n"))
     return ["spaces at the ends of the comment's lines are left out"] if has_spaces else []
+
+
+def is_comment_kept(comment: str) -> bool:
+    """False when a line of a comment would be read as something else."""
+    return not any(line.strip().startswith(DIRECTIVE) or "\0" in line for line in comment.split("\n"))
 
 
 def _rung(drawn: DrawnRung, condition: Condition, items: tuple[Item, ...]) -> Rung:
     return Rung(condition, items, drawn.comment, drawn.span, drawn.span)
 
 
-def _problem(drawn: DrawnRung, row: int, message: str) -> ImportProblem:
-    return ImportProblem(message, drawn.file, drawn.rows[row].line)
+def _problem(drawn: DrawnRung, row: int, message: str) -> LadderProblem:
+    return LadderProblem(message, drawn.file, drawn.rows[row].line)
 
 
 def _shortened(token: str) -> str:
@@ -142,11 +146,11 @@ def _items(outputs: Sequence[_Output]) -> tuple[Item, ...]:
 def routine_of(name: str, rungs: Sequence[Rung], is_main: bool) -> Routine:
     """The rungs of a file as a routine, loops closed around their rungs.
 
-    Raises ImportProblem for a name that a function cannot have.
+    Raises LadderProblem for a name that a function cannot have.
     """
     span = rungs[0].span if rungs else Span(name, 1, 1, 1, 2)
     if is_main != (name == "main") or not (name.isascii() and name.isidentifier()) or iskeyword(name):
-        raise ImportProblem(f"a subroutine cannot have the name {name!r} here", span.path, span.line)
+        raise LadderProblem(f"a subroutine cannot have the name {name!r} here", span.path, span.line)
     return Routine(name, with_loops(rungs), span, is_main)
 
 
