@@ -29,5 +29,7 @@ def __getattr__(name: str) -> Any:
     if name in __all__:
         import clickgen.pipeline
 
-        return getattr(clickgen.pipeline, name)
+        # All of them at once: the import leaves the folder of the rules behind under the name of the function check.
+        globals().update({name: getattr(clickgen.pipeline, name) for name in __all__ if not name.startswith("_")})
+        return globals()[name]
     raise AttributeError(f"module 'clickgen' has no attribute {name!r}")

@@ -1,7 +1,7 @@
 """Every problem code, once: its severity and its title. Codes are stable; a retired one is never given again.
 
 CG1xx syntax, CG2xx names and addresses, CG3xx operands and types, CG4xx program structure and hardware limits,
-CG5xx logic worth a second look, CG6xx the address table.
+CG5xx logic worth a second look, CG6xx the address table, CG7xx bringing a project in.
 """
 
 from __future__ import annotations
@@ -84,6 +84,7 @@ CODES: dict[str, Code] = {
     "CG314": Code(_E, "this option has no place here"),
     "CG315": Code(_W, "a decimal number in a hexadecimal formula"),
     "CG316": Code(_E, "the lists of a drum do not fit together"),
+    "CG317": Code(_E, "the ladder token cannot be kept"),
     # -- structure and limits -------------------------------------------------------------------------------------
     "CG401": Code(_E, "the program has no main"),
     "CG402": Code(_E, "two routines have the same name"),
@@ -109,6 +110,7 @@ CODES: dict[str, Code] = {
     "CG423": Code(_W, "a timer stands inside a loop"),
     "CG424": Code(_W, "main is too long for one CLICK file and is split"),
     "CG425": Code(_E, "a loop that next_loop() closes is opened by the last action of its rung"),
+    "CG426": Code(_E, "a rung was left out by import"),
     # -- logic worth a second look ---------------------------------------------------------------------------------
     "CG501": Code(_W, "an output coil is driven in two places"),
     "CG502": Code(_W, "a bit is set and never reset"),
@@ -144,4 +146,12 @@ CODES: dict[str, Code] = {
     "CG604": Code(_W, "part of a row of the workbook is left out"),
     "CG605": Code(_E, "the workbook and the address table beside it disagree"),
     "CG606": Code(_W, "marks of blocks in the address table do not fit"),
+    # -- bringing a project in ------------------------------------------------------------------------------------
+    "CG701": Code(_E, "a ladder file is damaged"),
+    "CG702": Code(_E, "a rung cannot be kept as it is"),
+    "CG703": Code(_E, "an imported rung would not do the same"),
+    "CG704": Code(_W, "a rung is written otherwise than it is drawn"),
+    "CG705": Code(_I, "something that does nothing is left out"),
+    "CG706": Code(_W, "a nickname is left out"),
+    "CG707": Code(_W, "what is imported is a part of a program"),
 }

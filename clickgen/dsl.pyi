@@ -1402,8 +1402,12 @@ _Address = TypeVar("_Address", _InX, _InY, _InC, _InT, _InCT, _InSC, _InDS, _InD
 class _Subroutine(Protocol):
     """A subroutine, to be called by call(...)."""
     _is_subroutine: None
+@overload
 def sub(routine: Callable[[], None], /) -> _Subroutine:
     """Marks a subroutine: it stands on the line above def name():."""
+@overload
+def sub(name: str, /) -> Callable[[Callable[[], None]], _Subroutine]:
+    """Marks a subroutine that CLICK calls otherwise than the program: @sub("Auto Mode")."""
 
 def nickname(
     name: _Address,
@@ -2257,6 +2261,18 @@ def next_loop() -> None:
     """Close the loop that a for opened.
 
     Example: next_loop()
+    """
+
+def raw(token: str) -> None:
+    """An instruction that the language has no word for, as its ladder token.
+
+    Example: raw("raw(Velocity,0x2735,1,222d=0,609b=1,609c=1,609d=1,222f=2,11f5=0,2231=0,60a2=,60a3=,60a4=,607b=C1,607d=C2,6083=DS1,3218=9744,0000=)")
+    """
+
+def not_imported(reason: str) -> None:
+    """The place of a rung that `clickgen import` left out: a program that has it does not build.
+
+    Example: not_imported("main.csv:45: the contacts are wired in too many ways")
     """
 
 def range(count: _DS | int, /, *, oneshot: bool = False, one_shot: bool = False) -> Iterable[int]:

@@ -21,6 +21,7 @@ from clickgen.emit.listing import listing
 from clickgen.emit.nickname_csv import nickname_csv
 from clickgen.emit.sourcemap import source_map
 from clickgen.emit.write import put_in_place
+from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Program
 from clickgen.lower.place import PlaceScratch
 from clickgen.lower.scratch import Scratch
@@ -379,9 +380,18 @@ def _check(state: _Build) -> None:
         state.facts = Facts(state.resolved.program, sources, _rows(state))
         for rule in RULES:
             rule(state.facts, state.problems)
+        _check_kept(state.facts, state.problems)
         if state.settings.is_part:
             # A part has no main of its own.
             state.problems.drop("CG401")
+
+
+def _check_kept(facts: Facts, problems: Diagnostics) -> None:
+    """The tokens that a program keeps, which few do; the readers of ladder files know them."""
+    if any(placed.spec is RAW for placed in facts.actions):
+        from clickgen.ladder.kept import check
+
+        check(facts, problems)
 
 
 def _lint(state: _Build) -> None:

@@ -1,4 +1,4 @@
-"""Numbers in words."""
+"""Numbers and names in messages."""
 
 from __future__ import annotations
 
@@ -6,3 +6,9 @@ from __future__ import annotations
 def counted(number: int, noun: str, plural: str = "") -> str:
     """``1 rung``, ``2 rungs``, ``3 addresses``."""
     return f"{number} {noun}" if number == 1 else f"{number} {plural or noun + 's'}"
+
+
+def quoted(text: str) -> str:
+    """A text in quotes, double ones where it can be: ``"Auto Mode"``."""
+    shown = repr(text)
+    return shown if '"' in text else f'"{shown[1:-1]}"'

@@ -4,6 +4,7 @@ cold build and cold check of 2,000 rungs against a bare libcst.parse_module of t
 growth of the build from 500 to 4,000 rungs;
 a repeated check, and its growth with the number of files, against a bare python -c pass;
 growth of nicknames sync, nicknames check and workbook with the rows of the address table;
+import of a bundle of 500 rungs in 34 routines against pyrung's ladder_to_pyrung of the same bundle;
 clickgen --version against the same.
 """
 
@@ -60,14 +61,14 @@ def rung(number: int) -> str:
     return kinds[n % len(kinds)]()
 
 
-def program(rungs: int) -> str:
-    """A program of so many rungs in routines of 200."""
+def program(rungs: int, per_routine: int = PER_ROUTINE) -> str:
+    """A program of so many rungs in routines of so many, beside a main that calls them."""
     routines = []
     names = []
-    for start in range(0, rungs, PER_ROUTINE):
-        name = f"part_{start // PER_ROUTINE}"
+    for start in range(0, rungs, per_routine):
+        name = f"part_{start // per_routine}"
         names.append(name)
-        body = "\n".join(rung(number) for number in range(start, min(start + PER_ROUTINE, rungs)))
+        body = "\n".join(rung(number) for number in range(start, min(start + per_routine, rungs)))
         routines.append(f"@sub\ndef {name}():\n{body}\n    if True:\n        return\n")
     calls = "\n".join(f"        call({name})" for name in names)
     main = f"def main():\n    if True:\n{calls}\n\n    if True:\n        end()\n"
@@ -114,6 +115,32 @@ def compare(command: Sequence[str], other: Sequence[str], before: Callable[[], N
     """The medians of both commands, run in turn."""
     pairs = [(seconds(command, before), seconds(other, before)) for _ in range(RUNS + 1)][1:]
     return statistics.median(one for one, _ in pairs), statistics.median(two for _, two in pairs)
+
+
+def imports(folder: Path, clickgen: Sequence[str]) -> tuple[float, float]:
+    """Importing a bundle without and with verification, each as a share of what pyrung takes for the same."""
+    path, bundle = folder / "imported" / "p500.py", folder / "bundle"
+    path.parent.mkdir()
+    # 33 subroutines of 14 source rungs, each a little more than one CLICK rung.
+    path.write_text(program(33 * 14, 14))
+    subprocess.run([*clickgen, "build", str(path), "-o", str(bundle)], check=True, capture_output=True)
+    routines = list(bundle.rglob("*.csv"))
+    rungs = sum(file.read_text().count("\nR,") for file in routines if file.name != "nicknames.csv")
+    print(f"a bundle of {rungs} rungs in {len(routines) - 1} routines:")
+    output = folder / "import"
+
+    def fresh() -> None:
+        shutil.rmtree(output, ignore_errors=True)
+        output.mkdir()
+
+    code = "import sys; from pyrung.click import ladder_to_pyrung as read; read(sys.argv[1], output_path=sys.argv[2])"
+    theirs = [sys.executable, "-c", code, str(bundle), str(output / "theirs.py")]
+    ours = [*clickgen, "import", str(bundle), "-o", str(output / "ours.py")]
+    ratios = []
+    for command in ([*ours, "--no-verify"], ours):
+        one, other = compare(command, theirs, fresh)
+        ratios.append(one / other)
+    return ratios[0], ratios[1]
 
 
 def main() -> None:
@@ -175,6 +202,10 @@ def main() -> None:
                 )
             per_row = ", ".join(f"{rows}: {1000 * spent / rows:.2f} ms" for rows, spent in times.items())
             print(f"{what}, time per row as tables grow: {per_row} (linear: it does not rise)")
+
+        plain, verified = imports(folder, clickgen)
+        print(f"import of 500 rungs without verification / pyrung: {plain:.2f} (at most 1)")
+        print(f"import of 500 rungs with verification / pyrung: {verified:.2f} (at most 2)")
 
         version, nothing = compare([*clickgen, "--version"], [python, "-c", "pass"], lambda: None)
         print(f"clickgen --version / python -c pass: {version / nothing:.1f} (at most 6)")

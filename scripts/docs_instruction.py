@@ -14,6 +14,7 @@ from clickgen.device.banks import parse_address
 from clickgen.device.system import system_name_of
 from clickgen.instructions.copies import CONVERSIONS
 from clickgen.instructions.data import SEARCH, SEARCH_RANGE
+from clickgen.instructions.raw import RAW
 from clickgen.instructions.spec import CODE, HEX, INTEGER, REAL, REQUIRED, TEXT, Pair, Param, ParamKind, Slot, Spec
 from clickgen.instructions.timers import UNITS
 from clickgen.syntax.options import MODIFIERS
@@ -133,6 +134,8 @@ def _left_out(param: Param) -> str:
 def _access(param: Param) -> str:
     if param.kind in (ParamKind.OPERAND, ParamKind.OPERANDS):
         return param.slot.access.value
+    if param.kind is ParamKind.TOKEN:
+        return "read and written: every address in it"
     return "read" if param.kind in (ParamKind.PIN, ParamKind.FORMULA, ParamKind.RANGE_COMPARISON) else ""
 
 
@@ -192,10 +195,19 @@ def _example(spec: Spec) -> list[str]:
     notes = f"example: {kind}" + (f", gives {' '.join(codes)}" if codes else "")
     shown = "\n\nThe same in the other form:\n\n".join(block(notes, "python", form) for form in forms)
     said = [f"Building it gives {listed(map(problem_link, codes), 'and')}."] if codes else []
-    return ["## Example", shown, "In ladder CSV:", block("tokens", "text", tokens), *said]
+    ladder = ["In ladder CSV:", block("tokens", "text", tokens)] if tokens else []
+    return ["## Example", shown, *ladder, *said]
 
 
 def _in_click(spec: Spec) -> Iterator[str]:
+    if not spec.variants:
+        yield "Nothing: it never gets into a ladder."
+        return
+    if spec is RAW:
+        yield "Height: as many grid rows as the token says; a formula has 1."
+        yield "Rung: shared with other instructions."
+        yield "One-shot, and the system bits that it may set: the token says, or nobody knows."
+        return
     inputs = ", its inputs included" if spec.pins else ""
     yield f"Height: {spec.height} grid row{'s' * (spec.height > 1)}{inputs}."
     yield "Rung: one of its own." if spec.pins or spec.alone else "Rung: shared with other instructions."

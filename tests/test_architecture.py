@@ -26,6 +26,7 @@ ROAD = (
     "importing",
     "checking",
     "nicknames",
+    "diffing",
     "explain",
     "report",
     "cli",

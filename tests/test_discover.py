@@ -51,6 +51,8 @@ PROGRAMS = {
     "clean": CLEAN,
     "a subroutine": PART,
     "a subroutine without a word": "@sub\ndef idle():\n    if True:\n        return\n",
+    "a subroutine with a name": '@sub("Auto Mode")\ndef idle():\n    if True:\n        return\n',
+    "a subroutine with a name over lines": '@sub(\n    "Auto Mode",\n)  # in CLICK\ndef idle():\n    pass\n',
     "a subroutine with a comment": PART.replace("@sub", "@sub  # filling"),
     "declarations": 'nickname(x.Level, x[1], comment="full")\n',
     "a declaration over lines": "nickname(\n    x.Level,\n    x[1],\n)\n",
@@ -153,6 +155,14 @@ PYTHON = {
     "a decorator named sub": (
         "from broker import sub\n\n\n@sub\ndef on_message():\n    print('got it')\n\n\ndef main():\n    on_message()\n"
     ),
+    "a decorator named sub with a text": (
+        "from broker import sub\n\n\n@sub('news')\ndef on_message():\n    print('got it')\n\n\n"
+        "def main():\n    on_message()\n"
+    ),
+    "a decorator of its own named sub": (
+        "def sub(topic):\n    return print\n\n\n@sub('news')\ndef on_message():\n    print('got it')\n"
+    ),
+    "a decorator named sub of something": "import broker\n\n\n@broker.sub('news')\ndef main():\n    print('got it')\n",
     "a ladder in a text": f'LADDER = """\n{CLEAN}"""\n\n\ndef main():\n    print(LADDER)\n',
     "a ladder in a comment": "def main():\n    print('x')\n\n# if c.A:\n#     out(y[1])\n",
     "settings of a notebook": (

@@ -79,11 +79,12 @@ def test_what_builds_is_clean(tmp_path: Path) -> None:
     programs: dict[str, str] = {f"{case.name}.py": (case / "prog.py").read_text("utf-8") for case in CASES}
     for number, text in enumerate(_shown_programs()):
         programs[f"page{number}.py"] = text
-    (several := tmp_path / "several_files").mkdir()
-    for source in (ROOT / "fixtures" / "cases" / "several_files").glob("*.py"):
-        (several / source.name).write_bytes(source.read_bytes())
-    programs.pop("several_files.py")
-    write_stub(several, [known_names(several / "prog.py")])
+    for name in ("several_files", "subroutine_names"):
+        (several := tmp_path / name).mkdir()
+        for source in (ROOT / "fixtures" / "cases" / name).glob("*.py"):
+            (several / source.name).write_bytes(source.read_bytes())
+        programs.pop(f"{name}.py")
+        write_stub(several, [known_names(several / "prog.py")])
     folder = folder_of(tmp_path, "cases", programs)
     folder_of(tmp_path, "demo", {"prog.py": (CASES[0].parent / "demo" / "prog.py").read_text("utf-8")})
     folder_of(tmp_path, "more", {"prog.py": MORE})

@@ -14,6 +14,7 @@ from judges.builds import ladder_files
 from judges.codec import comments_agree, normalise
 from judges.power import HEADER, LadderRung, Row, condition_tokens, power_sets, read_ladder, situations
 
+from clickgen.importing.functions import function_name
 from clickgen.importing.source import write_source
 from clickgen.ladder.grid import read_ladder as read_drawn
 from clickgen.ladder.rungs import ImportedRung, import_rung, routine_of
@@ -51,8 +52,12 @@ def imported(files: Mapping[str, str]) -> dict[str, list[ImportedRung]]:
 
 
 def source_of(files: Mapping[str, str]) -> str:
-    routines = imported(files).items()
-    return write_source([routine_of(name, [one.rung for one in rungs], name == "main") for name, rungs in routines])
+    routines = []
+    functions = {"main": "main"}
+    for name, rungs in imported(files).items():
+        functions.setdefault(name, function_name(name, functions.values()))
+        routines.append(routine_of(name, [one.rung for one in rungs], name == "main", functions[name]))
+    return write_source(routines)
 
 
 def drawn(files: Mapping[str, str]) -> dict[str, list[LadderRung]]:

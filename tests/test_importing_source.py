@@ -39,7 +39,8 @@ def written(contacts: str, output: str, *pins: tuple[str, str], names: dict[Addr
     """One rung as source, without its indentation."""
     rows = [wired(contacts, output, "R"), *(wired(*pin) for pin in pins)]
     [rung] = read_ladder(ladder_text(rows), "main.csv").rungs
-    text = write_source([routine_of("main", [import_rung(rung).rung], True)], NAMES if names is None else names)
+    main = routine_of("main", [import_rung(rung).rung], True)
+    text = write_source([main], NAMES if names is None else names, functions={"fill": "fill", "Fill 2": "fill_2"})
     assert ruff_changes(text) == ""
     return "\n".join(line[4:] for line in text.splitlines()[1:])
 
@@ -105,6 +106,8 @@ LINES: dict[str, tuple[str, str, str]] = {
         "if x.Start:\n    ton(t.Delay, setpoint=ds.Step, unit=Th)",
     ),
     "calls": ("X001", 'call("fill")', "if x.Start:\n    call(fill)"),
+    "calls by another name": ("X001", 'call("Fill 2")', "if x.Start:\n    call(fill_2)"),
+    "calls of what is elsewhere": ("X001", 'call("Fill 3")', 'if x.Start:\n    call("Fill 3")'),
     "float constants": ("DF1>=1.5E+10", "copy(-0.5,DF1)", "if df[1] >= 1.5e10:\n    copy(-0.5, df[1])"),
 }
 
@@ -140,7 +143,7 @@ LONG_RUNGS = [
     ("DS1==DS2 DS3>=DS4", "search(DS1..DS9 >= DS20,result=DS21,found=C9,continuous=1,oneshot=1)"),
     ("C1", "math(DS1 + DS2 + DS3 + DS4 + DS5,DS6,mode=decimal)"),
     ("C1", 'copy("' + "x" * 80 + '",TXT1)'),
-    ("C1", "raw(Velocity,0x2735,1,222d=0,609b=1,609c=1,609d=1,222f=2,11f5=0,2231=0,60a2=,60a3=,0000=)"),
+    ("C1", "raw(Odd,0x2799,1,222d=0,609b=1,609c=1,609d=1,222f=2,11f5=0,2231=0,60a2=,60a3=,60a4=,607b=,0000=)"),
     (
         "C1",
         'send(target=ModbusTcpTarget(name="a long label of it",ip="192.168.100.100",port=502,device_id=1),'

@@ -9,13 +9,13 @@ from judges.builds import ladder_files
 from test_importing_cases import check_same, compared, ladder_text, round_trip, wired
 
 from clickgen.importing.source import write_source
+from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Action, Rung
 from clickgen.ladder.grid import read_ladder
 from clickgen.ladder.network import ONE_WAY_WIRE
 from clickgen.ladder.problem import LadderProblem
 from clickgen.ladder.reduce import BRIDGE
 from clickgen.ladder.rungs import ENTANGLED, ImportedRung, import_rung, routine_of
-from clickgen.ladder.tokens import RAW
 from clickgen.lower.tokens import action_token
 
 Drawing = Sequence[tuple[str, str]]
@@ -261,7 +261,7 @@ def test_a_condition_beyond_reading_is_refused() -> None:
 def test_a_rung_without_an_output_becomes_nop() -> None:
     drawing: Drawing = [(".", ""), ("- - .", "")]
     assert source(drawing) == "if True:\n    pass"
-    assert read(drawing).notes == ("the rung has no output: it becomes NOP",)
+    assert read(drawing).remarks == ("the rung has no output: it becomes NOP",)
 
 
 def test_an_input_without_a_wire_is_never_on() -> None:
@@ -272,7 +272,7 @@ def test_an_input_without_a_wire_is_never_on() -> None:
 
 
 def test_an_instruction_without_a_word_is_kept() -> None:
-    token = "raw(Home,0x2734,1,222d=0,222e=0,6096=1,609f=X004,60a0=X005,3218=9738,0000=)"
+    token = "raw(Odd,0x2799,1,222d=0,222e=0,6096=1,609f=X004,60a0=X005,3218=9738,0000=)"
     rung = read([("X001", token)])
     [action] = rung.rung.items
     assert isinstance(action, Action)

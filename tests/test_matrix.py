@@ -175,6 +175,8 @@ _WRONG_VALUES = {
     ParamKind.FORMULA: ("5", "ds[1]", "ds[1] + 1", 'f"{1}"', "lambda: ds[1]"),
     ParamKind.ROUTINE: ("5", "True", "c[1]", "auto()", "lambda: auto"),
     ParamKind.COMPARISON: ("5", '"=<"', '""', "c[1]", "eq"),
+    ParamKind.TEXT: ("5", "None", "c[1]", 'f"{1}"', 'lambda: "a"'),
+    ParamKind.TOKEN: ("5", "None", "out(c[1])", 'f"{1}"', 'b"out(C1)"'),
 }
 _NO_OPERANDS = ("True", "None", "lambda: c[1]", "[c[1]]", "(c[1], c[2])", "c[1] + 1", "Name", 'f"{1}"', "auto()")
 

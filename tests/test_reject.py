@@ -97,8 +97,8 @@ each_fixture = pytest.mark.parametrize("name", _names())
 
 
 def test_every_code_has_a_fixture_and_every_fixture_a_code() -> None:
-    # The rules about logic have their examples in their own files.
-    assert {_code(name) for name in _names()} == {code for code in CODES if not code.startswith("CG5")}
+    # The rules about logic have their examples in their own files; what import says is tested with it.
+    assert {_code(name) for name in _names()} == {code for code in CODES if not code.startswith(("CG5", "CG7"))}
 
 
 @each_fixture

@@ -18,6 +18,12 @@ def wash():
         return
 
 
+@sub("Wash cycle")
+def wash_cycle():
+    if True:
+        return
+
+
 def main():
     if all("0A00h" == dh.Code, 5 < ds.Recipe[2], 5 == ds.Level, c.Valves[1:], nc(c.Valves), td.Stations[1] > 5):
         copy(ds.Recipe[3], ds.Level)
@@ -40,6 +46,8 @@ def main():
     if td.Stations[0] >= ds.Level:
         call(subroutine_name=wash)
         call("wash")
+        call(wash_cycle)
+        call("Wash cycle")
         for _ in range(10, one_shot=True):
             pass
     if True:
@@ -195,5 +203,9 @@ MISTAKEN_TOP = (
     "nickname(ds.Speed, ds[1], note='x')",
     "nickname(ds.Speed, ds[1], retentive='yes')",
     "nickname('Speed', ds[1])",
+    "sub()",
+    "sub(5)",
+    "sub(name='Wash cycle')",
+    "sub('Wash', 'cycle')",
 )
 MISTAKEN_LOOPS = ("range(ds.Speed, 5)", "range(c.Run)", "range(5, once=True)")

@@ -332,8 +332,8 @@ BANK_WORDS = frozenset((
 ))
 CALL_WORDS = frozenset((
     "calc", "call", "copy", "copy_block", "copy_fill", "copy_pack", "copy_unpack", "ctd", "ctu", "ctud", "end",
-    "event_drum", "math_hex", "next_loop", "nickname", "out", "receive", "reset", "rtof", "rton", "search", "send",
-    "set", "shift", "time_drum", "tof", "ton",
+    "event_drum", "math_hex", "next_loop", "nickname", "not_imported", "out", "raw", "receive", "reset", "rtof", "rton",
+    "search", "send", "set", "shift", "time_drum", "tof", "ton",
 ))
 # fmt: on
 _OWN_WORDS = BANK_WORDS | CALL_WORDS | {"sub"}
@@ -356,7 +356,8 @@ _NAME = re.compile(r"([A-Za-z_@.]\w*)([\w.]*)[ \t]*([\[(]?)")
 _MAKING = re.compile(r"(?:def|class|import)[ \t]+(\w+)")
 
 # What few files need is compiled when they do: a repeated check is over before all of it would be.
-_SUB = r"(?m)^@sub[ \t]*$"
+_SUB = r"(?m)^@sub[ \t]*(?:\([\s,]*\)[ \t]*)?$"
+"""Also ``@sub("Auto Mode")``, of which the text is gone."""
 _ROUTINE = r"(?m)^(?:(?:async[ \t]+)?def[ \t]+main\b|@sub\b|nickname\b|\w+[ \t]*\(\s*\w+[.\[])"
 _EDITOR = r"(?m)^from[ \t]+clickgen\.dsl[ \t]+import\b"
 _STAR = r"import[ \t]*\*"

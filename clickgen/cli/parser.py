@@ -17,7 +17,9 @@ examples:
   clickgen build prog.py -o out       build into out/
   clickgen build prog.py --frozen     in CI: fail where the address table lacks a name
   clickgen check                      find mistakes, and logic worth a second look
+  clickgen diff HEAD:prog.py prog.py  what changed, rung by rung
   clickgen workbook prog.py           the project as an Excel workbook
+  clickgen import plant/ -o plant.py  an existing CLICK project as a program
   clickgen stubs                      what editors complete and check programs with
   clickgen explain CG501              what a code means and what to do
 """
@@ -40,6 +42,22 @@ examples:
   clickgen build                      every program that the settings name
 
 exit codes: 0 built; 1 problems in the program; 2 could not run
+"""
+
+
+_DIFF_EXAMPLES = """\
+examples:
+  clickgen diff HEAD:prog.py prog.py          what changed since the last commit
+  clickgen diff main:prog.py feature:prog.py  two branches
+  clickgen diff prog.py build/prog            is the bundle what the program says?
+  clickgen diff prog.py from-the-plc/         is what CLICK holds what is in git?
+  clickgen diff prog.py Scr1.tmp -q           the summary alone
+
+A side is a program, a bundle folder, a ladder CSV, a capture of the clipboard, a program file of CLICK (Scr*.tmp), or
+one of these in a revision of git: REV:PATH from the repository's root, REV:./PATH from the working folder, :PATH in the
+index. A path that exists wins.
+
+exit codes: 0 no difference in logic; 1 logic differs; 2 could not run
 """
 
 
@@ -73,6 +91,18 @@ examples:
   clickgen nicknames why Pump               where its address comes from
 
 exit codes: 0 done; 1 problems, or differences that were not taken in; 2 could not run
+"""
+
+
+_IMPORT_EXAMPLES = """\
+examples:
+  clickgen import plant/ -o plant.py            a folder with main.csv, subroutines/*.csv, nicknames.csv
+  clickgen import plant/ -o program/            one file for each subroutine
+  clickgen import main.csv -o main.py --nicknames export.csv
+  clickgen import copied.bin -o -               rungs from the clipboard, to the terminal
+  clickgen import Temp/ -o plant.py             CLICK's own Scr*.tmp files
+
+exit codes: 0 imported, every rung verified; 1 something cannot be kept; 2 could not run
 """
 
 
@@ -308,6 +338,33 @@ def _run_workbook(options: argparse.Namespace) -> int:
     return run(options.program, options.output, options.nicknames, options.config)
 
 
+def _add_diff(commands: argparse._SubParsersAction[_Parser]) -> None:
+    diff = commands.add_parser(
+        "diff",
+        help="compare two programs, bundles or revisions rung by rung",
+        description="Show which rungs were added, removed, moved or changed, in the words of the listing. Comments, "
+        "nicknames and how a rung is drawn are no logic. Nothing is written.",
+        epilog=_DIFF_EXAMPLES,
+        formatter_class=_Help,
+        allow_abbrev=False,
+    )
+    add = diff.add_argument
+    add("one", metavar="OLD", help="the older side")
+    add("other", metavar="NEW", help="the newer side")
+    add("--nicknames", metavar="TABLE", help="the address table of programs (default: nicknames.csv beside each)")
+    add("--export", metavar="EXPORT.csv", help="the nicknames that CLICK exported, for ladder without a nicknames.csv")
+    add("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+    add("--output-format", choices=("text", "json"), default="text", help="text or json")
+    add("-q", "--quiet", action="store_true", help="the summary alone")
+    diff.set_defaults(run=_run_diff)
+
+
+def _run_diff(options: argparse.Namespace) -> int:
+    from clickgen.cli.diff import run
+
+    return run(options)
+
+
 def _add_stubs(commands: argparse._SubParsersAction[_Parser]) -> None:
     stubs = commands.add_parser(
         "stubs",
@@ -369,6 +426,37 @@ def _run_explain(options: argparse.Namespace) -> int:
     return run(options.code)
 
 
+def _add_import(commands: argparse._SubParsersAction[_Parser]) -> None:
+    imports = commands.add_parser(
+        "import",
+        help="bring an existing CLICK project in",
+        description="Write an existing CLICK project as a program, build that in memory, and compare rung by rung. "
+        "What cannot be kept exactly stops the import.",
+        epilog=_IMPORT_EXAMPLES,
+        formatter_class=_Help,
+        allow_abbrev=False,
+    )
+    add = imports.add_argument
+    add(
+        "source",
+        metavar="SOURCE",
+        help="a folder with main.csv, a ladder CSV, a clipboard capture, or CLICK's Scr*.tmp files",
+    )
+    add("-o", "--output", metavar="PROG.py", required=True, help="the program; DIR/: a file for each subroutine; -")
+    add("--nicknames", metavar="TABLE", help="a nickname CSV (default: the one in SOURCE, else the one beside PROG.py)")
+    add("--keep-going", action="store_true", help="leave a marked rung, which build refuses, for what cannot be kept")
+    add("--no-verify", dest="verify", action="store_false", help="do not build and compare")
+    add("--force", action="store_true", help="overwrite program files that say something else")
+    add("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+    imports.set_defaults(run=_run_import)
+
+
+def _run_import(options: argparse.Namespace) -> int:
+    from clickgen.cli.import_ import run
+
+    return run(options)
+
+
 def _run_build(options: argparse.Namespace) -> int:
     from clickgen.cli.build import run
 
@@ -379,8 +467,10 @@ _COMMANDS: dict[str, Callable[[argparse._SubParsersAction[_Parser]], None]] = {
     "build": _add_build,
     "check": _add_check,
     "nicknames": _add_nicknames,
+    "diff": _add_diff,
     "workbook": _add_workbook,
     "stubs": _add_stubs,
+    "import": _add_import,
     "rules": _add_rules,
     "explain": _add_explain,
 }

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from clickgen.device.banks import CURRENT_VALUE_OF, Address, parse_address
 from clickgen.device.system import system_name_of
+from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import All, Always, Any, Condition
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
 from clickgen.ir.program import Action, Branch, Item
@@ -23,6 +24,8 @@ from clickgen.lower.words import condition_words, term_words
 from clickgen.wording import counted
 
 _KEYWORD = re.compile(r"[a-z_]+=")
+_KEPT_HEAD = 3
+"""The parts of a kept token before its fields: ``raw(Email,0x2737,1,``."""
 _WIDTH = 100
 """A condition longer than this is broken at its terms, an instruction at its arguments."""
 
@@ -106,13 +109,17 @@ def item_lines(indent: str, items: tuple[Item, ...], names: Names) -> Iterator[s
 def _broken(indent: str, token: str) -> Iterator[str]:
     """An instruction; a long one that CLICK writes with keywords has each of them on a line of its own.
 
-    A pattern has a line for each of its rows.
+    So have the fields of a long one that is kept, and a pattern has a line for each of its rows.
     """
     head, opening, inner = token.partition("(")
     parts = _parts(inner[:-1])
-    if len(token) <= _WIDTH or not all(_KEYWORD.match(part) for part in parts):
+    is_kept = head == RAW.name and len(parts) > _KEPT_HEAD
+    if len(token) <= _WIDTH or not (is_kept or all(_KEYWORD.match(part) for part in parts)):
         yield indent + token
         return
+    if is_kept:
+        opening += "".join(f"{part}," for part in parts[:_KEPT_HEAD])
+        parts = parts[_KEPT_HEAD:]
     yield indent + head + opening
     for index, part in enumerate(parts):
         comma = "," if index < len(parts) - 1 else ""

@@ -25,35 +25,13 @@ from clickgen.ir.operands import (
     Real,
     Text,
 )
-from clickgen.ir.program import Action, FormulaText, Operands, Options, Pattern
+from clickgen.ir.program import Action, FormulaText, KeptToken, Operands, Options, Pattern
 from clickgen.ir.program import Word as WordValue
 from clickgen.ir.walk import Rewriter
-from clickgen.ladder.tokens import RAW
 
 Names = Mapping[Address, str]
 """The nicknames to write in place of addresses."""
 
-BY_NAME = frozenset(
-    [
-        "setpoint",
-        "result",
-        "flag",
-        "outputs",
-        "events",
-        "presets",
-        "pattern",
-        "current_step",
-        "accumulator",
-        "completion_flag",
-        "jump_step",
-        "sending",
-        "receiving",
-        "success",
-        "error",
-        "exception_response",
-    ]
-)
-"""The operands that are written with the names of their parameters; the others stand in their places."""
 _EDGES = {"rise": "re", "fall": "fe"}
 
 
@@ -165,7 +143,7 @@ def _parts(action: Action) -> Iterator[Piece]:
             yield Keyword(f"{param.name}=lambda: ", condition_piece(condition))
             continue
         piece = value_piece(action, param)
-        by_name = param.name in BY_NAME or param.kind in (ParamKind.FLAG, ParamKind.UNIT, ParamKind.OPTIONS)
+        by_name = param.by_name or param.kind in (ParamKind.FLAG, ParamKind.UNIT, ParamKind.OPTIONS)
         yield Keyword(f"{param.name}=", piece) if by_name else piece
 
 
@@ -201,12 +179,14 @@ def value_piece(action: Action, param: Param) -> Piece:
         return _target_piece(value)
     if isinstance(value, Remote):
         return _remote_piece(value)
+    if isinstance(value, KeptToken):
+        return Word(quoted(value.text))
     assert isinstance(value, WordValue)
     if isinstance(value.value, bool):
         return Word(str(value.value))
-    if param.kind is ParamKind.UNIT or (param.kind is ParamKind.ROUTINE and value.value.isidentifier()):
+    if param.kind is ParamKind.UNIT or value.is_function:
         return Word(value.value)
-    assert param.kind in (ParamKind.ROUTINE, ParamKind.COMPARISON) or action.spec is RAW
+    assert param.kind in (ParamKind.ROUTINE, ParamKind.COMPARISON, ParamKind.TEXT)
     return Word(quoted(value.value))
 
 

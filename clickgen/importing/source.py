@@ -2,30 +2,62 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from clickgen.importing.layout import INDENT, Brackets, Keyword, Piece, lines
-from clickgen.importing.pieces import Names, WithNames, action_piece, condition_piece, value_piece
-from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
+from clickgen.importing.pieces import Names, WithNames, action_piece, condition_piece, quoted, value_piece
+from clickgen.instructions.control import CALL
+from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung, Value, Word
+from clickgen.ir.walk import Rewriter
+
+Functions = Mapping[str, str]
+"""The functions of subroutines by CLICK's names; one that is missing is called by its name in quotes."""
 
 NO_NAMES: Names = {}
+NO_FUNCTIONS: Functions = {}
 
 
-def write_source(routines: Iterable[Routine], names: Names = NO_NAMES, header: str = "") -> str:
+def write_source(
+    routines: Iterable[Routine], names: Names = NO_NAMES, header: str = "", functions: Functions = NO_FUNCTIONS
+) -> str:
     """The text of a file with these routines; ``names`` are the nicknames to write in place of addresses.
 
-    ``header`` stands above: a docstring, imports, declarations.
+    ``header`` stands above: a docstring, imports, declarations. ``functions`` are those that it imports.
     """
+    routines = tuple(routines)
+    functions = {**functions, **functions_of(routines)}
     parts = [header.rstrip("\n")] if header else []
-    parts += ["\n".join(routine_lines(routine, names)) for routine in routines]
+    parts += ["\n".join(routine_lines(routine, names, functions)) for routine in routines]
     return "\n\n\n".join(parts) + "\n"
 
 
-def routine_lines(routine: Routine, names: Names = NO_NAMES) -> list[str]:
+def functions_of(routines: Iterable[Routine]) -> Functions:
+    """How the source calls these routines, by CLICK's names."""
+    return {routine.name: routine.function for routine in routines if not routine.is_main}
+
+
+def routine_lines(routine: Routine, names: Names = NO_NAMES, functions: Functions = NO_FUNCTIONS) -> list[str]:
     """A routine, blank lines between its rungs."""
-    head = [f"def {routine.name}():"] if routine.is_main else ["@sub", f"def {routine.name}():"]
-    named = WithNames(names).rungs(routine.rungs)
-    return [*head, *(_rungs(named, 1) or [f"{INDENT}pass"])]
+    title = "" if routine.function == routine.name else f"({quoted(routine.name)})"
+    head = [f"def {routine.function}():"]
+    rungs = _WithFunctions(functions).rungs(WithNames(names).rungs(routine.rungs))
+    return [*([] if routine.is_main else [f"@sub{title}"]), *head, *(_rungs(rungs, 1) or [f"{INDENT}pass"])]
+
+
+class _WithFunctions(Rewriter):
+    """A program that calls subroutines by their functions."""
+
+    def __init__(self, functions: Functions) -> None:
+        self._functions = functions
+
+    def action(self, action: Action) -> Action:
+        if action.spec is not CALL:
+            return action
+        return Action(CALL, {name: self.value(value) for name, value in action.args.items()}, action.span)
+
+    def value(self, value: Value) -> Value:
+        function = self._functions.get(str(value.value)) if isinstance(value, Word) else None
+        return value if function is None else Word(function, value.span, is_function=True)
 
 
 def comment_lines(comment: str, depth: int = 0) -> list[str]:

@@ -28,7 +28,7 @@ _DEST = Param(
 
 
 def _flag(name: str) -> Param:
-    return Param(name, slot=Slot(cells=("C",), access=Access.WRITE), default=None)
+    return Param(name, slot=Slot(cells=("C",), access=Access.WRITE), default=None, by_name=True)
 
 
 _ENDING = (
@@ -38,6 +38,7 @@ _ENDING = (
         "exception_response",
         slot=Slot(cells=("DS", "DD"), access=Access.WRITE, disputed=("DD",)),
         default=None,
+        by_name=True,
     ),
     Param("word_swap", ParamKind.FLAG, default=False),
 )

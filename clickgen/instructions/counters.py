@@ -6,7 +6,11 @@ from clickgen.device.banks import INTEGER_RANGES, Kind
 from clickgen.instructions.spec import INTEGER, Access, Param, ParamKind, Slot, Spec, Variant
 
 _COUNTER = Param("counter", slot=Slot(cells=("CT",), access=Access.OWN))
-_SETPOINT = Param("setpoint", slot=Slot(cells=("DS", "DD"), constants=(INTEGER,), limits=INTEGER_RANGES[Kind.INT32]))
+_SETPOINT = Param(
+    "setpoint",
+    slot=Slot(cells=("DS", "DD"), constants=(INTEGER,), limits=INTEGER_RANGES[Kind.INT32]),
+    by_name=True,
+)
 _RESET = Param("reset", ParamKind.PIN, default=None, pin=".reset()", missing_pin="CG418")
 _DOWN = Param("count_down", ParamKind.PIN, pin=".down()", chained="down")
 _EDGE = "Sources disagree whether a counter counts every scan in which its rung is true, or edges: count `re(...)`."

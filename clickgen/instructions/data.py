@@ -36,9 +36,12 @@ SHIFT = Spec(
 _SEARCHED = ("DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "SD", "TXT")
 
 _RESULT = Param(
-    "result", slot=Slot(cells=("DS", "DD"), access=Access.WRITE, disputed=("DD",)), aliases=("result_address",)
+    "result",
+    slot=Slot(cells=("DS", "DD"), access=Access.WRITE, disputed=("DD",)),
+    aliases=("result_address",),
+    by_name=True,
 )
-_FLAG = Param("flag", slot=Slot(cells=("C",), access=Access.WRITE), aliases=("result_flag", "found"))
+_FLAG = Param("flag", slot=Slot(cells=("C",), access=Access.WRITE), aliases=("result_flag", "found"), by_name=True)
 _HOW = (Param("continuous", ParamKind.FLAG, default=False), ONESHOT)
 
 SEARCH = Spec(

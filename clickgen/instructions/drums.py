@@ -8,17 +8,18 @@ from clickgen.instructions.timers import PRESET_MAX, UNIT
 STEPS_MAX = 16
 OUTPUTS_MAX = 16
 
-_OUTPUTS = Param("outputs", ParamKind.OPERANDS, slot=Slot(cells=("Y", "C"), access=Access.WRITE))
-_EVENTS = Param("events", ParamKind.OPERANDS, slot=Slot(cells=BITS))
+_OUTPUTS = Param("outputs", ParamKind.OPERANDS, slot=Slot(cells=("Y", "C"), access=Access.WRITE), by_name=True)
+_EVENTS = Param("events", ParamKind.OPERANDS, slot=Slot(cells=BITS), by_name=True)
 _PRESETS = Param(
     "presets",
     ParamKind.OPERANDS,
     slot=Slot(cells=("DS",), constants=(INTEGER,), limits=(0, PRESET_MAX), disputed=("DS",)),
+    by_name=True,
 )
-_PATTERN = Param("pattern", ParamKind.PATTERN)
-_CURRENT_STEP = Param("current_step", slot=Slot(cells=("DS",), access=Access.WRITE))
-_ACCUMULATOR = Param("accumulator", slot=Slot(cells=("TD",), access=Access.OWN))
-_COMPLETION_FLAG = Param("completion_flag", slot=Slot(cells=("C",), access=Access.WRITE))
+_PATTERN = Param("pattern", ParamKind.PATTERN, by_name=True)
+_CURRENT_STEP = Param("current_step", slot=Slot(cells=("DS",), access=Access.WRITE), by_name=True)
+_ACCUMULATOR = Param("accumulator", slot=Slot(cells=("TD",), access=Access.OWN), by_name=True)
+_COMPLETION_FLAG = Param("completion_flag", slot=Slot(cells=("C",), access=Access.WRITE), by_name=True)
 _RESET = Param("reset", ParamKind.PIN, pin=".reset()")
 _JUMP = Param("jump", ParamKind.PIN, default=None, pin=".jump({jump_step})")
 _JUMP_STEP = Param(
@@ -27,6 +28,7 @@ _JUMP_STEP = Param(
     default=None,
     chained="step",
     of_pin="jump",
+    by_name=True,
 )
 _JOG = Param("jog", ParamKind.PIN, default=None, pin=".jog()")
 _PINS = (_RESET, _JUMP, _JUMP_STEP, _JOG)

@@ -85,6 +85,8 @@ class ParamKind(Enum):
     ROUTINE = "a subroutine, by its function or by its name in quotes"
     RANGE_COMPARISON = "a comparison of a range with a value: ds[1:101] >= 100"
     COMPARISON = 'a comparison in quotes: "==", "!=", "<", "<=", ">" or ">="'
+    TEXT = "a text in quotes"
+    TOKEN = "a ladder token in quotes"
 
 
 class _Required(Enum):
@@ -123,6 +125,8 @@ class Param:
     """The range parameter whose length this first address is extended to (block copy)."""
     extends_to: str = ""
     """The parameter that names the last address of what begins here (search)."""
+    by_name: bool = False
+    """True for an operand that an imported program writes with its name; the others stand in their places."""
 
 
 @dataclass(frozen=True)
@@ -168,6 +172,8 @@ class Spec:
     conversions: tuple[str, ...] = ()
     """The options that a copy takes."""
     alone: bool = False
+    bare_enable: bool = False
+    """True where a wire from the power rail alone is known to run a box with pins; others get a contact there."""
     sets_flags: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
 

@@ -8,7 +8,7 @@ UNITS = ("Tms", "Ts", "Tm", "Th", "Td")
 PRESET_MAX = 32767
 
 _TIMER = Param("timer", slot=Slot(cells=("T",), access=Access.OWN))
-_SETPOINT = Param("setpoint", slot=Slot(cells=("DS",), constants=(INTEGER,), limits=(0, PRESET_MAX)))
+_SETPOINT = Param("setpoint", slot=Slot(cells=("DS",), constants=(INTEGER,), limits=(0, PRESET_MAX)), by_name=True)
 UNIT = Param("unit", ParamKind.UNIT, default="Tms")
 _RESET = Param("reset", ParamKind.PIN, pin=".reset()")
 _ARGUMENTS = "({timer},{timer_value},preset={setpoint},unit={unit})"
@@ -36,6 +36,8 @@ RTON = Spec(
     summary="Retentive on-delay timer: adds up the time the rung is true until it is reset.",
     example="rton(t.RunHours, setpoint=100, unit=Th, reset=lambda: c.Serviced)",
     height=2,
+    # So stand five of them in a project that ran in a plant (native captures).
+    bare_enable=True,
 )
 RTOF = Spec(
     name="rtof",

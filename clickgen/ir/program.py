@@ -6,10 +6,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from clickgen.instructions.raw import rows_of
 from clickgen.instructions.spec import Spec, Variant
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.modbus import Remote, Target
-from clickgen.ir.operands import Cell, Constant, Named, Operand, Range, Single, form_of
+from clickgen.ir.operands import Cell, Constant, Named, Operand, Pointer, Range, Single, form_of
 from clickgen.source import SourceFile, Span
 
 if TYPE_CHECKING:
@@ -39,10 +40,14 @@ class Options:
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A word of the language in an argument: a unit, a comparison, a subroutine's name, True or False."""
+    """A word of the language in an argument: a unit, a comparison, a subroutine's name, True or False.
+
+    ``is_function`` marks a subroutine's name as that of its function. Once names are resolved, all are CLICK's.
+    """
 
     value: str | bool
     span: Span
+    is_function: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +66,16 @@ class Pattern:
     span: Span
 
 
-Value = Operand | Condition | FormulaText | Options | Word | Operands | Pattern | Target | Remote
+@dataclass(frozen=True, slots=True)
+class KeptToken:
+    """A ladder token as it stands in an old project, and every address that it names (``kept.py`` finds them)."""
+
+    text: str
+    operands: tuple[Cell | Range | Pointer, ...]
+    span: Span
+
+
+Value = Operand | Condition | FormulaText | Options | Word | Operands | Pattern | Target | Remote | KeptToken
 CONDITION_TYPES = (Contact, Compare, All, Any, Always)
 
 
@@ -81,6 +95,12 @@ class Action:
         """The text of a word argument, or "" when it was left out."""
         word = self.args.get(name)
         return str(word.value) if isinstance(word, Word) else ""
+
+    @property
+    def height(self) -> int:
+        """In grid rows, pins included; a kept token has its own."""
+        token = self.args.get("token")
+        return rows_of(token.text) if isinstance(token, KeptToken) else self.spec.height
 
     @property
     def variant(self) -> Variant:
@@ -145,10 +165,23 @@ class Routine:
     """
 
     name: str
+    """What CLICK calls it: ``Auto Mode``."""
     rungs: tuple[Rung, ...]
     span: Span
     is_main: bool
     is_whole: bool = True
+    function: str = ""
+    """What the source calls it: ``auto_mode``. When nothing is given, CLICK's name."""
+    title: Span | None = None
+    """The text of ``@sub("Auto Mode")``; None under ``@sub`` alone."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "function", self.function or self.name)
+
+    @property
+    def named_at(self) -> Span:
+        """Where CLICK's name stands."""
+        return self.title or self.span
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,6 +208,14 @@ class BlockDeclaration:
     comment: str | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """A subroutine that could be imported: CLICK's name for it, and the module that has it."""
+
+    name: str
+    module: str
+
+
 @dataclass(frozen=True)
 class Program:
     """All that was read: routines in the order of their definitions, main among them."""
@@ -184,9 +225,9 @@ class Program:
     declarations: tuple[Declaration, ...]
     blocks: tuple[BlockDeclaration, ...] = ()
     misimported: frozenset[str] = frozenset()
-    """Names that an import should bring and does not: they have their problem there."""
-    offered: Mapping[str, str] = field(default_factory=dict)
-    """Subroutines that could be imported, each with its module."""
+    """Functions that an import should bring and does not: they have their problem there."""
+    offered: Mapping[str, Offer] = field(default_factory=dict)
+    """Subroutines that could be imported, by their functions."""
 
     @property
     def main(self) -> Routine | None:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from clickgen.device.banks import BANKS, TEXT_WIDTHS, Address, current_value
 from clickgen.instructions.spec import Access, Param
 from clickgen.ir.operands import Cell, Named, Operand, Pointer, Range, Text
-from clickgen.ir.program import Action, Operands, Options, Program, actions_in, rungs_in
+from clickgen.ir.program import Action, KeptToken, Operands, Options, Program, actions_in, rungs_in
 from clickgen.ir.walk import value_operands
 
 AddressOf = Callable[[object], Address | None]
@@ -59,7 +59,10 @@ def _characters(action: Action) -> int:
 
 
 class Touch(NamedTuple):
-    """One operand of an action with all the addresses it stands for. What is owned is written."""
+    """One operand of an action with all the addresses it stands for. What is owned is written.
+
+    What a kept token names is read and written: nobody knows what its instruction does.
+    """
 
     operand: Operand
     is_written: bool
@@ -82,8 +85,11 @@ def touches(action: Action) -> Iterator[Touch]:
                 yield Touch(Cell(current_value(operand.address), operand.span), True, param)
         elif param.name in action.args:
             value = action.args[param.name]
-            is_written = is_written and isinstance(value, Operands)
-            yield from (Touch(operand, is_written, param) for operand in value_operands(value))
+            for operand in value_operands(value):
+                is_kept = isinstance(value, KeptToken)
+                if is_kept:
+                    yield Touch(operand, False, param)
+                yield Touch(operand, is_kept or (is_written and isinstance(value, Operands)), param)
 
 
 def reaching(program: Program, address_of: AddressOf = cell_address) -> Iterator[tuple[Operand, int]]:

@@ -10,7 +10,7 @@ from clickgen.formula.nodes import Operand as FormulaOperand
 from clickgen.formula.refs import map_refs
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Named, Operand, Pointer, Range, Single
-from clickgen.ir.program import Action, Branch, FormulaText, Item, Loop, Operands, Program, Rung, Value
+from clickgen.ir.program import Action, Branch, FormulaText, Item, KeptToken, Loop, Operands, Program, Rung, Value
 
 # -- walking ----------------------------------------------------------------------------------------------------------
 
@@ -51,6 +51,8 @@ def value_operands(value: Value) -> Iterator[Operand]:
     elif isinstance(value, Operands):
         for item in value.items:
             yield from _with_register(item)
+    elif isinstance(value, KeptToken):
+        yield from value.operands
     elif isinstance(value, Operand):
         yield from _with_register(value)
 

@@ -36,7 +36,7 @@ class Square:
 
 @dataclass(frozen=True, slots=True)
 class DrawnRow:
-    """One row as the file has it; ``line`` is its line there."""
+    """One row as the file has it; ``line`` is its line there, 0 in a binary file."""
 
     squares: tuple[Square, ...]
     output: str
@@ -54,7 +54,10 @@ class DrawnBox:
 
 @dataclass(frozen=True)
 class DrawnRung:
-    """One rung. ``number`` counts from 1; a rung with problems has of its rows what could be read."""
+    """One rung. ``number`` counts from 1 in its routine; ``line`` is 0 in a binary file.
+
+    A rung with problems has of its rows what could be read.
+    """
 
     number: int
     file: str
@@ -66,7 +69,14 @@ class DrawnRung:
 
     @property
     def span(self) -> Span:
-        return Span(self.file, self.line, 1, self.line, 2)
+        """The place of the rung. In a binary file its number stands for the line: no two rungs have one place."""
+        line = self.line or self.number
+        return Span(self.file, line, 1, line, 2)
+
+    def numbered(self, number: int) -> DrawnRung:
+        """The same rung at another place of its routine."""
+        problems = tuple(problem.in_rung(number) for problem in self.problems)
+        return replace(self, number=number, problems=problems)
 
 
 @dataclass(frozen=True)
@@ -79,7 +89,7 @@ class Ladder:
     @property
     def all_problems(self) -> tuple[LadderProblem, ...]:
         found = [*self.problems, *(problem for rung in self.rungs for problem in rung.problems)]
-        return tuple(sorted(found, key=lambda problem: problem.row))
+        return tuple(sorted(found, key=lambda problem: (problem.row, problem.rung)))
 
 
 def decode_ladder(data: bytes, file: str) -> str:
@@ -190,9 +200,10 @@ class _Reader:
             self._fault("a wire leads down from the last row of the rung", last.line)
         if height > MAX_ROWS:
             self._fault(f"the rung has {height} rows with its boxes at their full height, and CLICK {MAX_ROWS}", 0)
-        problems = tuple(p if p.row else LadderProblem(p.message, p.file, self.rung_row) for p in self.faults)
+        number = len(self.rungs) + 1
+        problems = tuple(LadderProblem(p.message, p.file, p.row or self.rung_row, number) for p in self.faults)
         rung = DrawnRung(
-            len(self.rungs) + 1,
+            number,
             self.file,
             self.rung_row,
             "\n".join(self.comment),

@@ -7,11 +7,11 @@ could stays an arc of its own.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from clickgen.ir.conditions import Always, Compare, Condition, Contact
-from clickgen.ladder.grid import DrawnRung
+from clickgen.ladder.grid import DrawnRung, Square
 from clickgen.ladder.problem import LadderProblem
 from clickgen.lower.grid import COLUMNS
 from clickgen.lower.tokens import compare_token, contact_token
@@ -56,13 +56,20 @@ def network_of(rung: DrawnRung) -> Network:
         for column, square in enumerate(drawn.squares):
             if square.down and column and row + 1 < len(rung.rows):
                 nodes.join((row, column), (row + 1, column))
+    wire = Always(rung.span)
     arcs: list[Arc] = []
     for row, drawn in enumerate(rung.rows):
-        for column, square in enumerate(drawn.squares):
+        above = rung.rows[row - 1].squares if row else ()
+        column = 0
+        while column < COLUMNS:
+            place, square = (row, column), drawn.squares[column]
+            column += 1
+            if square.contact is None:
+                # A wire is one arc up to the next square that is more than a piece of it.
+                while column < COLUMNS and square.right and _goes_on(drawn.squares[column], above, column):
+                    column += 1
             if square.right:
-                condition = square.contact or Always(rung.span)
-                place = (row, column)
-                arcs.append(Arc(nodes.of(place), nodes.of((row, column + 1)), condition, place))
+                arcs.append(Arc(nodes.of(place), nodes.of((row, column)), square.contact or wire, place))
     rows = {row for box in rung.boxes for row in (box.row, *(row for _, row in box.pins))}
     ends = {row: nodes.of((row, COLUMNS)) for row in sorted(rows)}
     kept = leading(arcs, ends.values())
@@ -71,6 +78,12 @@ def network_of(rung: DrawnRung) -> Network:
     found = Network(kept, ends)
     _join_wires(found)
     return found
+
+
+def _goes_on(square: Square, above: Sequence[Square], column: int) -> bool:
+    """True for a piece of wire that no vertical wire meets at its left edge."""
+    is_wire = square.right and square.contact is None and not square.down
+    return is_wire and not (above and above[column].down)
 
 
 def leading(arcs: list[Arc], ends: Iterable[Place]) -> list[Arc]:
@@ -203,12 +216,30 @@ def _always_through(arcs: list[Arc], ends: set[Place]) -> Iterator[tuple[Place, 
                 return
 
 
+def _has_circle(arcs: list[Arc]) -> bool:
+    """True where power could come back to where it was."""
+    waiting: dict[Place, int] = {}
+    following: dict[Place, list[Place]] = {}
+    for arc in arcs:
+        waiting[arc.stop] = waiting.get(arc.stop, 0) + 1
+        following.setdefault(arc.start, []).append(arc.stop)
+    free = [node for node in following if node not in waiting]
+    for node in free:
+        for other in following.get(node, ()):
+            waiting[other] -= 1
+            if not waiting[other]:
+                free.append(other)
+    return any(waiting.values())
+
+
 _RULES = (_from_one, _to_one, _always_through)
 
 
 def _leave_out_useless(network: Network) -> None:
     """Arcs that only lead back to where power is already, and what then leads nowhere."""
     ends = set(network.ends.values())
+    if not _has_circle(network.arcs):
+        return
     gone: list[Arc] = []
     for arc in list(network.arcs):
         rest = [one for one in network.arcs if one is not arc]

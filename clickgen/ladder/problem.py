@@ -4,13 +4,29 @@ from __future__ import annotations
 
 
 class LadderProblem(Exception):
-    """Something that cannot be kept: the file as shown, the line in it (from 1), and why."""
+    """Something that cannot be kept: the file as shown, the place in it, and why.
 
-    def __init__(self, message: str, file: str, row: int) -> None:
+    ``row`` is the line (from 1; 0 where a file has none, or it is about all of it), ``rung`` the number of the rung in
+    its routine (from 1; 0 when it belongs to none).
+    """
+
+    def __init__(self, message: str, file: str, row: int = 0, rung: int = 0) -> None:
         super().__init__(message)
         self.message = message
         self.file = file
         self.row = row
+        self.rung = rung
+
+    def in_rung(self, rung: int) -> LadderProblem:
+        """The same problem, of the rung with this number."""
+        return LadderProblem(self.message, self.file, self.row, rung)
+
+    @property
+    def place(self) -> str:
+        """``main.csv:45``, or ``main.scr: rung 12`` in a file without lines."""
+        if self.row:
+            return f"{self.file}:{self.row}"
+        return f"{self.file}: rung {self.rung}" if self.rung else self.file
 
     def __str__(self) -> str:
-        return f"{self.file}:{self.row}: {self.message}"
+        return f"{self.place}: {self.message}"

@@ -13,10 +13,11 @@ from clickgen.ir.conditions import Always, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
 from clickgen.ladder.grid import DrawnBox, DrawnRung
+from clickgen.ladder.kept import raw_of
 from clickgen.ladder.network import RAIL, Arc, Network, Place, network_of
 from clickgen.ladder.problem import LadderProblem
 from clickgen.ladder.reduce import TooEntangled, series, tree_of
-from clickgen.ladder.tokens import action_of, raw_of
+from clickgen.ladder.tokens import action_of
 from clickgen.source import Span
 from clickgen.syntax.comments import DIRECTIVE
 
@@ -30,6 +31,8 @@ class ImportedRung:
     rung: Rung
     drawn: DrawnRung
     notes: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
+    """What is left out that does nothing."""
 
 
 @dataclass(frozen=True)
@@ -46,14 +49,16 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
         raise drawn.problems[0]
     network = network_of(drawn)
     span = drawn.span
-    notes = [*_comment_notes(drawn), *network.notes]
+    notes = list(network.notes)
+    remarks = _comment_remarks(drawn)
     boxes = list(drawn.boxes)
     if len(boxes) > 1 and any(box.token == "NOP" for box in boxes):
-        notes.append("NOP beside an output does nothing: it is left out")
+        remarks.append("NOP beside an output does nothing: it is left out")
         boxes = [box for box in boxes if box.token != "NOP"]
     if not boxes:
-        notes.append("the rung has no output: it becomes NOP")
-        return ImportedRung(_rung(drawn, Always(span), (Action(NOP, {}, span),)), drawn, tuple(notes))
+        remarks.append("the rung has no output: it becomes NOP")
+        nop = _rung(drawn, Always(span), (Action(NOP, {}, span),))
+        return ImportedRung(nop, drawn, tuple(notes), tuple(remarks))
     fed = {RAIL, *(arc.stop for arc in network.arcs)}
     for box in boxes:
         if network.ends[box.row] not in fed and box.token != "NOP":
@@ -70,10 +75,10 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
     condition: Condition = Always(span)
     if len(items) == 1 and isinstance(items[0], Branch):
         condition, items = items[0].condition, items[0].items
-    return ImportedRung(_rung(drawn, condition, items), drawn, tuple(notes))
+    return ImportedRung(_rung(drawn, condition, items), drawn, tuple(notes), tuple(remarks))
 
 
-def _comment_notes(drawn: DrawnRung) -> list[str]:
+def _comment_remarks(drawn: DrawnRung) -> list[str]:
     """What is to be said of the comment. Raises LadderProblem for one that would not come back."""
     if not is_comment_kept(drawn.comment):
         message = f"a line of the comment begins with {DIRECTIVE!r}, which speaks to clickgen, or holds a NUL character"
@@ -143,15 +148,18 @@ def _items(outputs: Sequence[_Output]) -> tuple[Item, ...]:
 # -- routines ---------------------------------------------------------------------------------------------------------
 
 
-def routine_of(name: str, rungs: Sequence[Rung], is_main: bool) -> Routine:
+def routine_of(name: str, rungs: Sequence[Rung], is_main: bool, function: str = "") -> Routine:
     """The rungs of a file as a routine, loops closed around their rungs.
 
-    Raises LadderProblem for a name that a function cannot have.
+    ``name`` is CLICK's, ``function`` the source's; without one it is the same name. Raises LadderProblem for a name
+    that a function cannot have.
     """
     span = rungs[0].span if rungs else Span(name, 1, 1, 1, 2)
-    if is_main != (name == "main") or not (name.isascii() and name.isidentifier()) or iskeyword(name):
-        raise LadderProblem(f"a subroutine cannot have the name {name!r} here", span.path, span.line)
-    return Routine(name, with_loops(rungs), span, is_main)
+    function = function or name
+    is_function = function.isascii() and function.isidentifier() and not iskeyword(function)
+    if not is_function or is_main != (name == "main") or is_main != (function == "main"):
+        raise LadderProblem(f"a subroutine cannot have the name {function!r} here", span.path, span.line)
+    return Routine(name, with_loops(rungs), span, is_main, function=function)
 
 
 def with_loops(rungs: Sequence[Rung]) -> tuple[Rung, ...]:

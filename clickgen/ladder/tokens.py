@@ -12,14 +12,15 @@ from dataclasses import dataclass
 from functools import cache
 
 from clickgen.device.banks import current_value, parse_address
-from clickgen.instructions import FAMILIES
+from clickgen.instructions import FAMILIES, raw
 from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.instructions.counters import CTD
 from clickgen.instructions.maths import MATH_HEX
-from clickgen.instructions.spec import REQUIRED, Param, ParamKind, Spec, Variant
+from clickgen.instructions.raw import rows_of
+from clickgen.instructions.spec import REQUIRED, ParamKind, Spec, Variant
 from clickgen.ir.conditions import Condition
 from clickgen.ir.operands import Cell, Range
-from clickgen.ir.program import Action, Value, Word
+from clickgen.ir.program import Action, Value
 from clickgen.ladder.calls import Call, call_of
 from clickgen.ladder.values import value_of
 from clickgen.lower.tokens import keyword_of, pin_row
@@ -27,18 +28,8 @@ from clickgen.source import Span
 
 PIN = re.compile(r"\.[a-z_]+\(.*\)")
 
-RAW = Spec(
-    name="raw",
-    params=(Param("token"),),
-    variants=(Variant("{token}"),),
-    summary="An instruction that the language has no word for, as its ladder token.",
-    example='raw("raw(Email,...)")',
-)
-"""What is kept as it is; ``token`` is a Word."""
-
 _PLACE = re.compile(r"\{(\w+)\}")
 _PATTERNS = {ParamKind.COMPARISON: "==|!=|<=|>=|<|>"}
-_TALL_RAW = re.compile(r"raw\(\w+,0x[0-9A-Fa-f]+,(\d+),")
 
 
 @dataclass(frozen=True)
@@ -69,9 +60,9 @@ class _Template:
 
 @cache
 def _templates() -> dict[str, tuple[_Template, ...]]:
-    """Every template by the name of its token."""
+    """Every template by the name of its token. What is kept as it is has none."""
     found: dict[str, tuple[_Template, ...]] = {}
-    for spec in (*(spec for family in FAMILIES for spec in family.SPECS), FOR, RETURN):
+    for spec in (*(spec for family in FAMILIES if family is not raw for spec in family.SPECS), FOR, RETURN):
         for variant in spec.variants:
             name, template = _template(spec, variant)
             found[name] = (*found.get(name, ()), template)
@@ -105,16 +96,18 @@ def _pattern(text: str, kinds: Mapping[str, ParamKind]) -> re.Pattern[str]:
     return re.compile("".join(pieces), re.DOTALL)
 
 
+def specs_of(token: str) -> list[Spec]:
+    """The instructions that are written with the name of this token, such as ``on_delay``."""
+    return [*dict.fromkeys(template.spec for template in _templates().get(token.partition("(")[0], ()))]
+
+
 # -- what a box is ----------------------------------------------------------------------------------------------------
 
 
 def height_of(token: str) -> int:
     """The rows of an instruction (click-facts, section 3); 1 for what nobody knows."""
-    raw = _TALL_RAW.match(token)
-    if raw:
-        return max(1, int(raw[1]))
-    templates = _templates().get(token.partition("(")[0], ())
-    return max((template.spec.height for template in templates), default=1)
+    heights = [spec.height for spec in specs_of(token)]
+    return max(heights, default=rows_of(token))
 
 
 def pin_row_of(token: str, pin: str) -> int:
@@ -149,21 +142,6 @@ def action_of(token: str, pins: Mapping[str, Condition], span: Span) -> Action |
         if action is not None:
             return action
     return None
-
-
-def raw_of(token: str, span: Span) -> Action | None:
-    """An instruction to keep as it is; None when laddercodec could not read it again."""
-    from laddercodec.csv.converter import af_node_to_token
-    from laddercodec.csv.token_parser import parse_af_token
-
-    templates = _templates().get(token.partition("(")[0], ())
-    if templates and all(template.spec.pins for template in templates):
-        return None
-    try:
-        af_node_to_token(parse_af_token(token))
-    except (ValueError, TypeError, KeyError, IndexError, AttributeError):
-        return None
-    return Action(RAW, {"token": Word(token, span)}, span)
 
 
 def _with_pins(spec: Spec, texts: dict[str, str], pins: Mapping[str, Condition]) -> dict[str, str | Condition] | None:

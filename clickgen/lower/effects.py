@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from clickgen.device.banks import TWIN_BANKS, Address, parse_address
+from clickgen.device.banks import BANKS, TWIN_BANKS, Address, parse_address
 from clickgen.instructions.control import CALL
+from clickgen.instructions.raw import RAW
 from clickgen.instructions.spec import COPY_FLAGS
 from clickgen.ir.conditions import Condition
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
@@ -69,7 +70,7 @@ def is_volatile(condition: Condition) -> bool:
 
 class Effects:
     """What instructions write. A call writes what its subroutine writes, and an instruction that CLICK does not have
-    what the instructions write that stand for it."""
+    what the instructions write that stand for it. One that is kept may write anything, also what it does not name."""
 
     def __init__(self, routines: Iterable[Routine], delays: OffDelays) -> None:
         self._routines: Mapping[str, Routine] = {routine.name: routine for routine in routines}
@@ -80,6 +81,8 @@ class Effects:
         """The cells that running an action may change, CLICK's status bits included."""
         if action.spec is CALL:
             return self._writes_of(action.word("subroutine"))
+        if action.spec is RAW:
+            return Cells(banks=set(BANKS))
         cells = Cells()
         flags = action.spec.sets_flags + (COPY_FLAGS if copied_first(action) else ())
         for flag in flags:

@@ -122,18 +122,19 @@ class _Canvas:
                 self.wire(below, split, COLUMNS)
                 self.box(below, item)
                 starts.append(below)
-                below += item.spec.height
+                below += item.height
         self.tie(split, exits + starts)
         return entries or starts, max(below - row, net.height if net is not None else 1)
 
     def pinned_box(self, net: Net | None, action: Action) -> None:
         """A box whose inputs are rows of their own: legs of its enable stand above it, those of its last pin below.
 
-        Every pin input needs a contact (click-facts, trap 2): SC1 is always on, ~SC1 never.
+        Every pin input needs a contact (click-facts, trap 2): SC1 is always on, ~SC1 never. An enable gets one too,
+        unless the box is known to run without it.
         """
         spec = action.spec
-        enable = net if net is not None else Leaf(ALWAYS_CONTACT)
-        row = enable.height - 1
+        enable = net if net is not None or spec.bare_enable else Leaf(ALWAYS_CONTACT)
+        row = enable.height - 1 if enable is not None else 0
         self._input(enable, row, step=-1)
         self.box(row, action)
         for param in spec.pins:
@@ -144,7 +145,10 @@ class _Canvas:
             self._input(pin_network(action, param), at)
             self.outputs[at] = pin_token(action, param)
 
-    def _input(self, net: Net, row: int, step: int = 1) -> None:
+    def _input(self, net: Net | None, row: int, step: int = 1) -> None:
+        if net is None:
+            self.wire(row, 0, COLUMNS)
+            return
         _, exits = self.net(net, row, 0, step)
         self.tie(net.width, exits)
         self.wire(row, net.width, COLUMNS)
@@ -177,7 +181,7 @@ class _Canvas:
         self.downs.update((row, boundary) for row in range(min(touched), max(touched)))
 
     def box(self, row: int, action: Action) -> None:
-        height = action.spec.height
+        height = action.height
         self.outputs[row] = action_token(action)
         self.boxed.update(range(row + 1, row + height))
         self.row(row + height - 1)

@@ -24,7 +24,7 @@ from clickgen.ir.operands import (
     Real,
     Text,
 )
-from clickgen.ir.program import Action, FormulaText, Operands, Options, Pattern, Word
+from clickgen.ir.program import Action, FormulaText, KeptToken, Operands, Options, Pattern, Word
 from clickgen.ir.reach import reached
 
 Namer = Callable[[Operand], str]
@@ -124,6 +124,8 @@ def _argument(action: Action, param: Param, name: Namer) -> str:
         return _options(value) if isinstance(value, Options) else ""
     if isinstance(value, Word):
         return str(value.value)
+    if isinstance(value, KeptToken):
+        return value.text
     if isinstance(value, FormulaText):
         return formula_text(value, name)
     if param.kind is ParamKind.UNIT:

@@ -27,7 +27,15 @@ SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
 _PROBLEM_SEVERITIES = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "recommendation"}
 """GitHub's own words for the severity of a rule that is not about security."""
-_GROUPS = {"1": "syntax", "2": "addresses", "3": "operands", "4": "structure", "5": "logic", "6": "address-table"}
+_GROUPS = {
+    "1": "syntax",
+    "2": "addresses",
+    "3": "operands",
+    "4": "structure",
+    "5": "logic",
+    "6": "address-table",
+    "7": "import",
+}
 _ROOT = "%SRCROOT%"
 _DESCRIPTION_MAX = 1024
 """GitHub's limit for fullDescription."""

@@ -13,7 +13,7 @@ from clickgen.formula.printer import source_reference
 from clickgen.instructions.spec import Access
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Constant, Immediate, Named, Operand, Range
-from clickgen.ir.program import Action, Program, actions_in, rungs_in
+from clickgen.ir.program import Action, Program, Value, Word, actions_in, rungs_in
 from clickgen.ir.reach import reaching
 from clickgen.ir.walk import Rewriter, program_operands
 from clickgen.resolve.allocate import Allocator
@@ -64,7 +64,8 @@ def resolve(
     marked = (address for block in blocks.values() for address in block.addresses())
     resolver.allocator.take((*resolver.reserved, *marked, *_addresses(operands)))
     resolver.name(program, list(_named(operands)))
-    resolved = _Names(resolver.addresses).program(program)
+    functions = {routine.function: routine.name for routine in program.subroutines}
+    resolved = _Names(resolver.addresses, functions).program(program)
     _guard_scratch(resolved, table, problems)
     rows = (*declared.rows, *resolver.allocated)
     return Resolved(resolved, rows, tuple(resolver.allocated), resolver.allocator, table, blocks)
@@ -279,16 +280,22 @@ def _owned(program: Program) -> Iterator[tuple[str, str]]:
 
 
 class _Names(Rewriter):
-    """Replaces names by cells and gives constants their types."""
+    """Replaces names by cells, functions by CLICK's names for them, and gives constants their types."""
 
-    def __init__(self, addresses: dict[tuple[str, str], Address]) -> None:
+    def __init__(self, addresses: dict[tuple[str, str], Address], functions: Mapping[str, str]) -> None:
         self.addresses = addresses
+        self.functions = functions
 
     def cell(self, cell: Named | Cell) -> Named | Cell:
         if isinstance(cell, Cell) or cell.part is not None:
             return cell
         address = self.addresses.get((cell.bank, cell.name.lower()))
         return cell if address is None else Cell(address, cell.span)
+
+    def value(self, value: Value) -> Value:
+        if isinstance(value, Word) and value.is_function and str(value.value) in self.functions:
+            return Word(self.functions[str(value.value)], value.span)
+        return super().value(value)
 
     def compare(self, compare: Compare) -> Compare:
         left, right = self.single(compare.left), self.single(compare.right)

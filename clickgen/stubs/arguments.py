@@ -23,6 +23,8 @@ _TYPES = {
     ParamKind.ROUTINE: "_Subroutine | str",
     # 100 == ds[1:5] is a bool for Python, because its left side decides.
     ParamKind.RANGE_COMPARISON: "_RangeComparison | bool",
+    ParamKind.TEXT: "str",
+    ParamKind.TOKEN: "str",
 }
 """The types of what is no operand."""
 

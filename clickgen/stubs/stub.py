@@ -60,8 +60,12 @@ _DECLARATIONS = '''\
 class _Subroutine(Protocol):
     """A subroutine, to be called by call(...)."""
     _is_subroutine: None
+@overload
 def sub(routine: Callable[[], None], /) -> _Subroutine:
     """Marks a subroutine: it stands on the line above def name():."""
+@overload
+def sub(name: str, /) -> Callable[[Callable[[], None]], _Subroutine]:
+    """Marks a subroutine that CLICK calls otherwise than the program: @sub("Auto Mode")."""
 
 def nickname(
     name: _Address,

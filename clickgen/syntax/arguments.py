@@ -9,6 +9,7 @@ from clickgen.diagnostics import did_you_mean
 from clickgen.instructions.maths import MATH_HEX
 from clickgen.instructions.spec import Param, ParamKind, Spec
 from clickgen.instructions.timers import UNITS
+from clickgen.ir.kept import kept_token
 from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Range, Single
 from clickgen.ir.program import FormulaText, Operands, Pattern, Value, Word
 from clickgen.syntax.conditions import FUNCTIONS, read_condition
@@ -52,6 +53,8 @@ def read_argument(context: Context, spec: Spec, param: Param, node: ast.expr) ->
         return read_target(context, node, spec.signature)
     if kind is ParamKind.REMOTE:
         return read_remote(context, node, spec.signature)
+    if kind is ParamKind.TOKEN and isinstance(node, ast.Constant) and isinstance(node.value, str):
+        return kept_token(context.embedded(node), context.span(node))
     return _read_word(context, spec, param, node)
 
 
@@ -63,21 +66,24 @@ def _refuse(context: Context, spec: Spec, param: Param, node: ast.expr, hint: st
 def _read_word(context: Context, spec: Spec, param: Param, node: ast.expr) -> Value | None:
     kind = param.kind
     value: str | bool | None = None
+    is_function = False
     if kind is ParamKind.FLAG and isinstance(node, ast.Constant) and isinstance(node.value, bool):
         value = node.value
     elif kind is ParamKind.UNIT and isinstance(node, ast.Name) and node.id in UNITS:
         value = node.id
     elif kind is ParamKind.COMPARISON and isinstance(node, ast.Constant):
         value = _COMPARISONS.get(str(node.value))
+    elif kind is ParamKind.TEXT and isinstance(node, ast.Constant) and isinstance(node.value, str):
+        value = node.value
     elif kind is ParamKind.ROUTINE:
         if isinstance(node, ast.Name):
-            value = node.id
+            value, is_function = node.id, True
         elif isinstance(node, ast.Constant) and isinstance(node.value, str):
             value = node.value
     if value is None:
         _refuse(context, spec, param, node, _word_hint(context, spec, param, node))
         return None
-    return Word(value, context.span(node))
+    return Word(value, context.span(node), is_function)
 
 
 def _word_hint(context: Context, spec: Spec, param: Param, node: ast.expr) -> str:

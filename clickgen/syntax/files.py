@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.ir.imports import Import
-from clickgen.ir.program import BlockDeclaration, Declaration, Program, Routine
+from clickgen.ir.program import BlockDeclaration, Declaration, Offer, Program, Routine
 from clickgen.source import SourceFile, Span
 from clickgen.syntax.parse import decode
 from clickgen.syntax.read import FileContent, read_file
@@ -33,7 +33,7 @@ def read_program(
     # A routine that two files import is one routine.
     routines = {id(routine): routine for routine in files.routines(content)}
     wanted = {name for item in content.items if isinstance(item, Import) for name, _ in item.names}
-    misimported = wanted - {routine.name for routine in routines.values()}
+    misimported = wanted - {routine.function for routine in routines.values()}
     program = Program(
         source,
         tuple(routines.values()),
@@ -75,15 +75,16 @@ class _Files:
         for item in content.items:
             if isinstance(item, Import):
                 subroutines = self._subroutines(_sibling(content.path, item.module))
-                yield from (subroutines[name] for name, _ in item.names if name in subroutines)
+                # Two of one name are both brought: that is for the rule about names.
+                yield from (one for name, _ in item.names for one in subroutines if one.function == name)
 
-    def offered(self, content: FileContent) -> dict[str, str]:
-        """The subroutines of the files that the program imports, each with its module."""
+    def offered(self, content: FileContent) -> dict[str, Offer]:
+        """The subroutines of the files that the program imports, by their functions."""
         return {
-            name: item.module
+            routine.function: Offer(routine.name, item.module)
             for item in content.items
             if isinstance(item, Import)
-            for name in self._subroutines(_sibling(content.path, item.module))
+            for routine in self._subroutines(_sibling(content.path, item.module))
         }
 
     def _import(self, importer: str, item: Import) -> None:
@@ -132,21 +133,23 @@ class _Files:
         content = self._contents[_key(path)]
         if content is None:
             return
-        subroutines = self._subroutines(path)
+        subroutines = {routine.function: routine.name for routine in self._subroutines(path)}
         mains = {other.name for other in content.items if isinstance(other, Routine) and other.is_main}
         for name, span in item.names:
             if name in mains:
                 fault, help = f"{name} of {path} is a main program, not a subroutine", "import its subroutines"
             elif name not in subroutines:
-                fault, help = f"{path} has no subroutine {name!r}", did_you_mean(name, subroutines)
+                titled = next((function for function, title in subroutines.items() if title == name), "")
+                hint = f"an import names the function: {titled}" if titled else did_you_mean(name, subroutines)
+                fault, help = f"{path} has no subroutine {name!r}", hint
             else:
                 continue
             self.problems.add("CG123", span, fault, help or f"it has {', '.join(subroutines) or 'none'}")
 
-    def _subroutines(self, path: str) -> dict[str, Routine]:
+    def _subroutines(self, path: str) -> list[Routine]:
         content = self._contents.get(_key(path))
         routines = (item for item in content.items if isinstance(item, Routine)) if content else ()
-        return {routine.name: routine for routine in routines if not routine.is_main}
+        return [routine for routine in routines if not routine.is_main]
 
 
 def _sibling(importer: str, module: str) -> str:

@@ -9,6 +9,7 @@ from clickgen.device.banks import BANKS, TWIN_BANKS, VALUE_BANK
 from clickgen.instructions import communication, copies, maths
 from clickgen.instructions.coils import RESET, SET
 from clickgen.instructions.control import CALL, END, FOR, NEXT, NOP, RETURN
+from clickgen.instructions.raw import NOT_IMPORTED, RAW
 from clickgen.instructions.spec import Access
 from clickgen.ir.conditions import Condition
 from clickgen.ir.operands import Cell, Immediate, Named, Operand, Range, form_of
@@ -20,11 +21,13 @@ from clickgen.syntax.opposites import is_block
 
 _VOLATILE = ("T", "TD", "SC", "SD")
 """Banks that may change between two rungs although no instruction there writes them."""
-_UNKNOWN = (CALL, FOR, NEXT, END, RETURN)
-"""What runs behind these, or not, is not what stands behind them."""
+_KEPT = (RAW, NOT_IMPORTED)
+"""Nobody knows what these do."""
+_UNKNOWN = (CALL, FOR, NEXT, END, RETURN, *_KEPT)
+"""What runs behind these, or not, is not what stands behind them; or what they write is not known."""
 _QUIET = (SET, RESET, NOP, CALL, NEXT, END, RETURN, *copies.SPECS, *maths.SPECS)
 """Instructions that change nothing while their condition does not hold."""
-_MESSAGES = re.compile(rf"\b({'|'.join(spec.name for spec in communication.SPECS)})\s*\(")
+_MESSAGES = re.compile(rf"\b({'|'.join(spec.name for spec in (*communication.SPECS, RAW))})\s*\(")
 
 _Place = tuple[str, object]
 """A bank, and a number or a name in it; None for all of the bank."""
@@ -34,7 +37,9 @@ def is_undone(context: Context, bodies: Sequence[tuple[Item, ...]]) -> bool:
     """True when an arm that does not run may undo what an earlier one did: out turns its bit off then."""
     for earlier, later in _pairs(bodies):
         after = _places_written(context, (action for action in actions_in(later) if action.spec not in _QUIET))
-        is_open = any(action.spec in (CALL, FOR) for action in actions_in(earlier))
+        if any(action.spec in _KEPT for action in actions_in(later)):
+            return True
+        is_open = any(action.spec in (CALL, FOR, *_KEPT) for action in actions_in(earlier))
         if after and (is_open or _meet(_places_written(context, actions_in(earlier)), after)):
             return True
     return False

@@ -21,6 +21,7 @@ from clickgen.syntax.conditions import read_condition
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import read_constant, read_operand, shorten
 from clickgen.syntax.parse import parse_tree
+from clickgen.wording import quoted
 
 _DSL_MODULE = "clickgen.dsl"
 
@@ -105,7 +106,9 @@ def _read_routine(context: Context, node: ast.FunctionDef | ast.AsyncFunctionDef
     start = source.column(node.lineno, node.col_offset)
     end = max(source.line(node.lineno).find(node.name, start) + len(node.name), start) + 1
     span = Span(source.path, node.lineno, start, node.lineno, end)
-    is_sub = [decorator.id for decorator in node.decorator_list if isinstance(decorator, ast.Name)] == ["sub"]
+    mark = node.decorator_list[0] if len(node.decorator_list) == 1 else None
+    is_titled = mark is not None and _is_call_of(mark, "sub")
+    is_sub = is_titled or (isinstance(mark, ast.Name) and mark.id == "sub")
     is_main = node.name == "main" and not node.decorator_list
     problems = context.problems
     if isinstance(node, ast.AsyncFunctionDef):
@@ -122,9 +125,37 @@ def _read_routine(context: Context, node: ast.FunctionDef | ast.AsyncFunctionDef
                 "a subroutine stands under @sub alone",
                 f"write @sub on the line above def {node.name}():",
             )
+    title = _read_title(context, mark) if isinstance(mark, ast.Call) and is_titled and node.name != "main" else None
     before = len(problems.found)
     rungs = _read_rungs(context, node.body, node.lineno)
-    return Routine(node.name, rungs, span, node.name == "main", len(problems.found) == before)
+    is_whole = len(problems.found) == before
+    if title is None:
+        return Routine(node.name, rungs, span, node.name == "main", is_whole)
+    return Routine(str(title.value), rungs, span, False, is_whole, node.name, title.span)
+
+
+def _read_title(context: Context, mark: ast.Call) -> Word | None:
+    """CLICK's name in ``@sub("Auto Mode")``; None where there is no text, with a problem."""
+    given = [*mark.args, *(keyword.value for keyword in mark.keywords)]
+    titles = [
+        Word(node.value, context.span(node))
+        for node in given
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    ]
+    title = titles[0] if titles else None
+    if title is None or len(given) > 1 or mark.keywords:
+        number = given[0].value if len(given) == 1 and isinstance(given[0], ast.Constant) else None
+        help = 'write the name in plain quotes: @sub("Auto Mode")'
+        if not given:
+            help = "write @sub without brackets to use the function's name, or " + help.removeprefix("write ")
+        elif len(titles) > 1:
+            help = f"a subroutine has one name: @sub({quoted(str(titles[0].value))})"
+        elif title is not None:
+            help = f"write @sub({quoted(str(title.value))})"
+        elif type(number) is int:
+            help = f'write the number in quotes: @sub("{number}")'
+        context.problem("CG114", mark, "@sub(...) takes one text: the subroutine's name in CLICK", help)
+    return title
 
 
 def _read_rungs(

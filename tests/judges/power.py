@@ -34,6 +34,7 @@ HEIGHTS: Mapping[str, int] = {
     **dict.fromkeys(("event_drum", "time_drum"), 4),
     **dict.fromkeys(("send", "receive"), 3),
     **dict.fromkeys(("out", "latch", "reset", "math", "call", "return", "for", "next", "end"), 1),
+    "raw": 1,  # or as many as it says itself
 }
 NOP = "NOP"
 
@@ -66,6 +67,7 @@ _EDGE = re.compile(rf"(?:rise|fall)\({_BIT}\)")
 _COMPARE = re.compile(rf"{_OPERAND}(?:==|!=|<=|>=|<|>){_OPERAND}")
 _MARKER = re.compile(r"R\d*")
 _CALL = re.compile(r"(\.?[a-z_]+)\(.*\)", re.DOTALL)
+_RAW_HEIGHT = re.compile(r"raw\(\w+,0x[0-9a-f]{4},(\d+)")
 
 
 class Terminal(NamedTuple):
@@ -243,7 +245,8 @@ class _Box:
 
     @property
     def height(self) -> int:
-        return HEIGHTS.get(self.name, 1)
+        own = _RAW_HEIGHT.match(self.token)
+        return int(own[1]) if own else HEIGHTS.get(self.name, 1)
 
 
 def _expand(written: Sequence[Row]) -> tuple[tuple[Row, ...], tuple[Output, ...]]:

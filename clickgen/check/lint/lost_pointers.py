@@ -13,6 +13,7 @@ from clickgen.device.banks import BANKS, Address
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
 from clickgen.instructions.copies import COPY, COPY_FILL
+from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import All, Any, Compare, Condition, Contact
 from clickgen.ir.logic import are_exclusive, implies, terms_of
 from clickgen.ir.operands import Cell, Immediate, Integer, Operand, Pointer, form_of
@@ -37,7 +38,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
     for place, placed in enumerate(facts.actions):
         if placed.rung is not rung or placed.spec in _BARRIERS:
             rung, since = placed.rung, place
-        if id(placed.action) in through and placed.loop is None:
+        if id(placed.action) in through and placed.loop is None and placed.spec is not RAW:
             pointers = {touch.operand: None for touch in touches(placed.action) if isinstance(touch.operand, Pointer)}
             for pointer in pointers:
                 if isinstance(pointer.register, Cell):

@@ -14,6 +14,7 @@ from clickgen.formula.nodes import Binary, Call, walk
 from clickgen.instructions import communication, copies, maths
 from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
 from clickgen.instructions.copies import COPY, COPY_PACK
+from clickgen.instructions.raw import RAW
 from clickgen.instructions.spec import BITS, COPY_FLAGS, MATH_FLAGS, TEXT
 from clickgen.instructions.spec import CODE as CHARACTER
 from clickgen.ir.conditions import Condition
@@ -25,9 +26,9 @@ from clickgen.ir.walk import condition_operands, leaves
 CODE = "CG510"
 
 _WRITERS = frozenset(spec.name for spec in (*copies.SPECS, *maths.SPECS))
-_BARRIERS = frozenset(spec.name for spec in (CALL, END, RETURN, FOR, NEXT))
-"""What runs behind these is not what stands behind them."""
-_MESSAGES = frozenset(spec.name for spec in communication.SPECS)
+_BARRIERS = frozenset(spec.name for spec in (CALL, END, RETURN, FOR, NEXT, RAW))
+"""What runs behind these is not what stands behind them, or nobody knows what they read."""
+_MESSAGES = frozenset(spec.name for spec in (*communication.SPECS, RAW))
 _BANKS = ("C", "DS", "DD", "DH", "DF", "TXT")
 _VOLATILE = ("T", "TD", "CT", "SC", "SD")
 """Banks that may change between two rungs although no instruction there names them."""

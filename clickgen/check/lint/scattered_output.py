@@ -11,6 +11,7 @@ from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions import drums
 from clickgen.instructions.coils import OUT, RESET, SET
 from clickgen.instructions.communication import RECEIVE
+from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.logic import are_exclusive, implies
 from clickgen.ir.operands import Cell
@@ -33,6 +34,9 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         output = Address("Y", number)
         drivers: dict[str, _Drivers] = {}
         for placed in facts.writers(output):
+            # Whether it drives the output, nobody knows.
+            if placed.spec is RAW:
+                continue
             drivers.setdefault(placed.routine.name, []).append(placed)
         if len(drivers) > 1:
             _judge(facts, problems, output, list(drivers.values()))

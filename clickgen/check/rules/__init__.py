@@ -14,6 +14,7 @@ from clickgen.check.rules import (
     drums,
     endings,
     formulas,
+    left_out,
     loops,
     modbus,
     operands,
@@ -44,5 +45,6 @@ RULES: tuple[Rule, ...] = (
     formulas.check,
     pins.check,
     retentive_off_delay.check,
+    left_out.check,
 )
 """In the order in which a person reads a program: its routines, their structure, their operands."""

@@ -9,7 +9,7 @@ from clickgen.ir.program import Routine
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
-    ended: set[str] = set()
+    ended: set[int] = set()
     closed = {id(placed.loop) for placed in facts.actions if placed.spec is NEXT}
     for placed in facts.actions:
         routine = placed.routine
@@ -19,16 +19,16 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                     "CG410", placed.action.span, "end() belongs in main; a subroutine ends in return", "write return"
                 )
             elif placed.is_unconditional and _is_reached(placed, closed):
-                ended.add(routine.name)
+                ended.add(id(routine))
         elif placed.spec is RETURN:
             if routine.is_main:
                 problems.add(
                     "CG411", placed.action.span, "return belongs in a subroutine; main ends in end()", "write end()"
                 )
             elif placed.is_unconditional and _is_reached(placed, closed) and placed.rung is routine.rungs[-1]:
-                ended.add(routine.name)
+                ended.add(id(routine))
     for routine in facts.program.routines:
-        if routine.name in ended or not routine.is_whole:
+        if id(routine) in ended or not routine.is_whole:
             continue
         if routine.is_main:
             help = "add at its end: if True: end()"

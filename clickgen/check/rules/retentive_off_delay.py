@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts
+from clickgen.check.uses import addresses_of
 from clickgen.check.values import refused_operands
 from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.timers import RTOF
 from clickgen.ir.operands import Cell, Range
+from clickgen.ir.program import KeptToken
 from clickgen.ir.walk import program_operands
+from clickgen.source import Span
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
@@ -25,7 +28,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             )
     if not timers:
         return
-    refused = refused_operands(problems)
+    kept = _in_kept_tokens(facts, timers, problems)
+    refused = refused_operands(problems) | kept
     for operand in program_operands(facts.program):
         if operand.span in refused:
             continue
@@ -36,3 +40,23 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 "this range holds the bit of an rtof, which stands elsewhere",
                 "name the bits one by one",
             )
+
+
+def _in_kept_tokens(facts: Facts, timers: set[Address], problems: Diagnostics) -> set[Span]:
+    """Report kept instructions that name the bit of an rtof: nothing can be put in its place there.
+
+    Returns the places of all addresses in kept tokens.
+    """
+    places: set[Span] = set()
+    for placed in facts.actions:
+        token = placed.action.args.get("token")
+        for operand in token.operands if isinstance(token, KeptToken) else ():
+            places.add(operand.span)
+            if not timers.isdisjoint(addresses_of(operand)):
+                problems.add(
+                    "CG301",
+                    operand.span,
+                    "this ladder token names the bit of an rtof, which stands elsewhere",
+                    "give the rtof another timer",
+                )
+    return places

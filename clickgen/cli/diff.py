@@ -1,0 +1,59 @@
+"""``clickgen diff``: what two programs, bundles or revisions do otherwise."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS, complain
+from clickgen.cli.jobs import jobs
+from clickgen.diffing.names import name_changes
+from clickgen.diffing.read import Wanted, read_side
+from clickgen.diffing.run import diff
+from clickgen.diffing.sides import BrokenProgram
+from clickgen.diffing.text import Line, report, summary
+from clickgen.pipeline import Settings
+from clickgen.report import use_color
+from clickgen.report.frames import printable, write_problems
+from clickgen.report.frames import summary as counts
+
+_COLORS = {"-": "31", "+": "32"}
+
+
+def run(options: argparse.Namespace) -> int:
+    """Compare two sides and show the difference; returns the exit code."""
+
+    def settings_of(program: str) -> Settings:
+        [job] = jobs([program], options.nicknames, config=options.config)
+        return job.settings
+
+    wanted = Wanted(settings_of, options.nicknames, options.export, options.config)
+    try:
+        with TemporaryDirectory(prefix="clickgen-") as one, TemporaryDirectory(prefix="clickgen-") as other:
+            sides = (
+                read_side(options.one, wanted, Path(one), complain),
+                read_side(options.other, wanted, Path(other), complain),
+            )
+    except BrokenProgram as error:
+        write_problems(error.problems, error.sources, sys.stderr)
+        found = counts(problem.severity for problem in error.problems)
+        complain(f"{error.shown} has {found}; there is nothing to compare")
+        return COULD_NOT_RUN
+    difference = diff(*sides)
+    names = name_changes(*sides)
+    if options.output_format == "json":
+        from clickgen.diffing.json import render
+
+        sys.stdout.write(render(difference, names))
+    else:
+        lines = (Line(" ", line) for line in summary(difference, names)) if options.quiet else report(difference, names)
+        color = use_color(sys.stdout)
+        sys.stdout.write("".join(f"{_painted(line) if color else printable(line.text)}\n" for line in lines))
+    return PROBLEMS if difference.differs else OK
+
+
+def _painted(line: Line) -> str:
+    style = _COLORS.get(line.mark)
+    return f"\x1b[{style}m{printable(line.text)}\x1b[0m" if style else printable(line.text)

@@ -1,0 +1,90 @@
+"""``clickgen import``: an existing CLICK project to a program."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from clickgen.cli import OK, PROBLEMS, complain
+from clickgen.cli.jobs import near, settings_of
+from clickgen.diagnostics import CouldNotRun
+from clickgen.importing.run import ImportResult, Target, import_project
+from clickgen.pipeline import Settings
+from clickgen.report.frames import summary, write_problems
+from clickgen.wording import counted
+
+_SHOWN_MAX = 10
+"""How many rungs are named in one line."""
+
+
+def run(options: argparse.Namespace) -> int:
+    """Import, verify and write, all of it or nothing; returns the exit code."""
+    table = Path(options.nicknames) if options.nicknames is not None else None
+    target = _target(options.output, options.config)
+    result = import_project(Path(options.source), target, table, options.keep_going, options.verify)
+    write_problems(result.diagnostics, result.sources, sys.stderr)
+    noted = summary(problem.severity for problem in result.diagnostics)
+    if not result.files:
+        complain(f"{noted}; nothing was written")
+        return PROBLEMS
+    if options.output == "-":
+        sys.stdout.write(result.files[target.program].decode())
+        print(_verified(result, options.verify), file=sys.stderr)
+        return OK if result.ok else PROBLEMS
+    result.write(options.force)
+    print(_report(result, options.verify, noted))
+    return OK if result.ok else PROBLEMS
+
+
+def _target(output: str, config: str | None) -> Target:
+    """Where the program goes: a file that ends in .py, else a folder; ``-`` is the standard output."""
+    if output == "-":
+        return Target(Path("<standard output>") / "prog.py")
+    if not output:
+        raise CouldNotRun("the place after -o is empty")
+    path = Path(output)
+    is_folder = path.is_dir() or output.endswith(("/", "\\")) or path.suffix.lower() != ".py"
+    program = path / "main.py" if is_folder else path
+    settings = settings_of(config)
+    own = settings.program(program)
+    return Target(program, is_folder, Settings(own.nicknames and near(own.nicknames), False, False, settings.reserved))
+
+
+def _report(result: ImportResult, verifies: bool, noted: str) -> str:
+    place = result.target.program.parent if result.target.is_folder else result.target.program
+    lines = [f"Imported {result.source} into {near(place)}: {_counts(result)}.", _verified(result, verifies)]
+    if result.left_out:
+        marked = f"{counted(result.left_out, 'rung')} could not be kept"
+        lines.append(f"{marked}: look for not_imported in the program; a build refuses it until then.")
+    if noted:
+        lines.append(f"{noted[0].upper() + noted[1:]} above.")
+    if result.names:
+        lines.append(f"{counted(result.names, 'nickname')} in {near(result.target.table)}: commit it with the program.")
+    program = near(result.target.program)
+    if result.ok and result.is_whole:
+        lines += ["Next:", f"  1. clickgen check {program}", f"  2. clickgen build {program}"]
+    return "\n".join(lines)
+
+
+def _counts(result: ImportResult) -> str:
+    main = [routine for routine in result.routines if routine.is_main]
+    others = [routine for routine in result.routines if not routine.is_main]
+    parts = [f"{counted(len(routine.pieces), 'rung')} in main" for routine in main]
+    if others:
+        rungs = sum(len(routine.pieces) for routine in others)
+        parts.append(f"{counted(rungs, 'rung')} in {counted(len(others), 'subroutine')}")
+    return ", ".join(parts)
+
+
+def _verified(result: ImportResult, verifies: bool) -> str:
+    if not verifies or result.verdict is None:
+        return f"0 of {counted(result.rungs, 'rung')} verified: --no-verify was given."
+    verdict = result.verdict
+    identical = verdict.verified - len(verdict.redrawn)
+    lines = [f"{verdict.verified} of {counted(result.rungs, 'rung')} verified, {identical} identical cell by cell."]
+    if verdict.redrawn:
+        names = [f"{routine.name} rung {piece.drawn.number}" for routine, piece in verdict.redrawn if piece.drawn]
+        more = f" and {len(names) - _SHOWN_MAX} more" if len(names) > _SHOWN_MAX else ""
+        lines.append(f"Drawn otherwise, the same logic: {', '.join(names[:_SHOWN_MAX])}{more}.")
+    return "\n".join(lines)

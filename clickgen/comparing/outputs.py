@@ -1,0 +1,159 @@
+"""Instructions of the output column in one spelling, and what each of them looks at and may change."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import NamedTuple
+
+from clickgen.comparing.contacts import operand_name
+from clickgen.device.banks import CURRENT_VALUE_OF, Address, parse_address
+from clickgen.instructions.control import CALL, NOP
+from clickgen.ir.conditions import Always
+from clickgen.ir.operands import Cell
+from clickgen.ir.program import Action
+from clickgen.ir.reach import touches
+from clickgen.ladder.grid import DrawnBox, DrawnRung
+from clickgen.ladder.operands import ADDRESS
+from clickgen.ladder.tokens import action_of
+from clickgen.lower.effects import Cells, Effects
+from clickgen.lower.expand import OffDelays
+from clickgen.lower.tokens import action_token, pin_token
+from clickgen.source import Span
+
+_ADDRESS = re.compile(rf"(?<![A-Za-z]){ADDRESS}")
+_NOWHERE = Span("", 1, 1, 1, 2)
+
+
+class Said(NamedTuple):
+    """An instruction and its inputs, as tokens."""
+
+    token: str
+    pins: tuple[str, ...] = ()
+
+
+def outputs_of(rung: DrawnRung) -> list[DrawnBox]:
+    """The instructions of a rung that do anything."""
+    return [box for box in rung.boxes if box.token != NOP.variants[0].token]
+
+
+def said_by(box: DrawnBox) -> Said:
+    """A box in the one spelling of what it means, numbers by their value; as it is written when it is not known."""
+    return _said(_written(box))
+
+
+def action_in(box: DrawnBox) -> Action | None:
+    """The instruction of a box, its inputs always on; None when it is not known."""
+    return _action(_written(box))
+
+
+def _written(box: DrawnBox) -> Said:
+    return Said(box.token, tuple(token for token, _ in box.pins))
+
+
+@lru_cache(maxsize=4096)
+def _action(written: Said) -> Action | None:
+    action = action_of(written.token, {pin: Always(_NOWHERE) for pin in written.pins}, _NOWHERE)
+    return action if action is None or action.spec.name != "raw" else None
+
+
+@lru_cache(maxsize=4096)
+def _said(written: Said) -> Said:
+    action = _action(written)
+    if action is None:
+        return written
+    pins = tuple(
+        pin_token(action, param, operand_name) for param in action.spec.pins if action.pin(param.name) is not None
+    )
+    return Said(action_token(action, operand_name), pins) if len(pins) == len(written.pins) else written
+
+
+# -- effects ----------------------------------------------------------------------------------------------------------
+
+
+def _no_scratch(bank: str, purpose: str, span: Span) -> Cell:
+    raise NotImplementedError
+
+
+_EFFECTS = Effects((), OffDelays(_no_scratch))
+"""What CLICK's own instructions write; calls aside, whose subroutines are not known here."""
+
+
+@dataclass
+class Writes:
+    """What instructions may have changed; ``anything`` is the token of one that may have changed whatever it likes."""
+
+    cells: Cells = field(default_factory=Cells)
+    anything: str = ""
+
+    def add(self, box: DrawnBox, calls: Mapping[str, Writes]) -> None:
+        action = action_in(box)
+        if action is not None and action.spec is CALL:
+            called = calls.get(action.word("subroutine"), Writes(anything=box.token))
+            self.cells.update(called.cells)
+            self.anything = self.anything or called.anything
+        elif action is None:
+            self.anything = self.anything or box.token
+        else:
+            self.cells.update(_with_bits(_EFFECTS.writes(action)))
+
+    def may_change(self, cells: Cells) -> bool:
+        """True when some of the cells may have been written. No instruction writes an input (click-facts, 3 and 6)."""
+        is_input = cells.addresses and not cells.banks and all(address.bank == "X" for address in cells.addresses)
+        return bool(self.anything and not is_input) or self.cells.meets(cells)
+
+
+def writes_of(rungs: Iterable[DrawnRung]) -> Writes:
+    """What the rungs of a subroutine may change."""
+    found = Writes()
+    for rung in rungs:
+        for box in rung.boxes:
+            found.add(box, {})
+    return found
+
+
+def _with_bits(cells: Cells) -> Cells:
+    """With the bits of timers and counters whose current values are written: when they follow nobody knows."""
+    found = Cells({*cells.addresses}, {*cells.banks})
+    found.addresses |= {
+        Address(CURRENT_VALUE_OF[address.bank], address.number)
+        for address in cells.addresses
+        if address.bank in CURRENT_VALUE_OF
+    }
+    found.banks |= {CURRENT_VALUE_OF[bank] for bank in cells.banks if bank in CURRENT_VALUE_OF}
+    return found
+
+
+def touched_by(box: DrawnBox) -> Cells:
+    """What an instruction looks at or changes; of one that is not known the whole banks that it names."""
+    action = action_in(box)
+    if action is None:
+        texts = (box.token, *(token for token, _ in box.pins))
+        return Cells(banks={address.bank for text in texts for address in _addresses(text)})
+    cells = Cells()
+    for touch in touches(action):
+        cells.add(touch.operand)
+    return cells
+
+
+def _addresses(text: str) -> Iterator[Address]:
+    for match in _ADDRESS.finditer(text):
+        address = parse_address(match[0])
+        if address is not None:
+            yield address
+
+
+def leaves_early(box: DrawnBox) -> bool:
+    """True for what keeps the rest of a routine from being looked at in this scan."""
+    return _name(box) in ("return", "end")
+
+
+def loops(box: DrawnBox) -> bool:
+    """True for both ends of a loop."""
+    return _name(box) in ("for", "next")
+
+
+def _name(box: DrawnBox) -> str:
+    return box.token.partition("(")[0].strip()

@@ -1,0 +1,1 @@
+"""What ``clickgen diff`` does: two programs, bundles or revisions, rung by rung, in the words of the listing."""

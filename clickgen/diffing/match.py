@@ -1,0 +1,133 @@
+"""Two sequences side by side: what they have in common, the gaps between, and what resembles each other in these."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Hashable, Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+Pair = tuple[int, int]
+"""A place in the one sequence and a place in the other."""
+
+LIKE_ENOUGH = 0.3
+"""From this on two sets of features resemble each other; 1 is equal."""
+_ALL_PAIRS = 10_000
+"""In a gap with so many pairs every one is looked at; in a larger one those that share something rare."""
+
+
+class Gap(NamedTuple):
+    """The places between two neighbouring pairs, in the one sequence and in the other."""
+
+    one: range
+    other: range
+
+
+def longest_common(one: Sequence[Hashable], other: Sequence[Hashable]) -> list[Pair]:
+    """The pairs of a longest common subsequence; equal beginnings and ends are paired first.
+
+    The rows of the usual table are numbers with a bit for each place (Crochemore et al., 2001), so that thousands of
+    rungs take no time.
+    """
+    start, stop = _shared_ends(one, other)
+    middle_one, middle_other = one[start : len(one) - stop], other[start : len(other) - stop]
+    pairs = [(n, n) for n in range(start)]
+    pairs += ((start + i, start + j) for i, j in _common(middle_one, middle_other))
+    return pairs + [(len(one) - n, len(other) - n) for n in range(stop, 0, -1)]
+
+
+def _shared_ends(one: Sequence[Hashable], other: Sequence[Hashable]) -> Pair:
+    shorter = min(len(one), len(other))
+    start = next((n for n in range(shorter) if one[n] != other[n]), shorter)
+    rest = shorter - start
+    return start, next((n for n in range(rest) if one[-1 - n] != other[-1 - n]), rest)
+
+
+def _common(one: Sequence[Hashable], other: Sequence[Hashable]) -> list[Pair]:
+    places: defaultdict[Hashable, int] = defaultdict(int)
+    for n, key in enumerate(other):
+        places[key] |= 1 << n
+    every = (1 << len(other)) - 1
+    rows = [every]
+    for key in one:
+        # A bit is 0 where the common subsequence up to this place is longer than the one before it.
+        row = rows[-1]
+        hits = row & places.get(key, 0)
+        rows.append(((row + hits) | (row - hits)) & every)
+    pairs: list[Pair] = []
+    i, j = len(one), len(other)
+    while i and j:
+        bit = 1 << (j - 1)
+        if rows[i] & bit:
+            j -= 1
+        elif not rows[i - 1] & bit:
+            i -= 1
+        else:
+            i, j = i - 1, j - 1
+            pairs.append((i, j))
+    return pairs[::-1]
+
+
+def gaps(pairs: Iterable[Pair], one: int, other: int) -> Iterator[Gap]:
+    """What lies between pairs of two sequences of these lengths; at least one of the two ranges holds something."""
+    i = j = 0
+    for next_i, next_j in (*pairs, (one, other)):
+        if next_i > i or next_j > j:
+            yield Gap(range(i, next_i), range(j, next_j))
+        i, j = next_i + 1, next_j + 1
+
+
+def most_like(one: Sequence[frozenset[str]], other: Sequence[frozenset[str]]) -> list[Pair]:
+    """Pairs in order on both sides, so that what they have in common is the most."""
+    scored = ((i, j, likeness(one[i], other[j])) for i, j in _candidates(one, other))
+    return _best_chain([each for each in scored if each[2] >= LIKE_ENOUGH], len(other))
+
+
+def likeness(one: frozenset[str], other: frozenset[str]) -> float:
+    """How much two sets have in common: 0 nothing, 1 everything."""
+    return 2 * len(one & other) / (len(one) + len(other)) if one or other else 1.0
+
+
+def _candidates(one: Sequence[frozenset[str]], other: Sequence[frozenset[str]]) -> list[Pair]:
+    """Pairs worth a look, by the first and, where that is the same, by the second from the last on."""
+    if len(one) * len(other) <= _ALL_PAIRS:
+        return [(i, j) for i in range(len(one)) for j in reversed(range(len(other)))]
+    places: defaultdict[str, list[int]] = defaultdict(list)
+    for j, features in enumerate(other):
+        for feature in features:
+            places[feature].append(j)
+    counts = Counter(feature for features in one for feature in features)
+    found: set[Pair] = set()
+    for i, features in enumerate(one):
+        rare = (feature for feature in features if counts[feature] * len(places.get(feature, ())) <= _ALL_PAIRS)
+        found.update((i, j) for feature in rare for j in places.get(feature, ()))
+    return sorted(found, key=lambda pair: (pair[0], -pair[1]))
+
+
+def _best_chain(scored: Sequence[tuple[int, int, float]], width: int) -> list[Pair]:
+    """The pairs that rise on both sides with the highest sum; of equal ones the first that was found."""
+    # A Fenwick tree over the second places: the best chain that ends before one.
+    best: list[tuple[float, int]] = [(0.0, -1)] * (width + 1)
+    before: list[int] = []
+    for index, (_, j, score) in enumerate(scored):
+        sum_before, previous = 0.0, -1
+        place = j
+        while place:
+            if best[place][0] > sum_before:
+                sum_before, previous = best[place]
+            place &= place - 1
+        before.append(previous)
+        place = j + 1
+        while place <= width:
+            if sum_before + score > best[place][0]:
+                best[place] = (sum_before + score, index)
+            place += place & -place
+    place, (total, last) = width, (0.0, -1)
+    while place:
+        if best[place][0] > total:
+            total, last = best[place]
+        place &= place - 1
+    chain: list[Pair] = []
+    while last >= 0:
+        chain.append((scored[last][0], scored[last][1]))
+        last = before[last]
+    return chain[::-1]

@@ -1,0 +1,158 @@
+"""One side of a difference: its routines as they are drawn, and what its address table says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
+from clickgen.ladder.grid import DrawnRung, Ladder, read_ladder
+from clickgen.ladder.problem import LadderProblem
+from clickgen.ladder.project import MAIN, DrawnRoutine, Project, read_project
+from clickgen.pipeline import TABLE_NAME, BuildResult, Settings, build
+from clickgen.resolve.layers import is_workbook
+from clickgen.resolve.read_table import TableUnreadable, read_table
+from clickgen.resolve.rows import HEADER, Row, format_row, is_scratch
+from clickgen.resolve.table import AddressTable, Entry
+from clickgen.source import SourceFile
+
+_PROBLEMS_SHOWN = 20
+
+
+class BrokenProgram(CouldNotRun):
+    """A program with errors: there is no ladder to compare. What is wrong is in ``problems``."""
+
+    def __init__(self, shown: str, problems: Sequence[Diagnostic], sources: Sequence[SourceFile]) -> None:
+        super().__init__(f"{shown} has errors")
+        self.shown = shown
+        self.problems = tuple(problems)
+        self.sources = tuple(sources)
+
+
+class Damaged(CouldNotRun):
+    """Ladder files that cannot be read in full; the message has a line for each fault."""
+
+    def __init__(self, shown: str, problems: Iterable[LadderProblem]) -> None:
+        lines = list(dict.fromkeys(f"  {problem}" for problem in problems))
+        more = len(lines) - _PROBLEMS_SHOWN
+        lines = [*lines[:_PROBLEMS_SHOWN], *([f"  and {more} more"] if more > 0 else [])]
+        super().__init__("\n".join([f"{shown} is damaged; what is left is not compared:", *lines]))
+
+
+@dataclass(frozen=True)
+class Side:
+    """``shown`` is what the person calls it. A side that ``is_part`` is a file with a routine, no whole project.
+
+    ``table`` is None without a table; ``doubt`` says why there is none, or why it is only good for names. ``unplaced``
+    counts the names that only a build would give their addresses.
+    """
+
+    shown: str
+    routines: tuple[DrawnRoutine, ...]
+    table: AddressTable | None = None
+    doubt: str = ""
+    is_part: bool = False
+    unplaced: int = 0
+
+    @cached_property
+    def scratch_rows(self) -> tuple[Row, ...]:
+        """The cells that clickgen needs for itself."""
+        return tuple(row for row in self.table.rows if is_scratch(row)) if self.table else ()
+
+
+def is_program(name: str) -> bool:
+    """True for what is built; everything else is read as ladder."""
+    return name.lower().endswith(".py")
+
+
+def program_side(path: Path, shown: str, settings: Settings) -> Side:
+    """A program, built in memory; the ladder is that of its files, as CLICK gets it.
+
+    Raises BrokenProgram, and CouldNotRun where there is no program.
+    """
+    result = build(str(path), settings=settings)
+    if not result.ok:
+        errors = [problem for problem in result.diagnostics if problem.is_error]
+        raise BrokenProgram(shown, errors, [*result.sources, *_text_of_table(result)])
+    table = _table_of(str(result.table_path), result.rows)
+    named = [row for row in result.placed_rows if row.nickname]
+    return Side(shown, tuple(_routines(result, shown)), table, unplaced=len(named))
+
+
+def _routines(result: BuildResult, shown: str) -> Iterable[DrawnRoutine]:
+    files = {name: text for name, text in result.files.items() if name.endswith(".csv") and name != TABLE_NAME}
+    for routine in result.routines:
+        stem = MAIN if routine.is_main else f"subroutines/{routine.name}"
+        # The parts of a long main have numbers of the same length.
+        names = sorted(name for name in files if name == f"{stem}.csv" or name.startswith(f"{stem}_"))
+        names = names if routine.is_main else [f"{stem}.csv"]
+        rungs: list[DrawnRung] = []
+        for name in names:
+            ladder = _whole(read_ladder(files[name], f"{shown}: {name}"), shown)
+            rungs += (rung.numbered(len(rungs) + rung.number) for rung in ladder.rungs)
+        yield DrawnRoutine(routine.name, routine.is_main, tuple(rungs), names[0])
+
+
+def _whole(ladder: Ladder, shown: str) -> Ladder:
+    if ladder.all_problems:
+        raise Damaged(shown, ladder.all_problems)
+    return ladder
+
+
+def _text_of_table(result: BuildResult) -> list[SourceFile]:
+    """The table, so that its rows can be shown when its file is gone."""
+    if result.table_before is None:
+        return []
+    return [SourceFile(str(result.table_path), result.table_before.decode("utf-8-sig", "replace"))]
+
+
+def ladder_side(path: Path, shown: str, nicknames: Path | None) -> Side:
+    """A bundle, a ladder file, a capture, or the program files of CLICK; ``nicknames`` where it has no table itself.
+
+    Raises Damaged, and CouldNotRun where there is no ladder.
+    """
+    project = read_project(path)
+    problems = [*project.problems, *(each for one in project.routines for rung in one.rungs for each in rung.problems)]
+    if problems:
+        raise Damaged(shown, problems)
+    names = [routine.name for routine in project.routines]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise CouldNotRun(f"{shown} has two routines of the name {twice}")
+    side = Side(shown, project.routines, is_part=not path.is_dir())
+    return _with_table(side, project.nicknames or _beside(path, project) or nicknames)
+
+
+def _beside(path: Path, project: Project) -> Path | None:
+    """The table of the bundle that a single file belongs to."""
+    folder = path.parent.parent if path.parent.name == "subroutines" else path.parent
+    is_in_bundle = project.texts and (folder / "main.csv").is_file()
+    table = folder / TABLE_NAME
+    return table if not path.is_dir() and is_in_bundle and table.is_file() else None
+
+
+def _with_table(side: Side, path: Path | None) -> Side:
+    if path is None:
+        return replace(side, doubt=f"{side.shown} has no {TABLE_NAME}")
+    problems = Diagnostics()
+    try:
+        table = _table(path, problems)
+    except TableUnreadable as error:
+        return replace(side, doubt=str(error))
+    errors = [problem for problem in problems.in_order() if problem.is_error]
+    return replace(side, table=table, doubt=f"{errors[0].span}: {errors[0].message}" if errors else "")
+
+
+def _table(path: Path, problems: Diagnostics) -> AddressTable:
+    if not is_workbook(path):
+        return read_table(path, str(path), problems)
+    from clickgen.resolve.read_workbook import read_workbook
+
+    return _table_of(str(path), read_workbook(path, str(path), problems))
+
+
+def _table_of(path: str, rows: Iterable[Row]) -> AddressTable:
+    """A table with these rows, whatever they say."""
+    return AddressTable(path, (Entry(None, HEADER, "\n"), *(Entry(row, format_row(row), "\n") for row in rows)))

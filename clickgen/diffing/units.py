@@ -1,0 +1,101 @@
+"""Rungs that belong together: what one of them puts into a scratch cell, others of them read, and nobody else."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from clickgen.comparing.outputs import Said, touched_by
+from clickgen.device.banks import Address
+from clickgen.diffing.routines import Routines
+from clickgen.diffing.words import WordedRung, without
+from clickgen.ir.conditions import Contact
+from clickgen.ir.operands import Cell
+from clickgen.lower.effects import Cells, reads
+
+_RUNGS_MAX = 16
+"""Rungs further apart do not come from one rung of a program."""
+
+
+@dataclass(frozen=True)
+class Unit:
+    """Neighbouring rungs, most often one; ``outputs`` are what they drive, their scratch cells aside.
+
+    In ``words`` scratch cells of their own have no numbers.
+    """
+
+    rungs: tuple[WordedRung, ...]
+    outputs: tuple[Said, ...] = ()
+    words: tuple[tuple[str, ...], ...] = ()
+
+
+class Units:
+    """The rungs of one side, and which of them use the scratch cells of either side."""
+
+    def __init__(self, routines: Routines, scratch: frozenset[Address]) -> None:
+        self._scratch = frozenset(address for address in scratch if address.bank == "C")
+        self._users: defaultdict[Address, set[int]] = defaultdict(set)
+        self._cells: defaultdict[int, list[Address]] = defaultdict(list)
+        self._loose: set[Address] = set()
+        """What is more than a coil and its contacts: its number may matter."""
+        for rungs in routines.values() if self._scratch else ():
+            for rung in rungs:
+                self._add(rung)
+
+    def _add(self, rung: WordedRung) -> None:
+        used: list[Address] = []
+        for row in rung.drawn.rows:
+            for contact in (square.contact for square in row.squares):
+                if isinstance(contact, Contact) and isinstance(contact.operand, Cell):
+                    used.append(contact.operand.address)
+                elif contact is not None:
+                    self._loose |= self._met(reads(contact))
+        for box in rung.drawn.boxes:
+            met = self._met(touched_by(box))
+            coil = {address for address in met if box.token == f"out({address})"}
+            used += coil
+            self._loose |= met - coil
+        for address in dict.fromkeys(used):
+            if address in self._scratch:
+                self._users[address].add(id(rung))
+                self._cells[id(rung)].append(address)
+
+    def _met(self, cells: Cells) -> set[Address]:
+        return {address for address in self._scratch if cells.meets(Cells({address}))}
+
+    def of(self, rungs: Sequence[WordedRung]) -> list[Unit]:
+        """These neighbouring rungs, those that share scratch cells of their own in one unit."""
+        place = {id(rung): n for n, rung in enumerate(rungs)}
+        units: list[Unit] = []
+        start = 0
+        while start < len(rungs):
+            stop, reached = start + 1, start
+            while reached < stop:
+                own = [address for address in self._cells.get(id(rungs[reached]), ()) if address not in self._loose]
+                users = [self._users[address] for address in own if self._users[address] <= place.keys()]
+                last = max((place[user] for those in users for user in those), default=reached)
+                stop, reached = max(stop, last + 1), reached + 1
+            if stop - start > _RUNGS_MAX:
+                stop = start + 1
+            units.append(self._unit(rungs[start:stop]))
+            start = stop
+        return units
+
+    def _unit(self, rungs: Sequence[WordedRung]) -> Unit:
+        unit = Unit(tuple(rungs))
+        own = [address for address in self.cells(unit) if self.keeps(address, unit)]
+        coils = {f"out({address})" for address in own}
+        outputs = (said for rung in rungs for said in rung.outputs)
+        words = tuple(rung.lines for rung in rungs)
+        for number, address in enumerate(own):
+            words = tuple(tuple(without(line, address, f"scratch {number}") for line in lines) for lines in words)
+        return Unit(unit.rungs, tuple(said for said in outputs if said.token not in coils), words)
+
+    def cells(self, unit: Unit) -> list[Address]:
+        """The scratch cells that a unit uses, each once, in the order of its rungs."""
+        return list(dict.fromkeys(address for rung in unit.rungs for address in self._cells.get(id(rung), ())))
+
+    def keeps(self, address: Address, unit: Unit) -> bool:
+        """True for a scratch cell that no rung of this side uses outside of a unit."""
+        return address not in self._loose and self._users.get(address, set()) <= {id(rung) for rung in unit.rungs}

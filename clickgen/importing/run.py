@@ -1,0 +1,251 @@
+"""An import from its beginning to its end, in memory: read, write as source, build, compare, report."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from clickgen.diagnostics import CouldNotRun, Diagnostic
+from clickgen.emit.write import put_in_place
+from clickgen.importing.files import a_file_each
+from clickgen.importing.nicknames import Nicknames, nicknames_of, no_nicknames
+from clickgen.importing.proof import Verdict, verdict_of
+from clickgen.importing.routines import (
+    ImportedRoutine,
+    Piece,
+    as_proof,
+    as_routines,
+    calls_of,
+    imported_routines,
+    is_complete,
+    missing_subroutines,
+)
+from clickgen.importing.source import write_source
+from clickgen.ir.program import Routine
+from clickgen.ladder.problem import LadderProblem
+from clickgen.ladder.project import Project, read_project
+from clickgen.pipeline import TABLE_NAME, BuildResult, Settings, build
+from clickgen.resolve.layers import is_workbook
+from clickgen.source import SourceFile, Span
+
+
+@dataclass(frozen=True)
+class Target:
+    """Where the program is to stand, and what a build of it would be told.
+
+    ``program`` is its main file; ``is_folder`` gives each subroutine a file of its own beside it.
+    """
+
+    program: Path
+    is_folder: bool = False
+    settings: Settings = field(default_factory=Settings)
+
+    @property
+    def table(self) -> Path:
+        """The address table that a build would take."""
+        named = self.settings.nicknames
+        if named is None or is_workbook(Path(named)):
+            return self.program.parent / TABLE_NAME
+        return Path(named)
+
+
+@dataclass(frozen=True)
+class ImportResult:
+    """What an import made, in memory. ``files`` is what is to be written, the address table included."""
+
+    source: Path
+    target: Target
+    routines: tuple[ImportedRoutine, ...]
+    files: Mapping[Path, bytes]
+    diagnostics: tuple[Diagnostic, ...]
+    sources: tuple[SourceFile, ...]
+    """The ladder files that were read as text."""
+    verdict: Verdict | None
+    """None where nothing was to be verified."""
+    names: int
+    """The addresses that have a nickname."""
+
+    @property
+    def rungs(self) -> int:
+        return sum(piece.drawn is not None for routine in self.routines for piece in routine.pieces)
+
+    @property
+    def left_out(self) -> int:
+        """The marked rungs in the places of those that could not be kept."""
+        return sum(piece.rung is None for routine in self.routines for piece in routine.pieces)
+
+    @property
+    def is_whole(self) -> bool:
+        """True when nothing is missing that CLICK wants in a program."""
+        has_main = any(routine.is_main for routine in self.routines)
+        return has_main and not any(problem.code == "CG707" for problem in self.diagnostics)
+
+    @property
+    def ok(self) -> bool:
+        """True when nothing is an error."""
+        return not any(problem.is_error for problem in self.diagnostics)
+
+    def write(self, replaces: bool = False) -> list[Path]:
+        """Put the files in place, all of them or none; returns those that really changed.
+
+        Raises CouldNotRun where a file stands that says something else, unless this ``replaces`` it (an address table
+        is never replaced), and OSError.
+        """
+        taken = [path for path, data in self.files.items() if _holds_otherwise(path, data)]
+        tables = [path for path in taken if path == self.target.table]
+        if tables:
+            message = f"{tables[0]} says otherwise than the nicknames of {self.source}"
+            raise CouldNotRun(f"{message}: take them in with clickgen nicknames merge, or choose another place with -o")
+        if taken and not replaces:
+            names = ", ".join(map(str, taken))
+            raise CouldNotRun(f"{names} would be overwritten: choose another place with -o, or add --force")
+        unchanged = {path: path.read_bytes() if path.is_file() else None for path in self.files}
+        return put_in_place(self.files, (), unchanged)
+
+
+def _holds_otherwise(path: Path, data: bytes) -> bool:
+    return path.exists() and not (path.is_file() and path.read_bytes() == data)
+
+
+def import_project(
+    source: Path, target: Target, nicknames: Path | None = None, keep_going: bool = False, verifies: bool = True
+) -> ImportResult:
+    """Import what ``source`` holds: a bundle, a ladder CSV, a clipboard capture, CLICK's program files.
+
+    ``nicknames`` names the address table to take names from; without it that of the bundle, else the one that stands
+    where the program is to stand. What cannot be kept is an error; with ``keep_going`` a marked rung stands in its
+    place. Nothing is written (see ``ImportResult.write``). Raises CouldNotRun when there is nothing to import.
+    """
+    project = read_project(source)
+    run = _Import(project, target, keep_going, imported_routines(project), _nicknames(project, target, nicknames))
+    verdict = run.verified() if verifies else None
+    return run.result(verdict)
+
+
+def _nicknames(project: Project, target: Target, given: Path | None) -> Nicknames:
+    for path in (given, project.nicknames):
+        if path is not None:
+            return nicknames_of(path, str(path))
+    if target.table.is_file():
+        return nicknames_of(target.table, str(target.table), is_kept=True)
+    return no_nicknames()
+
+
+@dataclass
+class _Import:
+    """An import under way."""
+
+    project: Project
+    target: Target
+    keep_going: bool
+    routines: list[ImportedRoutine]
+    nicknames: Nicknames
+    problems: list[Diagnostic] = field(default_factory=list)
+
+    def verified(self) -> Verdict:
+        """Build and compare. Rungs that a build refuses, or that do not come back, are no longer kept.
+
+        Without some of its rungs a program may be refused for another reason, so this goes on until nothing changes.
+        """
+        while True:
+            verdict = verdict_of(self.routines, self._built())
+            lost = 0
+            for routine, piece, problem in verdict.refused:
+                if piece is None:
+                    place = f"{routine.name}: " if routine else ""
+                    self._add("CG702", f"{place}a build refuses the program: {problem.message} ({problem.code})", None)
+                elif piece.rung is not None:
+                    lost += self._lose(piece, "CG702", f"a build refuses it: {problem.message} ({problem.code})")
+            for _, piece, reason in verdict.differing:
+                lost += self._lose(piece, "CG703", f"it would not be the same: {reason}")
+            if not lost:
+                return verdict
+
+    def _lose(self, piece: Piece, code: str, reason: str) -> int:
+        assert piece.drawn is not None
+        drawn = piece.drawn
+        piece.rung, piece.notes, piece.remarks = None, (), ()
+        piece.faults.append((code, LadderProblem(reason, drawn.file, drawn.line, drawn.number)))
+        return 1
+
+    def _built(self) -> BuildResult:
+        files = {path: text.encode() for path, text in self._texts(as_proof(self.routines)).items()}
+        if self.nicknames.table.own_rows:
+            files[self.target.table] = self.nicknames.table.to_bytes()
+        overlay = {os.path.realpath(path): data for path, data in files.items()}
+        settings = replace(self.target.settings, overlay={**self.target.settings.overlay, **overlay})
+        return build(self.target.program, settings=settings)
+
+    def _texts(self, routines: Sequence[Routine]) -> dict[Path, str]:
+        names = self.nicknames.names
+        if not self.target.is_folder:
+            return {self.target.program: write_source(routines, names)}
+        return {self.target.program.parent / name: text for name, text in a_file_each(routines, names).items()}
+
+    # -- reporting ----------------------------------------------------------------------------------------------------
+
+    def result(self, verdict: Verdict | None) -> ImportResult:
+        table = self.nicknames.table
+        files = {path: text.encode() for path, text in self._texts(as_routines(self.routines)).items()}
+        if table.own_rows:
+            files[self.target.table] = table.to_bytes()
+        self.problems += self.nicknames.problems
+        for routine in self.routines:
+            for piece in routine.pieces:
+                self._report(routine, piece)
+        self._report_missing()
+        stops = not self.keep_going and any(problem.is_error for problem in self.problems)
+        return ImportResult(
+            self.project.source,
+            self.target,
+            tuple(self.routines),
+            {} if stops else files,
+            tuple(dict.fromkeys(self.problems)),
+            tuple(SourceFile(name, text) for name, text in self.project.texts.items()),
+            verdict,
+            sum(bool(row.nickname) for row in table.rows),
+        )
+
+    def _report(self, routine: ImportedRoutine, piece: Piece) -> None:
+        for code, fault in piece.faults:
+            self._add(code, f"{_named(routine, piece)}{fault.message}", fault)
+        for code, notes in (("CG704", piece.notes), ("CG705", piece.remarks)):
+            for note in notes:
+                assert piece.drawn is not None
+                place = LadderProblem(note, piece.drawn.file, piece.drawn.line, piece.drawn.number)
+                self._add(code, f"{_named(routine, piece)}{note}", place)
+
+    def _report_missing(self) -> None:
+        for name in missing_subroutines(self.routines):
+            calls = ((routine, piece) for routine in self.routines for piece in routine.pieces)
+            routine, piece = next(pair for pair in calls if name in calls_of(pair[1]))
+            assert piece.drawn is not None
+            message = f"{_named(routine, piece)}it calls {name!r}, which {self.project.source} does not hold"
+            place = LadderProblem(message, piece.drawn.file, piece.drawn.line, piece.drawn.number)
+            self._add("CG707", message, place, "import the whole project, or write the subroutine by hand")
+        for routine in self.routines:
+            if not is_complete(routine):
+                missing = "end()" if routine.is_main else "return"
+                message = f"{routine.name} has no unconditional {missing}: what was imported is a part of a program"
+                self._add("CG707", message, None, f"add if True: {missing} at the end before you build it")
+
+    def _add(self, code: str, message: str, place: LadderProblem | None, help: str = "") -> None:
+        span = Span(place.file, place.row, 1, place.row, 2) if place is not None and place.row else None
+        if span is None and place is not None:
+            message = f"{place.file}: {message}"
+        self.problems.append(Diagnostic(code, message, span, help or _HELP.get(code, "")))
+
+
+_HELP = {
+    "CG701": "mend the file, or export it again; --keep-going leaves a marked rung in its place",
+    "CG702": "change it in CLICK and import again, or use --keep-going, which leaves a marked rung in its place",
+    "CG703": "please report this with the rung; --keep-going leaves a marked rung in its place",
+    "CG704": "what it does is the same: look whether it was meant so",
+    "CG705": "there is nothing to do",
+}
+
+
+def _named(routine: ImportedRoutine, piece: Piece) -> str:
+    return f"{routine.name} rung {piece.drawn.number}: " if piece.drawn is not None else ""

@@ -1,0 +1,57 @@
+"""What stands in a file: its content says it, whatever the file is called."""
+
+from __future__ import annotations
+
+import csv
+from enum import Enum, auto
+
+from clickgen.emit.ladder_csv import HEADER
+from clickgen.resolve.rows import COLUMNS as NICKNAME_COLUMNS
+
+PROGRAM_MAGIC = b"SC-SCR  "
+CLIPBOARD_MAGIC = b"CLICK   "
+_HEAD = 4096
+"""The bytes in which the first line ends."""
+
+
+class Kind(Enum):
+    """What read_project can read, and the rest."""
+
+    LADDER = auto()
+    CLIPBOARD = auto()
+    PROGRAM = auto()
+    OTHER = auto()
+
+
+def kind_of(data: bytes) -> Kind:
+    """A ladder file is known by its first line; one whose first line is damaged still counts as one."""
+    if data.startswith(PROGRAM_MAGIC):
+        return Kind.PROGRAM
+    if data.startswith(CLIPBOARD_MAGIC):
+        return Kind.CLIPBOARD
+    is_ladder = any(field.casefold().startswith(HEADER[0]) for field in _first_line(data)[:1])
+    return Kind.LADDER if is_ladder else Kind.OTHER
+
+
+def other_kind(data: bytes) -> str:
+    """What a file is that is no ladder, after ``the file is``."""
+    first = _first_line(data)
+    if not data.strip(b"\x00\xef\xbb\xbf \t\r\n"):
+        return "empty"
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "UTF-16 text, and a ladder file UTF-8: save it anew as CSV UTF-8"
+    if b"scp.bin.zi" in data:
+        return "a project of CLICK, which only CLICK opens: give the Scr*.tmp files that it writes of an open project"
+    if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
+        return "a workbook or an archive, not ladder"
+    if tuple(first[:3]) == NICKNAME_COLUMNS[:3]:
+        return "a nickname table, not ladder"
+    if b"\x00" in data[:_HEAD]:
+        return "neither text nor anything that CLICK makes"
+    return f"no ladder: its first line is not {HEADER[0]},{HEADER[1]},...,{HEADER[-1]}"
+
+
+def _first_line(data: bytes) -> list[str]:
+    """The fields of the first line that is not empty."""
+    lines = data[:_HEAD].decode("utf-8-sig", "replace").strip().splitlines()
+    return [field.strip() for field in next(csv.reader(lines[:1]), [])]
