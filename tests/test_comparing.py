@@ -280,6 +280,15 @@ def test_bridges_of_many_contacts_are_compared() -> None:
     )
 
 
+def test_what_no_diagram_can_hold_is_proven_by_a_sample_alone() -> None:
+    """17 rows of 31 contacts: two in another order, which no sample can prove, and one that is negated."""
+    names = [bits(31, 31 * number + 1) for number in range(17)]
+    rows = [f"{' '.join(row)} > out(C{1000 + number})" for number, row in enumerate(names)]
+    other = compare(rung(*rows), rung(rows[0].replace("C1 C2 ", "C2 C1 "), *rows[1:]))
+    assert other == Comparison(Likeness.UNKNOWN, "the contacts can be on and off in too many ways to compare them all")
+    assert told(rung(*rows), rung(f"~{rows[0]}", *rows[1:])) == "out(C1000) does not have power in the same situations"
+
+
 # -- logics -----------------------------------------------------------------------------------------------------------
 
 
@@ -492,6 +501,15 @@ def test_what_a_subroutine_changes_may_be_known() -> None:
         assert compare(whole, parts, SCRATCH, calls).is_same is is_same
 
 
+def test_a_subroutine_may_write_a_scratch_bit() -> None:
+    whole = rung('X001 T > call("sub")', ". - > out(C1)")
+    parts = run(["X001 > out(C2000)"], ['C2000 > call("sub")'], ["C2000 > out(C1)"])
+    assert compare(whole, parts, SCRATCH, {"sub": writes_of(rung("X002 > out(C5)"))}).likeness is Likeness.SAME
+    assert compare(whole, parts, SCRATCH, {"sub": writes_of(rung("X002 > out(C2000)"))}) == Comparison(
+        Likeness.UNKNOWN, "the scratch bit C2000 may be written between its definition and rung 3"
+    )
+
+
 def test_rungs_that_are_the_same_one_by_one_are_the_same_together() -> None:
     """Whatever they read and write, and whichever scratch registers they need."""
     one = run(["C1 T > out(C1)", "C2 >"], ["C1 > copy(3,DS4500)"], ["C2000 > out(C1999)"])
@@ -548,6 +566,16 @@ def test_forty_contacts_in_series() -> None:
     assert likeness(found, by_hand) == "SAME"
     wrong = run([f"{' '.join(bits(20, 22))} > out(C1990)"], [f"{' '.join([*bits(20), 'C1990'])} > out(Y001)"])
     assert told(found, wrong).startswith("out(Y001) has power with C21, C1, C2, ")
+
+
+def test_of_a_hundred_contacts_the_one_that_differs_is_told_first() -> None:
+    first, second, third = (" ".join(bits(30, start)) for start in (1, 31, 61))
+    last = "C1991 " + third
+    sides = [
+        run([f"{one} > out(C1990)"], [f"C1990 {second} > out(C1991)"], [f"{last} > out(Y001)"])
+        for one in (first, first.replace("C17 ", "~C17 "))
+    ]
+    assert told(*sides).startswith("out(Y001) has power with C17, C1, C2, ")
 
 
 def test_forty_contacts_in_parallel() -> None:

@@ -277,6 +277,18 @@ def test_everything_that_cannot_be_kept_is_told_at_once(capsys: pytest.CaptureFi
     assert sorted(os.listdir()) == ["plant"]
 
 
+def test_problems_of_a_build_speak_of_the_rungs_of_the_project(capsys: pytest.CaptureFixture[str]) -> None:
+    """A loop in a loop: in the program that is built for the proof, nobody has seen a line."""
+    loops = [wired("", token, "R") for token in ("for(3)", "for(2)", "out(C1)", "next()", "next()")]
+    Path("ladder.csv").write_text(ladder_text([*loops, END]))
+    _, err = ran(capsys, "ladder.csv", "-o", "prog.py", code=1)
+    assert re.findall(r"main rung (\d): a build refuses it: (.*) \(", err) == [
+        ("2", "this loop stands inside the loop of main rung 1"),
+        ("5", "there is no open loop here"),
+    ]
+    assert "prog.py" not in err
+
+
 def test_keep_going_leaves_marked_rungs_that_a_build_refuses(capsys: pytest.CaptureFixture[str]) -> None:
     write_bundle(Path("plant"), main=[*SEAL, *comment("Why it is there."), *DEAD, *INPUT])
     out, _ = ran(capsys, "plant", "-o", "prog.py", "--keep-going", code=1)

@@ -13,6 +13,7 @@ import pytest
 from judges.builds import ladder_files
 from judges.codec import comments_agree, normalise
 from judges.power import HEADER, LadderRung, Row, condition_tokens, power_sets, read_ladder, situations
+from test_ladder_tokens import TOKENS
 
 from clickgen.importing.functions import function_name
 from clickgen.importing.source import write_source
@@ -21,8 +22,6 @@ from clickgen.ladder.rungs import ImportedRung, import_rung, routine_of
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
 import golden
-
-TOKENS = golden.CASES.parents[2] / "shared" / "data" / "ladder-tokens.csv"
 
 
 @dataclass(frozen=True)

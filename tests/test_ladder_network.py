@@ -264,6 +264,12 @@ def test_a_rung_without_an_output_becomes_nop() -> None:
     assert read(drawing).remarks == ("the rung has no output: it becomes NOP",)
 
 
+def test_nop_beside_an_output_is_left_out() -> None:
+    drawing: Drawing = [("X001 T", "out(C1)"), (". -", "NOP")]
+    assert source(drawing) == "if x[1]:\n    out(c[1])"
+    assert read(drawing).remarks == ("NOP beside an output does nothing: it is left out",)
+
+
 def test_an_input_without_a_wire_is_never_on() -> None:
     rows = [wired("X001", "count_up(CT1,CTD1,preset=5)", "R"), ["", *[""] * 31, ".down()"], wired("X002", ".reset()")]
     [rung] = read_ladder(ladder_text(rows), "main.csv").rungs

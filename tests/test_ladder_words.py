@@ -62,6 +62,7 @@ SPELLINGS = {
     ),
     "pack_words(X001..X016,DH1)": "pack_bits(X001..X016,DH1)",
     "search(DS1..DS9==5,result=DS20,found=C1)": "search(DS1..DS9 == 5,result=DS20,found=C1)",
+    "blockcopy(DS1,DS11)": "blockcopy(DS1..DS1,DS11..DS11)",
     "math(DS1+DS2*( 3 ),DS3,mode=decimal)": "math(DS1 + DS2 * ( 3 ),DS3,mode=decimal)",
 }
 
@@ -92,12 +93,49 @@ def test_other_spellings_mean_the_same(token: str) -> None:
         "blockcopy(DS1..DS5,DS11..DS14)",
         "blockcopy(Y001..Y020,C1..C20)",
         "copy(DS1,TXT1,convert=to_french)",
+        "copy(DS1,TXT1,convert=to_text(1))",
+        "copy(DS1,TXT1,convert=to_text(suppress_zero=2))",
+        "copy(DS1,TXT1,convert=to_text(termination_code=$80))",
+        "copy(DS1,TXT1,convert=to_text(other=1))",
+        "blockcopy(XD0u,DS1)",
         "math(DS1 + DS2,DS3,mode=octal)",
-        "event_drum(outputs=[],events=[C1],pattern=[[1]],current_step=DS1,completion_flag=C2)",
+        "math(SUM ( DS5 : DD9 ),DS3,mode=decimal)",
     ],
 )
 def test_what_is_no_instruction_is_none(token: str) -> None:
     assert action(token) is None
+
+
+@pytest.mark.parametrize(
+    ("outputs", "pattern", "is_known"),
+    [("C1", "[1]", True), ("", "[1]", False), ("C1", "[2]", False), ("C1", "1", False), ("C1", "[]", False)],
+)
+def test_a_drum_has_outputs_and_rows_of_bits(outputs: str, pattern: str, is_known: bool) -> None:
+    token = f"event_drum(outputs=[{outputs}],events=[C2],pattern=[{pattern}],current_step=DS1,completion_flag=C3)"
+    assert (action(token, ".reset()") is not None) is is_known
+
+
+TCP = 'ModbusTcpTarget(name="a",ip="10.0.0.5",port=502,device_id=1)'
+
+
+@pytest.mark.parametrize(
+    ("target", "start", "is_known"),
+    [
+        (TCP, '"DS1"', True),
+        (TCP.replace("port=502,", ""), '"DS1"', False),
+        (TCP.replace('"a"', "a"), '"DS1"', False),
+        ('ModbusRtuTarget(name="a",com_port="cpu2",device_id=1)', '"DS1"', True),
+        ('ModbusRtuTarget(name="a",com_port="cpu9",device_id=1)', '"DS1"', False),
+        (TCP, '"DS0"', False),
+        (TCP, "DS1", False),
+        (TCP, "ModbusAddress(address=400001)", True),
+        (TCP, "ModbusAddress(address=400001,other=1)", False),
+    ],
+)
+def test_a_message_has_a_device_and_an_address_in_it(target: str, start: str, is_known: bool) -> None:
+    flags = "receiving=C1,success=C2,error=C3,exception_response=DS100"
+    found = action(f"receive(target={target},remote_start={start},dest=DS1..DS5,{flags})")
+    assert (found is not None) is is_known
 
 
 @pytest.mark.parametrize(
@@ -229,3 +267,20 @@ def test_a_call_is_taken_apart() -> None:
     )
     assert split("a,(b") is None
     assert split('a,"b') is None
+
+
+@pytest.mark.parametrize("text", ["9" * 5000, "\u0661\u0662", "DS\u0661", "1e9999", "X" * 5000 + "1"])
+def test_numbers_that_are_none_are_refused(text: str) -> None:
+    """Digits of other scripts, and more of them than any number has, are damage and no reason to end."""
+    assert operand_of(text, HERE) is None
+    assert condition_of(f"DS1=={text}", HERE) is None
+
+
+@pytest.mark.parametrize("number", ["²", "\u0661", "9" * 5000])
+@pytest.mark.parametrize("place", ["port=502", "device_id=1"])
+def test_numbers_of_targets_that_are_none_are_refused(place: str, number: str) -> None:
+    target = 'ModbusTcpTarget(name="tcp",ip="192.168.1.10",port=502,device_id=1)'.replace(
+        place, f"{place.partition('=')[0]}={number}"
+    )
+    token = f'receive(target={target},remote_start="DS1",dest=DS1..DS5,receiving=C1,success=C2,error=C3)'
+    assert action_of(token, {}, HERE) is None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import sys
 from collections.abc import Iterable
 from dataclasses import replace
@@ -14,10 +15,33 @@ from clickgen.pipeline import BuildResult, build_all, write_all
 from clickgen.report.frames import summary, write_problems
 from clickgen.wording import counted
 
+DESCRIPTION = "Build a program: ladder CSV files, the nickname CSV, a listing and a source map."
+EXAMPLES = """\
+examples:
+  clickgen build prog.py
+  clickgen build prog.py -o out --nicknames plant/nicknames.csv
+  clickgen build prog.py --frozen
+  clickgen build                      every program that the settings name
 
-def run(program: str | None, output: str | None, nicknames: str | None, frozen: bool, config: str | None) -> int:
+exit codes: 0 built; 1 problems in the program; 2 could not run
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("program", metavar="PROG.py", nargs="?", help="the program (default: every configured one)")
+    parser.add_argument("-o", "--output", metavar="DIR", help="the output folder (default: build/<program>/)")
+    parser.add_argument(
+        "--nicknames",
+        metavar="TABLE",
+        help="the address table, or a workbook with lists of addresses (default: nicknames.csv beside the program)",
+    )
+    parser.add_argument("--frozen", action="store_true", help="choose no address; fail where one is missing")
+    parser.add_argument("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+
+
+def run(options: argparse.Namespace) -> int:
     """Build and write, without a program every configured one, all of them or none; returns the exit code."""
-    jobs = _jobs(program, output, nicknames, frozen, config)
+    jobs = _jobs(options.program, options.output, options.nicknames, options.frozen, options.config)
     results = build_all((job.program, job.settings) for job in jobs)
     for result in results:
         write_problems(result.diagnostics, result.sources, sys.stderr)

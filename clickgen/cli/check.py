@@ -17,7 +17,7 @@ from clickgen.checking.run import Outcome, Request, add_ignores
 from clickgen.checking.run import run as run_check
 from clickgen.cli import OK, PROBLEMS, complain
 from clickgen.codes import CODES
-from clickgen.config import Config, find_config, read_config
+from clickgen.config import Config, code_prefix, find_config, read_config
 from clickgen.diagnostics import CouldNotRun, did_you_mean
 from clickgen.formats import FORMATS
 from clickgen.report import Report, render, shown_path, use_color
@@ -32,6 +32,61 @@ _MANY_FILES = 8
 
 class _Wrong(CouldNotRun):
     """Flags that do not go together; the message says which."""
+
+
+DESCRIPTION = (
+    "Check programs: the problems that a build would have, and rules about logic. Nothing is written unless asked for."
+)
+EXAMPLES = """\
+examples:
+  clickgen check                      check the configured programs, else what is below the working folder
+  clickgen check plc.py --fix         mend what can be mended without changing what the program does
+  clickgen check --diff               show what --fix would change
+  clickgen check --select ALL --ignore CG504,CG505
+  clickgen check --output-format github --deny-warnings
+  cat plc.py | clickgen check - --stdin-filename plc.py
+
+exit codes: 0 nothing to say, or notes only; 1 findings; 2 could not run
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("paths", metavar="PATH", nargs="*", help="files and folders; - is the standard input")
+    mend = parser.add_argument_group("mending")
+    mend.add_argument("--fix", action="store_true", help="apply the safe fixes")
+    mend.add_argument("--unsafe-fixes", action="store_true", help="with --fix: also those that could change meaning")
+    mend.add_argument("--diff", action="store_true", help="show what fixes would change, and change nothing")
+    mend.add_argument("--add-ignore", action="store_true", help="silence every warning by a comment where it stands")
+    choose = parser.add_argument_group("choosing")
+    for flag, what in (
+        ("--select", "only these codes or groups of codes, such as CG5 or ALL"),
+        ("--extend-select", "these beside those that are on"),
+        ("--ignore", "not these; the most specific wins"),
+    ):
+        choose.add_argument(flag, metavar="CODES", action="append", type=_codes, default=None, help=what)
+    choose.add_argument("--exclude", metavar="PATTERN", action="append", default=[], help="leave these paths out")
+    choose.add_argument(
+        "--force-exclude", action="store_true", help="leave them out also when named, and other Python too"
+    )
+    choose.add_argument("--baseline", metavar="FILE", help="show only what is new since FILE was made; makes it if new")
+    tell = parser.add_argument_group("telling")
+    tell.add_argument("--output-format", metavar="FORMAT", default="text", help=f"one of {', '.join(FORMATS)}")
+    tell.add_argument("-o", "--output", metavar="FILE", help="write the report into FILE")
+    tell.add_argument("--statistics", action="store_true", help="count the findings of each code")
+    tell.add_argument("-q", "--quiet", action="store_true", help="findings only, no summary")
+    tell.add_argument("--exit-zero", action="store_true", help="exit with 0 whatever is found")
+    tell.add_argument("--deny-warnings", action="store_true", help="warnings and notes are errors")
+    add("--stdin-filename", metavar="FILE", help="the name of what comes from the standard input")
+    add("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+    add("--no-cache", action="store_true", help="judge everything anew")
+
+
+def _codes(text: str) -> list[str]:
+    try:
+        return [code_prefix(word.strip()) for word in text.split(",") if word.strip()]
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def run(options: argparse.Namespace) -> int:

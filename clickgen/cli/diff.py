@@ -21,6 +21,36 @@ from clickgen.report.frames import summary as counts
 
 _COLORS = {"-": "31", "+": "32"}
 
+DESCRIPTION = (
+    "Show which rungs were added, removed, moved or changed, in the words of the listing. Comments, nicknames "
+    "and how a rung is drawn are no logic. Nothing is written."
+)
+EXAMPLES = """\
+examples:
+  clickgen diff HEAD:prog.py prog.py          what changed since the last commit
+  clickgen diff main:prog.py feature:prog.py  two branches
+  clickgen diff prog.py build/prog            is the bundle what the program says?
+  clickgen diff prog.py from-the-plc/         is what CLICK holds what is in git?
+  clickgen diff prog.py Scr1.tmp -q           the summary alone
+
+A side is a program, a bundle folder, a ladder CSV, a capture of the clipboard, a program file of CLICK (Scr*.tmp), or
+one of these in a revision of git: REV:PATH from the repository's root, REV:./PATH from the working folder, :PATH in the
+index. A path that exists wins.
+
+exit codes: 0 no difference in logic; 1 logic differs; 2 could not run
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("one", metavar="OLD", help="the older side")
+    add("other", metavar="NEW", help="the newer side")
+    add("--nicknames", metavar="TABLE", help="the address table of programs (default: nicknames.csv beside each)")
+    add("--export", metavar="EXPORT.csv", help="the nicknames that CLICK exported, for ladder without a nicknames.csv")
+    add("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+    add("--output-format", choices=("text", "json"), default="text", help="text or json")
+    add("-q", "--quiet", action="store_true", help="the summary alone")
+
 
 def run(options: argparse.Namespace) -> int:
     """Compare two sides and show the difference; returns the exit code."""

@@ -17,6 +17,36 @@ from clickgen.wording import counted
 _SHOWN_MAX = 10
 """How many rungs are named in one line."""
 
+DESCRIPTION = (
+    "Write an existing CLICK project as a program, build that in memory, and compare rung by rung. What "
+    "cannot be kept exactly stops the import."
+)
+EXAMPLES = """\
+examples:
+  clickgen import plant/ -o plant.py            a folder with main.csv, subroutines/*.csv, nicknames.csv
+  clickgen import plant/ -o program/            one file for each subroutine
+  clickgen import main.csv -o main.py --nicknames export.csv
+  clickgen import copied.bin -o -               rungs from the clipboard, to the terminal
+  clickgen import Temp/ -o plant.py             CLICK's own Scr*.tmp files
+
+exit codes: 0 imported, every rung verified; 1 something cannot be kept; 2 could not run
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add(
+        "source",
+        metavar="SOURCE",
+        help="a folder with main.csv, a ladder CSV, a clipboard capture, or CLICK's Scr*.tmp files",
+    )
+    add("-o", "--output", metavar="PROG.py", required=True, help="the program; DIR/: a file for each subroutine; -")
+    add("--nicknames", metavar="TABLE", help="a nickname CSV (default: the one in SOURCE, else the one beside PROG.py)")
+    add("--keep-going", action="store_true", help="leave a marked rung, which build refuses, for what cannot be kept")
+    add("--no-verify", dest="verify", action="store_false", help="do not build and compare")
+    add("--force", action="store_true", help="overwrite program files that say something else")
+    add("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+
 
 def run(options: argparse.Namespace) -> int:
     """Import, verify and write, all of it or nothing; returns the exit code."""

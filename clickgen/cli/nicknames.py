@@ -28,6 +28,80 @@ from clickgen.resolve.table import AddressTable
 from clickgen.source import SourceFile
 from clickgen.wording import counted
 
+DESCRIPTION = "What concerns the address table that the PLC, the panel and the programs share."
+EXAMPLES = """\
+examples:
+  clickgen nicknames sync prog.py           give every name an address
+  clickgen nicknames sync --prune           and remove names that clickgen placed and nothing uses
+  clickgen nicknames check                  in CI: table and programs agree
+  clickgen nicknames merge export.csv       what CLICK says otherwise; new names are taken in
+  clickgen nicknames merge export.csv --accept renamed,changed
+  clickgen nicknames rename Pump Pump1      in the table and in every program
+  clickgen nicknames why Pump               where its address comes from
+
+exit codes: 0 done; 1 problems, or differences that were not taken in; 2 could not run
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    actions = parser.add_subparsers(title="commands", metavar="COMMAND", dest="action", required=True)
+
+    def action(name: str, help: str, description: str) -> Callable[..., argparse.Action]:
+        command = actions.add_parser(
+            name, help=help, description=description, formatter_class=parser.formatter_class, allow_abbrev=False
+        )
+        command.add_argument("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+        command.add_argument("--nicknames", metavar="TABLE", help="the address table")
+        return command.add_argument
+
+    programs = {"metavar": "PROG.py", "nargs": "*", "help": "the programs (default: every configured one)"}
+    add = action(
+        "sync",
+        "give every name an address",
+        "Give every name of the programs an address, and name what no program uses. Nothing is dropped.",
+    )
+    add("programs", **programs)
+    add("--prune", action="store_true", help="remove names that clickgen placed and nothing uses any more")
+    add("--dry-run", action="store_true", help="say what would be done, and write nothing")
+    add = action(
+        "check",
+        "whether table and programs agree",
+        "Check the address table and the names of the programs, without writing anything: for CI.",
+    )
+    add("programs", **programs)
+    add = action(
+        "merge",
+        "take in a fresh export from CLICK",
+        "Show what an export from CLICK says otherwise than the address table, and take in what is new. All else is "
+        "taken in only when it is asked for.",
+    )
+    add("export", metavar="EXPORT.csv", help="the nickname CSV that CLICK wrote")
+    add(
+        "--accept",
+        metavar="KINDS",
+        action="append",
+        default=[],
+        help="take these in too: renamed, moved, removed, changed, all; swapped only by its own name",
+    )
+    add("--dry-run", action="store_true", help="show the differences, and write nothing")
+    add = action(
+        "rename",
+        "rename in the table and in every source file",
+        "Rename a nickname in the address table and in every program that uses the table, all or nothing. The ladder "
+        "stays the same, which is tried before anything is written.",
+    )
+    add("old", metavar="OLD", help="the nickname as it is")
+    add("new", metavar="NEW", help="the nickname as it should be")
+    add("programs", **programs)
+    add("--dry-run", action="store_true", help="say what would be renamed, and write nothing")
+    add = action(
+        "why",
+        "where the address of a name comes from",
+        "Say where the address of a name comes from, why it is that one, and where the name is used.",
+    )
+    add("name", metavar="NAME", help="a nickname, a block, or an address such as DS5")
+    add("programs", **programs)
+
 
 def run(options: argparse.Namespace) -> int:
     """Run one of the commands; returns the exit code."""

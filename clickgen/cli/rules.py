@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+import argparse
+
 from clickgen.cli import OK
 from clickgen.codes import CODES
 
+DESCRIPTION = "Every code with its severity and title."
+EXAMPLES = ""
 
-def run(output_format: str) -> int:
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--output-format", choices=("text", "json"), default="text", help="text or json")
+
+
+def run(options: argparse.Namespace) -> int:
     """Print the list; returns the exit code."""
-    if output_format == "json":
+    if options.output_format == "json":
         import json
 
         rows = [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import shlex
 import sys
@@ -21,14 +22,36 @@ from clickgen.wording import counted
 STUB_NAME = "__builtins__.pyi"
 """Pyright takes this file for names that are known everywhere in its folder."""
 
+DESCRIPTION = (
+    "Write __builtins__.pyi beside programs: the language and their nicknames, for editors with pyright in them."
+)
+EXAMPLES = """\
+examples:
+  clickgen stubs                      for every program that the settings name
+  clickgen stubs prog.py
+  clickgen stubs --check              in CI: fail where a stub file is stale
 
-def run(programs: Sequence[str], nicknames: str | None, frozen: bool, is_check: bool, config: str | None) -> int:
+exit codes: 0 written, or nothing to do; 1 stale; 2 could not run
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("programs", metavar="PROG.py", nargs="*", help="the programs (default: every configured one)")
+    add("--nicknames", metavar="TABLE", help="the address table (default: nicknames.csv beside the program)")
+    add("--frozen", action="store_true", help="only names that have an address: a new one may be a misspelling")
+    add("--check", action="store_true", help="write nothing; fail where a file is stale")
+    add("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+
+
+def run(options: argparse.Namespace) -> int:
     """Write the stub file of every folder with a program, or say which are stale; returns the exit code."""
+    programs, nicknames, frozen, config = options.programs, options.nicknames, options.frozen, options.config
     named = jobs(programs, nicknames, frozen, config)
     names = _names([*named, *_beside(named, frozen, config)])
     stubs = {near(folder / STUB_NAME): _stub(found) for folder, found in names.items()}
     stale = {path: text for path, text in stubs.items() if _is_stale(path, text)}
-    if is_check:
+    if options.check:
         return _say_stale(stale, _command(programs, nicknames, frozen, config))
     put_in_place(stale)
     for path in stubs:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
 from pathlib import Path
@@ -14,11 +15,31 @@ from clickgen.pipeline import BuildResult, build
 from clickgen.report.frames import summary, write_problems
 from clickgen.wording import counted
 
+DESCRIPTION = (
+    "Write a workbook for people: the I/O list, the tags, the cross-reference, timers, memory and rungs. The "
+    "address table is read and not changed."
+)
+EXAMPLES = """\
+examples:
+  clickgen workbook prog.py                     build/prog/prog.xlsx
+  clickgen workbook prog.py -o project.xlsx
 
-def run(program: str, output: str | None, nicknames: str | None, config: str | None) -> int:
+exit codes: 0 written; 1 problems in the program; 2 could not run
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("program", metavar="PROG.py", help="the program")
+    add("-o", "--output", metavar="FILE.xlsx", help="the workbook (default: build/<program>/<program>.xlsx)")
+    add("--nicknames", metavar="TABLE", help="the address table (default: nicknames.csv beside the program)")
+    add("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
+
+
+def run(options: argparse.Namespace) -> int:
     """Write the workbook of a program; returns the exit code."""
-    (job,) = jobs([program], nicknames, config=config)
-    path = _place(job, output)
+    (job,) = jobs([options.program], options.nicknames, config=options.config)
+    path = _place(job, options.output)
     before = _former(path, job)
     result = build(job.program, settings=job.settings)
     write_problems(result.diagnostics, result.sources, sys.stderr)

@@ -38,7 +38,7 @@ class Situations:
 
     @classmethod
     def sampled(cls, names: Sequence[str]) -> Situations:
-        """Some thousand combinations, the same ones for the same variables: few on, many on, one on, one off."""
+        """Several thousand combinations, always the same for the same variables: few on, many on, one on, one off."""
         chance = random.Random("\n".join(sorted(names)))
         variables = dict.fromkeys(names, 0)
         count = 0
@@ -127,16 +127,25 @@ class Decisions:
             node = on if is_on else off
         for name in list(case):
             rest = {other: value for other, value in case.items() if other != name}
-            if self.both(self._case(rest), self.opposite(function)) == self.never:
+            if self._holds(function, rest):
                 case = rest
         return case
 
-    def _case(self, values: Mapping[str, bool]) -> int:
-        found = self.always
-        for name, is_on in values.items():
-            variable = self.variable(name)
-            found = self.both(found, variable if is_on else self.opposite(variable))
-        return found
+    def _holds(self, function: int, case: Mapping[str, bool]) -> bool:
+        """True when a function is true wherever these variables have these values."""
+        waiting, seen = [function], {function}
+        while waiting:
+            node = waiting.pop()
+            if node < 2:
+                if node == self.never:
+                    return False
+                continue
+            level, off, on = self._nodes[node]
+            is_on = case.get(self._names[level])
+            following = {off, on} if is_on is None else {on if is_on else off}
+            waiting += following - seen
+            seen |= following
+        return True
 
     def _node(self, level: int, off: int, on: int) -> int:
         if off == on:

@@ -10,14 +10,14 @@ from typing import NamedTuple
 
 from clickgen.comparing.contacts import operand_name
 from clickgen.device.banks import CURRENT_VALUE_OF, Address, parse_address
-from clickgen.instructions.control import CALL, NOP
+from clickgen.instructions.control import CALL
 from clickgen.ir.conditions import Always
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action
 from clickgen.ir.reach import touches
 from clickgen.ladder.grid import DrawnBox, DrawnRung
 from clickgen.ladder.operands import ADDRESS
-from clickgen.ladder.tokens import action_of
+from clickgen.ladder.tokens import NOP_TOKEN, action_of
 from clickgen.lower.effects import Cells, Effects
 from clickgen.lower.expand import OffDelays
 from clickgen.lower.tokens import action_token, pin_token
@@ -36,7 +36,7 @@ class Said(NamedTuple):
 
 def outputs_of(rung: DrawnRung) -> list[DrawnBox]:
     """The instructions of a rung that do anything."""
-    return [box for box in rung.boxes if box.token != NOP.variants[0].token]
+    return [box for box in rung.boxes if box.token != NOP_TOKEN]
 
 
 def said_by(box: DrawnBox) -> Said:

@@ -92,7 +92,7 @@ class Run:
             known |= {str(bit): level[row] for bit, row in part.definitions.items()}
         return found
 
-    # -- what only one rung would do so -------------------------------------------------------------------------------
+    # -- what only one rung would do ----------------------------------------------------------------------------------
 
     @cached_property
     def doubt(self) -> str:
@@ -130,7 +130,7 @@ class _Past:
     writes: Writes = field(default_factory=Writes)
     defined: set[Address] = field(default_factory=set)
     immediate: set[str] = field(default_factory=set)
-    """The points that were looked at themselves."""
+    """The names of the immediate contacts that were looked at."""
     has_run: bool = False
     may_have_left: bool = False
 

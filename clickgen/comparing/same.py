@@ -24,7 +24,7 @@ EXHAUSTIVE_MAX = 12
 NAMES_MAX = 12
 """A person reads no more contacts than this."""
 
-Cell = tuple[bool, bool, str]
+_Cell = tuple[bool, bool, str]
 """A square: does it carry power right, does it down, and its contact."""
 
 
@@ -83,7 +83,7 @@ def is_identical(one: DrawnRung, other: DrawnRung) -> bool:
     return outputs[0] == outputs[1] and _squares(one) == _squares(other)
 
 
-def _squares(rung: DrawnRung) -> list[list[Cell]]:
+def _squares(rung: DrawnRung) -> list[list[_Cell]]:
     rows = [
         [(square.right, square.down, contact_name(square.contact) if square.contact else "") for square in row.squares]
         for row in rung.rows

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from clickgen.device.banks import Address
 from clickgen.diffing.sides import Side
@@ -73,8 +73,8 @@ class Difference:
     routines: tuple[RoutineChange, ...]
     values: tuple[ValueChange, ...]
     drawn_otherwise: int
-    notes: tuple[str, ...] = ()
-    wording: Wording = field(default_factory=lambda: Wording(Names({}), Names({})))
+    notes: tuple[str, ...]
+    wording: Wording
 
     @property
     def differs(self) -> bool:
@@ -88,4 +88,5 @@ class Difference:
 
     @property
     def rungs(self) -> int:
+        """How many were compared."""
         return sum(routine.rungs for routine in self.routines)

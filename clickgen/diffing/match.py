@@ -12,7 +12,7 @@ Pair = tuple[int, int]
 LIKE_ENOUGH = 0.3
 """From this on two sets of features resemble each other; 1 is equal."""
 _ALL_PAIRS = 10_000
-"""In a gap with so many pairs every one is looked at; in a larger one those that share something rare."""
+"""In a gap with at most so many pairs each is looked at; in a larger one only those that share something rare."""
 
 
 class Gap(NamedTuple):

@@ -15,7 +15,8 @@ from clickgen.diffing.sides import BrokenProgram, Side, is_program, ladder_side,
 from clickgen.pipeline import TABLE_NAME, Settings
 from clickgen.source import SourceFile, Span
 
-_LADDER_FILES = (".csv", ".json", ".tmp", ".scr", ".bin", ".clipboard")
+_LADDER_FILES = (".csv", ".json", ".tmp", ".scr")
+"""What is read in a folder: ladder, nicknames, the source map, CLICK's program files."""
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from clickgen.device.banks import CURRENT_VALUE_OF, Address
+from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.diffing.changes import Difference, ValueChange
 from clickgen.diffing.routines import matching
 from clickgen.diffing.rungs import RungDiff
@@ -14,9 +14,6 @@ from clickgen.emit.listing import Names
 from clickgen.ladder.project import DrawnRoutine
 from clickgen.nicknames.changes import differing
 from clickgen.resolve.rows import Row, default_row
-
-_UNFIXED = ("SC", "SD", "XD", "YD")
-"""The banks whose initial values and retention nobody can set (click-facts, section 1)."""
 
 
 def diff(one: Side, other: Side) -> Difference:
@@ -62,7 +59,7 @@ def _worded(routine: DrawnRoutine, wording: Wording) -> tuple[WordedRung, ...]:
 def _values(one: Mapping[Address, Row], other: Mapping[Address, Row]) -> Iterator[ValueChange]:
     """What addresses begin with, and whether they keep it; without a row as CLICK has it by default."""
     for address in sorted({*one, *other}, key=lambda address: address.sort_key):
-        if address.bank in _UNFIXED:
+        if BANKS[address.bank].settings_fixed:
             continue
         before = one.get(address) or default_row(address, "")
         after = other.get(address) or default_row(address, "")

@@ -56,8 +56,8 @@ def summary(difference: Difference, names: NameChanges) -> list[str]:
     if difference.differs:
         said = _counts(difference)
     else:
-        compared = sum(routine.rungs for routine in difference.routines)
-        said = f"No difference in logic: {counted(compared, 'rung')} in {counted(len(difference.routines), 'routine')}."
+        routines = counted(len(difference.routines), "routine")
+        said = f"No difference in logic: {counted(difference.rungs, 'rung')} in {routines}."
     others = [
         (difference.count(COMMENTED), "comment changed", "comments changed"),
         (difference.drawn_otherwise, "rung is drawn otherwise", "rungs are drawn otherwise"),

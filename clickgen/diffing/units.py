@@ -16,6 +16,8 @@ from clickgen.lower.effects import Cells, reads
 
 _RUNGS_MAX = 16
 """Rungs further apart do not come from one rung of a program."""
+_BANK = "C"
+"""Scratch bits, which one rung drives and others look at; scratch registers hold values alone."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +36,7 @@ class Units:
     """The rungs of one side, and which of them use the scratch cells of either side."""
 
     def __init__(self, routines: Routines, scratch: frozenset[Address]) -> None:
-        self._scratch = frozenset(address for address in scratch if address.bank == "C")
+        self._scratch = frozenset(address for address in scratch if address.bank == _BANK)
         self._users: defaultdict[Address, set[int]] = defaultdict(set)
         self._cells: defaultdict[int, list[Address]] = defaultdict(list)
         self._loose: set[Address] = set()
@@ -61,8 +63,9 @@ class Units:
                 self._users[address].add(id(rung))
                 self._cells[id(rung)].append(address)
 
-    def _met(self, cells: Cells) -> set[Address]:
-        return {address for address in self._scratch if cells.meets(Cells({address}))}
+    def _met(self, cells: Cells) -> frozenset[Address]:
+        """The scratch bits that may be among these cells."""
+        return self._scratch if _BANK in cells.banks else self._scratch & cells.addresses
 
     def of(self, rungs: Sequence[WordedRung]) -> list[Unit]:
         """These neighbouring rungs, those that share scratch cells of their own in one unit."""

@@ -15,14 +15,15 @@ from clickgen.ir.conditions import Always, Compare
 from clickgen.ir.operands import Cell, Operand
 from clickgen.ir.program import Action, Rung
 from clickgen.ladder.grid import DrawnRow, DrawnRung, Square
+from clickgen.ladder.operands import ADDRESS
 from clickgen.ladder.problem import LadderProblem
 from clickgen.ladder.rungs import import_rung
 from clickgen.lower.tokens import compare_token, contact_token, operand_token
 
 _ROOM = "\ue000"
 """Keeps room for a nickname behind its address, so that both sides of a difference are broken at the same places."""
-_NAMED = re.compile(rf"([A-Z]{{1,3}}\d+u?){_ROOM}+")
-_ADDRESS = re.compile(r"(?<![\w.\"])[A-Z]{1,3}\d+u?(?!\w)")
+_NAMED = re.compile(rf"({ADDRESS}){_ROOM}+")
+_ADDRESS = re.compile(rf"(?<![\w.\"]){ADDRESS}(?!\w)")
 _FEATURE = re.compile(r'"[^"]*"|[^\s(),"]+')
 _COMMON = frozenset(("if", "and", "or", "not", "always"))
 _ALONE = (END.name, RETURN.name, NEXT.name, NOP.name)

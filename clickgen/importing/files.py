@@ -9,7 +9,7 @@ from clickgen.importing.source import functions_of, write_source
 from clickgen.ir.program import Routine
 
 _DEVICES = {"con", "prn", "aux", "nul", *(f"{port}{digit}" for port in ("com", "lpt") for digit in range(1, 10))}
-"""What Windows gives no file as its name, whatever the ending."""
+"""Names that Windows keeps for devices: no file can have them, whatever its ending."""
 
 
 def a_file_each(routines: Sequence[Routine], names: Names) -> dict[str, str]:

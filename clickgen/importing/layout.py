@@ -9,7 +9,7 @@ INDENT = "    "
 
 
 @dataclass(frozen=True, slots=True)
-class Word:
+class Atom:
     """What is never divided."""
 
     text: str
@@ -39,12 +39,12 @@ class Comparison:
     right: str
 
 
-Piece = Word | Brackets | Keyword | Comparison
+Piece = Atom | Brackets | Keyword | Comparison
 
 
 def flat(piece: Piece) -> str:
     """On one line."""
-    if isinstance(piece, Word):
+    if isinstance(piece, Atom):
         return piece.text
     if isinstance(piece, Keyword):
         return piece.text + flat(piece.piece)
@@ -57,7 +57,7 @@ def lines(piece: Piece, depth: int, before: str = "", after: str = "") -> list[s
     """The lines of a piece at a depth of indentation, with what stands before it and behind it."""
     indent = INDENT * depth
     whole = f"{indent}{before}{flat(piece)}{after}"
-    if len(whole) <= WIDTH or isinstance(piece, Word):
+    if len(whole) <= WIDTH or isinstance(piece, Atom):
         return [whole]
     if isinstance(piece, Keyword):
         return lines(piece.piece, depth, before + piece.text, after)
@@ -72,8 +72,8 @@ def _inside(piece: Brackets, depth: int) -> list[str]:
     An only argument that cannot be divided has no comma behind it.
     """
     together = f"{INDENT * depth}{', '.join(map(flat, piece.parts))}"
-    is_only_word = len(piece.parts) == 1 and isinstance(piece.parts[0], Word)
-    if piece.closing == ")" and (len(together) <= WIDTH or is_only_word):
+    is_only_atom = len(piece.parts) == 1 and isinstance(piece.parts[0], Atom)
+    if piece.closing == ")" and (len(together) <= WIDTH or is_only_atom):
         return [together]
     return [line for part in piece.parts for line in lines(part, depth, after=",")]
 

@@ -7,7 +7,7 @@ from keyword import iskeyword
 
 from clickgen.device.banks import CURRENT_VALUE_OF, Address
 from clickgen.formula import print_source
-from clickgen.importing.layout import Brackets, Comparison, Keyword, Piece, Word
+from clickgen.importing.layout import Atom, Brackets, Comparison, Keyword, Piece
 from clickgen.instructions.data import SEARCH
 from clickgen.instructions.spec import Param, ParamKind
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition
@@ -25,8 +25,7 @@ from clickgen.ir.operands import (
     Real,
     Text,
 )
-from clickgen.ir.program import Action, FormulaText, KeptToken, Operands, Options, Pattern
-from clickgen.ir.program import Word as WordValue
+from clickgen.ir.program import Action, FormulaText, KeptToken, Operands, Options, Pattern, Word
 from clickgen.ir.walk import Rewriter
 
 Names = Mapping[Address, str]
@@ -109,13 +108,13 @@ def _escaped(character: str) -> str:
 
 def condition_piece(condition: Condition) -> Piece:
     if isinstance(condition, Always):
-        return Word("True")
+        return Atom("True")
     if isinstance(condition, Compare):
         return Comparison(operand_text(condition.left), condition.op, operand_text(condition.right))
     if isinstance(condition, All | Any):
         opening = "all(" if isinstance(condition, All) else "any("
         return Brackets(opening, tuple(map(condition_piece, condition.terms)), ")")
-    operand = Word(operand_text(condition.operand))
+    operand = Atom(operand_text(condition.operand))
     function = _EDGES.get(condition.edge, "nc" if condition.negated else "")
     return Brackets(f"{function}(", (operand,), ")") if function else operand
 
@@ -127,7 +126,7 @@ def action_piece(action: Action) -> Piece:
     """An instruction: ``ton(t.Delay, setpoint=5, unit=Ts)``, ``return``, ``pass``."""
     name = action.spec.name
     if name in ("return", "pass"):
-        return Word(name)
+        return Atom(name)
     parts = _search_parts(action) if action.spec is SEARCH else list(_parts(action))
     return Brackets(f"{name}(", tuple(parts), ")")
 
@@ -165,13 +164,13 @@ def value_piece(action: Action, param: Param) -> Piece:
     """One argument; those of a pin aside."""
     value = action.args[param.name]
     if isinstance(value, Operand):
-        return Word(operand_text(value))
+        return Atom(operand_text(value))
     if isinstance(value, FormulaText):
-        return Word(quoted(print_source(value.formula)))
+        return Atom(quoted(print_source(value.formula)))
     if isinstance(value, Operands):
-        return Brackets("[", tuple(Word(operand_text(item)) for item in value.items), "]")
+        return Brackets("[", tuple(Atom(operand_text(item)) for item in value.items), "]")
     if isinstance(value, Pattern):
-        rows = (Brackets("[", tuple(Word(str(int(bit))) for bit in row), "]") for row in value.rows)
+        rows = (Brackets("[", tuple(Atom(str(int(bit))) for bit in row), "]") for row in value.rows)
         return Brackets("[", tuple(rows), "]")
     if isinstance(value, Options):
         return _options_piece(value)
@@ -180,14 +179,14 @@ def value_piece(action: Action, param: Param) -> Piece:
     if isinstance(value, Remote):
         return _remote_piece(value)
     if isinstance(value, KeptToken):
-        return Word(quoted(value.text))
-    assert isinstance(value, WordValue)
+        return Atom(quoted(value.text))
+    assert isinstance(value, Word)
     if isinstance(value.value, bool):
-        return Word(str(value.value))
+        return Atom(str(value.value))
     if param.kind is ParamKind.UNIT or value.is_function:
-        return Word(value.value)
+        return Atom(value.value)
     assert param.kind in (ParamKind.ROUTINE, ParamKind.COMPARISON, ParamKind.TEXT)
-    return Word(quoted(value.value))
+    return Atom(quoted(value.value))
 
 
 def _options_piece(options: Options) -> Piece:
@@ -198,25 +197,25 @@ def _options_piece(options: Options) -> Piece:
         settings.append("exponential=True")
     if options.termination_code is not None:
         settings.append(f'termination_code="${options.termination_code:02X}"')
-    return Brackets(f"{options.name}(", tuple(map(Word, settings)), ")") if settings else Word(options.name)
+    return Brackets(f"{options.name}(", tuple(map(Atom, settings)), ")") if settings else Atom(options.name)
 
 
 def _target_piece(target: Target) -> Piece:
     if isinstance(target, TcpTarget):
         label = [] if target.name == "tcp" else [f"name={quoted(target.name)}"]
         parts = [*label, f'ip="{target.ip}"', f"port={target.port}", f"device_id={target.device_id}"]
-        return Brackets("ModbusTcpTarget(", tuple(map(Word, parts)), ")")
+        return Brackets("ModbusTcpTarget(", tuple(map(Atom, parts)), ")")
     assert isinstance(target, RtuTarget)
     label = [] if target.name == "rtu" else [f"name={quoted(target.name)}"]
     parts = [*label, f'com_port="{target.com_port}"', f"device_id={target.device_id}"]
-    return Brackets("ModbusRtuTarget(", tuple(map(Word, parts)), ")")
+    return Brackets("ModbusRtuTarget(", tuple(map(Atom, parts)), ")")
 
 
 def _remote_piece(remote: Remote) -> Piece:
     if isinstance(remote, RemoteCell):
-        return Word(f'"{remote.address}"')
+        return Atom(f'"{remote.address}"')
     assert isinstance(remote, RemoteModbus)
     if not remote.register_type:
-        return Brackets("ModbusAddress(", (Word(f"address={remote.number}"),), ")")
-    parts = (Word(f'address="{remote.number:X}h"'), Word(f'register_type="{remote.register_type}"'))
+        return Brackets("ModbusAddress(", (Atom(f"address={remote.number}"),), ")")
+    parts = (Atom(f'address="{remote.number:X}h"'), Atom(f'register_type="{remote.register_type}"'))
     return Brackets("ModbusAddress(", parts, ")")

@@ -42,11 +42,20 @@ def verdict_of(routines: Sequence[ImportedRoutine], result: BuildResult) -> Verd
     calls: dict[str, Writes] = {}
     for routine in routines:
         runs: list[list[DrawnRung]] = []
-        rungs = iter(drawn[routine.name])
+        rungs = drawn.get(routine.name, [])
+        start = 0
         for _, group in groupby(built[routine.name].rungs, key=lambda rung: rung.span):
-            runs.append([next(rungs) for _ in group])
+            stop = start + len(list(group))
+            runs.append(rungs[start:stop])
+            start = stop
+        if runs and routine.pieces:
+            # Nothing may stand behind the last rung.
+            runs[min(len(runs), len(routine.pieces)) - 1] += rungs[start:]
         for piece, run in zip(routine.pieces, runs, strict=False):
             if piece.drawn is None or piece.rung is None:
+                continue
+            if not run:
+                verdict.differing.append((routine, piece, "the rung is missing in what was built"))
                 continue
             reason = _difference(piece.drawn, run)
             if len(run) > 1 and not calls:

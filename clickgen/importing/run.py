@@ -25,7 +25,7 @@ from clickgen.importing.routines import (
 from clickgen.importing.source import write_source
 from clickgen.ir.program import Routine
 from clickgen.ladder.problem import LadderProblem
-from clickgen.ladder.project import Project, read_project
+from clickgen.ladder.project import MAIN, Project, read_project
 from clickgen.pipeline import TABLE_NAME, BuildResult, Settings, build
 from clickgen.resolve.layers import is_workbook
 from clickgen.source import SourceFile, Span
@@ -119,6 +119,9 @@ def import_project(
     place. Nothing is written (see ``ImportResult.write``). Raises CouldNotRun when there is nothing to import.
     """
     project = read_project(source)
+    for routine in project.routines:
+        if routine.name == MAIN and not routine.is_main:
+            raise CouldNotRun(f"{routine.file}: a subroutine cannot be called main, as the main program is")
     run = _Import(project, target, keep_going, imported_routines(project), _nicknames(project, target, nicknames))
     verdict = run.verified() if verifies else None
     return run.result(verdict)
@@ -154,14 +157,21 @@ class _Import:
             lost = 0
             for routine, piece, problem in verdict.refused:
                 if piece is None:
-                    place = f"{routine.name}: " if routine else ""
-                    self._add("CG702", f"{place}a build refuses the program: {problem.message} ({problem.code})", None)
+                    self._refuse(routine, problem)
                 elif piece.rung is not None:
                     lost += self._lose(piece, "CG702", f"a build refuses it: {problem.message} ({problem.code})")
             for _, piece, reason in verdict.differing:
                 lost += self._lose(piece, "CG703", f"it would not be the same: {reason}")
             if not lost:
                 return verdict
+
+    def _refuse(self, routine: ImportedRoutine | None, problem: Diagnostic) -> None:
+        """What belongs to no rung. The address table has told its own faults."""
+        if any(own.is_error and own.code == problem.code for own in self.nicknames.problems):
+            return
+        place = f"{routine.name}: " if routine else ""
+        message = f"{place}a build refuses the program: {problem.message} ({problem.code})"
+        self._add("CG702", message, None, "change it in CLICK and import again")
 
     def _lose(self, piece: Piece, code: str, reason: str) -> int:
         assert piece.drawn is not None

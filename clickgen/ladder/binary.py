@@ -23,9 +23,11 @@ if TYPE_CHECKING:
 _T = TypeVar("_T")
 _INDEX_AT = 0x40
 _NAME_AT = 0x43
+"""Where a program file has its prog_idx and its name, the bytes of the name before it (laddercodec, decode_program)."""
 _ROWS_AT = 0x0254
 _ROWS_UNIT = 32
 _BLOCK = 4096
+"""Where a capture has its number of rows, what each counts there, and what its size is a multiple of (encode)."""
 _RUNG = re.compile(r"\(rung (\d+)\)")
 
 
@@ -81,7 +83,7 @@ def _is_whole(data: bytes, rungs: list[Rung]) -> bool:
     """laddercodec takes a capture that is cut off for a shorter one, and one that goes on with NULs for empty cells.
 
     So look at its size, at the number of rows in its header (those of the rungs and one more for each), and at the
-    number that its last cell has of its column. All native captures pass.
+    column that its last cell says it stands in. All native captures pass.
     """
     from laddercodec.decode import inspect_cells
 

@@ -39,6 +39,12 @@ def call_of(token: str) -> Call | None:
     return Call(match[1], tuple(arguments), keywords)
 
 
+def unquoted(text: str) -> str | None:
+    """What stands in quotes, where a quote is doubled; None when the text is not in quotes."""
+    is_quoted = len(text) > 1 and text[0] == text[-1] == '"'
+    return text[1:-1].replace('""', '"') if is_quoted else None
+
+
 def split(text: str) -> list[str] | None:
     """The parts between commas, those inside quotes and brackets left alone; None when these do not fit."""
     if not text.strip():

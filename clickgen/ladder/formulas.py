@@ -18,7 +18,7 @@ _WORDS = re.compile(
     rf"(?P<range>(?P<first>{ADDRESS})\s*:\s*(?P<last>{ADDRESS}))"
     rf"|(?P<hex>[0-9A-Fa-f]+h)\b"
     rf"|(?P<cell>{ADDRESS})\b"
-    r"|(?P<other>[A-Za-z]+|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[-+*/^(),])"
+    r"|(?P<other>[A-Za-z]+|(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?|[-+*/^(),])"
     r"|(?P<space>\s+)"
     r"|(?P<unknown>.)",
     re.DOTALL,

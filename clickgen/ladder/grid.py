@@ -20,7 +20,7 @@ from clickgen.ladder.tokens import PIN, height_of, is_own_input_below, pin_row_o
 from clickgen.lower.grid import COLUMNS, MAX_ROWS
 from clickgen.source import Span
 
-_MARKER = re.compile(r"R\d*")
+_MARKER = re.compile(r"R[0-9]*")
 _WIRES = {"": (False, False), "-": (True, False), "T": (True, True), "|": (False, True)}
 """The squares without a contact: whether power goes right, and whether it goes down at the left edge."""
 
@@ -56,7 +56,7 @@ class DrawnBox:
 class DrawnRung:
     """One rung. ``number`` counts from 1 in its routine; ``line`` is 0 in a binary file.
 
-    A rung with problems has of its rows what could be read.
+    Of a rung with problems, ``rows`` and ``boxes`` are what could be read.
     """
 
     number: int

@@ -21,7 +21,7 @@ from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, KeptToken
 from clickgen.ladder.calls import call_of
 from clickgen.ladder.operands import embedded, operand_of
-from clickgen.ladder.tokens import action_of, specs_of
+from clickgen.ladder.tokens import NOP_TOKEN, action_of, specs_of
 from clickgen.lower.grid import COLUMNS, MAX_ROWS
 from clickgen.lower.tokens import action_token
 from clickgen.source import Span
@@ -84,7 +84,7 @@ def fault_of(token: str) -> Fault | None:
 
 def _words(token: str) -> str:
     """How the language writes instructions with the name of this token; "" when it has none."""
-    if token == NOP.variants[0].token:
+    if token == NOP_TOKEN:
         return NOP.example
     specs = (spec for spec in specs_of(token) if spec is not RTOF)
     return " or ".join(spec.signature if spec.name in INSTRUCTIONS else spec.example for spec in specs)

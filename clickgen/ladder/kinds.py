@@ -10,8 +10,8 @@ from clickgen.resolve.rows import COLUMNS as NICKNAME_COLUMNS
 
 PROGRAM_MAGIC = b"SC-SCR  "
 CLIPBOARD_MAGIC = b"CLICK   "
-_HEAD = 4096
-"""The bytes in which the first line ends."""
+HEAD_BYTES = 4096
+"""The beginning of a file that says of which kind it is: the first line ends in it."""
 
 
 class Kind(Enum):
@@ -46,12 +46,12 @@ def other_kind(data: bytes) -> str:
         return "a workbook or an archive, not ladder"
     if tuple(first[:3]) == NICKNAME_COLUMNS[:3]:
         return "a nickname table, not ladder"
-    if b"\x00" in data[:_HEAD]:
+    if b"\x00" in data[:HEAD_BYTES]:
         return "neither text nor anything that CLICK makes"
     return f"no ladder: its first line is not {HEADER[0]},{HEADER[1]},...,{HEADER[-1]}"
 
 
 def _first_line(data: bytes) -> list[str]:
     """The fields of the first line that is not empty."""
-    lines = data[:_HEAD].decode("utf-8-sig", "replace").strip().splitlines()
+    lines = data[:HEAD_BYTES].decode("utf-8-sig", "replace").strip().splitlines()
     return [field.strip() for field in next(csv.reader(lines[:1]), [])]

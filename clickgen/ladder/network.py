@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
+from clickgen.emit.ladder_csv import HEADER
 from clickgen.ir.conditions import Always, Compare, Condition, Contact
 from clickgen.ladder.grid import DrawnRung, Square
 from clickgen.ladder.problem import LadderProblem
@@ -114,21 +115,17 @@ def reached(
 def _refuse_loose(rung: DrawnRung, loose: list[Arc]) -> None:
     contacts = [arc for arc in loose if not isinstance(arc.condition, Always)]
     if contacts:
-        row, column = contacts[0].place
-        shown = shown_contact(contacts[0].condition)
-        where = f"{shown} in row {row + 1}, column {column_name(column)}"
-        raise LadderProblem(f"{where} does not lead from the power rail to an output", rung.file, rung.rows[row].line)
+        message = f"{_shown(contacts[0])} does not lead from the power rail to an output"
+        raise LadderProblem(message, rung.file, rung.rows[contacts[0].place[0]].line)
 
 
-def shown_contact(condition: Condition) -> str:
-    if isinstance(condition, Contact):
-        return contact_token(condition)
-    return compare_token(condition) if isinstance(condition, Compare) else "a wire"
-
-
-def column_name(column: int) -> str:
-    """A to Z, AA to AE."""
-    return chr(ord("A") + column) if column < 26 else "A" + chr(ord("A") + column - 26)
+def _shown(arc: Arc) -> str:
+    """``X002 in row 1, column B``"""
+    row, column = arc.place
+    condition = arc.condition
+    assert isinstance(condition, Contact | Compare)
+    token = contact_token(condition) if isinstance(condition, Contact) else compare_token(condition)
+    return f"{token} in row {row + 1}, column {HEADER[column + 1]}"
 
 
 # -- wires ------------------------------------------------------------------------------------------------------------
@@ -163,7 +160,8 @@ def _join_wires(network: Network) -> None:
             nodes.join(one, other)
         for arc in network.arcs:
             arc.start, arc.stop = nodes.of(arc.start), nodes.of(arc.stop)
-        network.arcs = [arc for arc in network.arcs if not _is_bridged(network, arc)]
+        network.notes += _left_out(arc for arc in network.arcs if arc.start == arc.stop)
+        network.arcs = [arc for arc in network.arcs if arc.start != arc.stop]
         ends = {nodes.of(end) for end in ends}
     network.ends = {row: nodes.of(end) for row, end in network.ends.items()}
     if any(isinstance(arc.condition, Always) for arc in network.arcs):
@@ -171,17 +169,10 @@ def _join_wires(network: Network) -> None:
     _leave_out_useless(network)
 
 
-def _is_bridged(network: Network, arc: Arc) -> bool:
-    """True for an arc whose ends are one node; of a contact it is told."""
-    if arc.start == arc.stop and not isinstance(arc.condition, Always):
-        network.notes.append(_left_out(arc))
-    return arc.start == arc.stop
-
-
-def _left_out(arc: Arc) -> str:
-    row, column = arc.place
-    where = f"row {row + 1}, column {column_name(column)}"
-    return f"{shown_contact(arc.condition)} in {where} is left out: a wire leads around it"
+def _left_out(gone: Iterable[Arc]) -> list[str]:
+    """What is to be said of arcs that are no longer there: nothing of wires."""
+    contacts = (arc for arc in gone if not isinstance(arc.condition, Always))
+    return [f"{_shown(arc)} is left out: a wire leads around it" for arc in contacts]
 
 
 def _from_one(arcs: list[Arc], _: set[Place]) -> Iterator[tuple[Place, Place]]:
@@ -250,5 +241,5 @@ def _leave_out_useless(network: Network) -> None:
             network.arcs = rest
     kept = leading(network.arcs, ends)
     gone += [arc for arc in network.arcs if arc not in kept]
-    network.notes += [_left_out(arc) for arc in gone if not isinstance(arc.condition, Always)]
+    network.notes += _left_out(gone)
     network.arcs = kept

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from clickgen.device.banks import BANKS, POINTED, parse_address
+from clickgen.device.banks import BANKS, FLOAT_MAX, POINTED, parse_address
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import (
     Cell,
@@ -19,16 +19,19 @@ from clickgen.ir.operands import (
     Real,
     Text,
 )
+from clickgen.ladder.calls import unquoted
 from clickgen.source import EmbeddedText, SourceFile, Span
 
-ADDRESS = r"[A-Z]{1,3}\d{1,4}u?"
+ADDRESS = r"[A-Z]{1,3}[0-9]{1,4}u?"
 _TEXT = r'"(?:[^"]|"")*"'
-_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_NUMBER = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
 _SIDE = rf"{ADDRESS}|[0-9A-Fa-f]{{1,8}}h|{_NUMBER}|{_TEXT}|\$[0-9A-Fa-f]{{2}}"
 _COMPARE = re.compile(rf"({_SIDE})\s*(==|!=|<=|>=|<|>)\s*({_SIDE})")
 _EDGE = re.compile(rf"(rise|fall)\(\s*({ADDRESS})\s*\)")
+_CODE = re.compile(r"\$([0-9A-Fa-f]{2})")
 _CONTACT = re.compile(rf"(~?)\s*(?:({ADDRESS})(\.immediate)?|immediate\(\s*({ADDRESS})\s*\))")
 _LARGEST_WORD = 0xFFFFFFFF
+"""What laddercodec takes for a hexadecimal constant; which of them an instruction takes, a build knows."""
 
 
 def operand_of(text: str, span: Span) -> Operand | None:
@@ -99,21 +102,28 @@ def _hex(match: re.Match[str], span: Span) -> Hex | None:
     return Hex(value, span) if value <= _LARGEST_WORD else None
 
 
+def _real(match: re.Match[str], span: Span) -> Real | None:
+    value = float(match[0])
+    return Real(value, match[0].lower().replace("+", ""), span) if abs(value) <= FLOAT_MAX else None
+
+
 def _text(match: re.Match[str], span: Span) -> Text | None:
-    value = match[0][1:-1].replace('""', '"')
-    # In a program this text would be a character code.
-    return None if re.fullmatch(r"\$[0-9A-Fa-f]{2}", value) else Text(value, span, embedded(value, span))
+    value = unquoted(match[0])
+    # A text like $0D would be a character code in a program.
+    if value is None or _CODE.fullmatch(value):
+        return None
+    return Text(value, span, embedded(value, span))
 
 
 _FORMS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Span], Operand | None]], ...] = (
     (re.compile(rf"({ADDRESS})\s*\.\.\s*({ADDRESS})"), _range),
     (re.compile(rf"({ADDRESS})"), lambda match, span: _cell(match[1], span)),
-    (re.compile(r"([A-Z]{1,3})\[\s*(DS\d{1,4})\s*\]"), _pointer),
+    (re.compile(r"([A-Z]{1,3})\[\s*(DS[0-9]{1,4})\s*\]"), _pointer),
     (re.compile(rf"immediate\(\s*({ADDRESS}(?:\s*\.\.\s*{ADDRESS})?)\s*\)"), _immediate),
     (re.compile(rf"({ADDRESS}(?:\s*\.\.\s*{ADDRESS})?)\.immediate"), _immediate),
-    (re.compile(r"([+-]?\d+)"), lambda match, span: Integer(int(match[1]), span)),
+    (re.compile(r"([+-]?[0-9]{1,20})"), lambda match, span: Integer(int(match[1]), span)),
     (re.compile(r"([0-9A-Fa-f]{1,8})h"), _hex),
-    (re.compile(_NUMBER), lambda match, span: Real(float(match[0]), match[0].lower().replace("+", ""), span)),
+    (re.compile(_NUMBER), _real),
     (re.compile(_TEXT, re.DOTALL), _text),
-    (re.compile(r"\$([0-9A-Fa-f]{2})"), lambda match, span: CharCode(int(match[1], 16), span)),
+    (_CODE, lambda match, span: CharCode(int(match[1], 16), span)),
 )

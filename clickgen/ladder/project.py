@@ -10,11 +10,12 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from pathlib import Path
 
+from clickgen.device.limits import SUBROUTINE_NAME_MAX
 from clickgen.diagnostics import CouldNotRun
 from clickgen.ladder.binary import ProgramHeader, program_header, read_clipboard, read_program
 from clickgen.ladder.calls import call_of
 from clickgen.ladder.grid import DrawnRung, Ladder, decode_ladder, read_ladder
-from clickgen.ladder.kinds import PROGRAM_MAGIC, Kind, kind_of, other_kind
+from clickgen.ladder.kinds import HEAD_BYTES, PROGRAM_MAGIC, Kind, kind_of, other_kind
 from clickgen.ladder.problem import LadderProblem
 
 MAIN = "main"
@@ -27,7 +28,7 @@ _CAPTURE = ".clipboard"
 _MAIN_INDEX = 1
 """The highest prog_idx of main: 1 in every native program file; laddercodec's manual says 0."""
 _BYTES_MAX = 1 << 27
-_NAME_MAX = 24
+"""128 MiB: far more than the ladder of any project, and little enough to read at once."""
 _READS = "a folder with main.csv, or with the Scr*.tmp files of a project"
 
 
@@ -139,7 +140,7 @@ def _program(header: ProgramHeader, path: Path, ladder: Ladder) -> DrawnRoutine:
 
 def _usable(stem: str) -> str:
     """A name that CLICK takes for a subroutine (click-facts, section 5)."""
-    return re.sub(r"[^A-Za-z0-9_ -]", "_", stem)[:_NAME_MAX].strip() or "subroutine"
+    return re.sub(r"[^A-Za-z0-9_ -]", "_", stem)[:SUBROUTINE_NAME_MAX].strip() or "subroutine"
 
 
 # -- a folder ---------------------------------------------------------------------------------------------------------
@@ -276,8 +277,9 @@ def _bytes(path: Path) -> bytes:
 
 
 def _head(path: Path) -> bytes:
+    """As much of a file as says of which kind it is."""
     with path.open("rb") as file:
-        return file.read(4096)
+        return file.read(HEAD_BYTES)
 
 
 def _shown(path: Path) -> str:

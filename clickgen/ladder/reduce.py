@@ -27,7 +27,7 @@ class TooEntangled(Exception):
     """A condition has more than LEAVES_MAX contacts."""
 
 
-@dataclass
+@dataclass(frozen=True)
 class Tree:
     """The conditions on the only way from the rail to each node."""
 

@@ -9,6 +9,7 @@ from keyword import iskeyword
 
 from clickgen.device.system import ALWAYS_ON
 from clickgen.instructions.control import FOR, NEXT, NOP
+from clickgen.instructions.spec import Spec
 from clickgen.ir.conditions import Always, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
@@ -17,7 +18,7 @@ from clickgen.ladder.kept import raw_of
 from clickgen.ladder.network import RAIL, Arc, Network, Place, network_of
 from clickgen.ladder.problem import LadderProblem
 from clickgen.ladder.reduce import TooEntangled, series, tree_of
-from clickgen.ladder.tokens import action_of
+from clickgen.ladder.tokens import NOP_TOKEN, action_of
 from clickgen.source import Span
 from clickgen.syntax.comments import DIRECTIVE
 
@@ -26,10 +27,9 @@ ENTANGLED = "the contacts are wired in too many ways to be written as a conditio
 
 @dataclass(frozen=True)
 class ImportedRung:
-    """A rung of the program, the drawn one it comes from, and what a person should know of it."""
+    """A rung of the program, and what a person should know of it."""
 
     rung: Rung
-    drawn: DrawnRung
     notes: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
     """What is left out that does nothing."""
@@ -52,16 +52,16 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
     notes = list(network.notes)
     remarks = _comment_remarks(drawn)
     boxes = list(drawn.boxes)
-    if len(boxes) > 1 and any(box.token == "NOP" for box in boxes):
+    if len(boxes) > 1 and any(box.token == NOP_TOKEN for box in boxes):
         remarks.append("NOP beside an output does nothing: it is left out")
-        boxes = [box for box in boxes if box.token != "NOP"]
+        boxes = [box for box in boxes if box.token != NOP_TOKEN]
     if not boxes:
         remarks.append("the rung has no output: it becomes NOP")
         nop = _rung(drawn, Always(span), (Action(NOP, {}, span),))
-        return ImportedRung(nop, drawn, tuple(notes), tuple(remarks))
+        return ImportedRung(nop, tuple(notes), tuple(remarks))
     fed = {RAIL, *(arc.stop for arc in network.arcs)}
     for box in boxes:
-        if network.ends[box.row] not in fed and box.token != "NOP":
+        if network.ends[box.row] not in fed and box.token != NOP_TOKEN:
             raise _problem(drawn, box.row, f"{_shortened(box.token)} is not connected to the power rail")
     try:
         tree = tree_of(network.arcs, {network.ends[box.row] for box in boxes} & fed)
@@ -75,7 +75,7 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
     condition: Condition = Always(span)
     if len(items) == 1 and isinstance(items[0], Branch):
         condition, items = items[0].condition, items[0].items
-    return ImportedRung(_rung(drawn, condition, items), drawn, tuple(notes), tuple(remarks))
+    return ImportedRung(_rung(drawn, condition, items), tuple(notes), tuple(remarks))
 
 
 def _comment_remarks(drawn: DrawnRung) -> list[str]:
@@ -181,25 +181,25 @@ def with_loops(rungs: Sequence[Rung]) -> tuple[Rung, ...]:
 
 def _end_of_loop(rungs: Sequence[Rung], start: int) -> int | None:
     """The rung of the ``next()`` that closes the loop of this rung; None when it is no loop or does not close so."""
-    if not _is_alone(rungs[start], FOR.name):
+    if not _is_alone(rungs[start], FOR):
         return None
     for index in range(start + 1, len(rungs)):
         rung = rungs[index]
-        if _is_alone(rung, NEXT.name):
+        if _is_alone(rung, NEXT):
             is_plain = isinstance(rung.condition, Always) and not rung.comment
             return index if is_plain and index > start + 1 else None
-        if _uses(rung.items, FOR.name) or _uses(rung.items, NEXT.name):
+        if _uses(rung.items, FOR) or _uses(rung.items, NEXT):
             return None
     return None
 
 
-def _is_alone(rung: Rung, name: str) -> bool:
-    return len(rung.items) == 1 and isinstance(rung.items[0], Action) and rung.items[0].spec.name == name
+def _is_alone(rung: Rung, spec: Spec) -> bool:
+    return len(rung.items) == 1 and isinstance(rung.items[0], Action) and rung.items[0].spec is spec
 
 
-def _uses(items: Sequence[Item], name: str) -> bool:
+def _uses(items: Sequence[Item], spec: Spec) -> bool:
     return any(
-        _uses(item.items, name) if isinstance(item, Branch) else isinstance(item, Action) and item.spec.name == name
+        _uses(item.items, spec) if isinstance(item, Branch) else isinstance(item, Action) and item.spec is spec
         for item in items
     )
 

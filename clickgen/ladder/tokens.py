@@ -27,6 +27,8 @@ from clickgen.lower.tokens import keyword_of, pin_row
 from clickgen.source import Span
 
 PIN = re.compile(r"\.[a-z_]+\(.*\)")
+NOP_TOKEN = NOP.variants[0].token
+"""The one token that is no call."""
 
 _PLACE = re.compile(r"\{(\w+)\}")
 _PATTERNS = {ParamKind.COMPARISON: "==|!=|<=|>=|<|>"}
@@ -130,7 +132,7 @@ def is_own_input_below(token: str) -> bool:
 
 def action_of(token: str, pins: Mapping[str, Condition], span: Span) -> Action | None:
     """The action that would write this token and these pins; None when no Spec writes it."""
-    if token == "NOP":
+    if token == NOP_TOKEN:
         return None if pins else Action(NOP, {}, span)
     call = call_of(token)
     if call is None:

@@ -14,12 +14,13 @@ from clickgen.instructions.timers import UNITS
 from clickgen.ir.modbus import RemoteCell, RemoteModbus, RtuTarget, TcpTarget
 from clickgen.ir.operands import Cell, CharCode, Immediate, Range
 from clickgen.ir.program import Operands, Options, Pattern, Value, Word
-from clickgen.ladder.calls import call_of, split
+from clickgen.ladder.calls import call_of, split, unquoted
 from clickgen.ladder.formulas import formula_of
 from clickgen.ladder.operands import operand_of
 from clickgen.source import Span
 
 _HEX = re.compile(r"([0-9A-Fa-f]{1,4})h")
+_NUMBER = re.compile(r"[0-9]{1,9}")
 
 
 def value_of(param: Param, text: str, span: Span, mode: Mode) -> Value | None:
@@ -73,7 +74,7 @@ def _options(_: Param, text: str, span: Span) -> Value | None:
         return None
     settings = {"suppress_zero": "1", "exponential": "0", "termination_code": "none", **call.keywords}
     flags = settings["suppress_zero"], settings["exponential"]
-    # Of a code below $10 laddercodec writes one digit.
+    # laddercodec writes a code below $10 with one digit.
     code_text = re.sub(r"^\$(?=.$)", "$0", settings["termination_code"])
     code = operand_of(code_text, span)
     is_code = isinstance(code, CharCode) and code.value <= 0x7F
@@ -84,36 +85,31 @@ def _options(_: Param, text: str, span: Span) -> Value | None:
     )
 
 
-def _quoted(text: str | None) -> str | None:
-    is_quoted = text is not None and len(text) > 1 and text[0] == text[-1] == '"'
-    return text[1:-1].replace('""', '"') if text is not None and is_quoted else None
-
-
 def _target(_: Param, text: str, span: Span) -> Value | None:
     call = call_of(text)
     given = call.keywords if call else {}
     device_id = given.get("device_id", "")
-    name, place = _quoted(given.get("name")), _quoted(given.get("ip", given.get("com_port")))
-    if call is None or call.arguments or name is None or place is None or not device_id.isdigit():
+    name, place = unquoted(given.get("name", "")), unquoted(given.get("ip", given.get("com_port", "")))
+    if call is None or call.arguments or name is None or place is None or not _NUMBER.fullmatch(device_id):
         return None
     keys, port = given.keys(), given.get("port", "")
-    if call.name == "ModbusTcpTarget" and keys == {"name", "ip", "port", "device_id"} and port.isdigit():
+    if call.name == "ModbusTcpTarget" and keys == {"name", "ip", "port", "device_id"} and _NUMBER.fullmatch(port):
         return TcpTarget(name, place, int(port), int(device_id), span)
     is_serial = call.name == "ModbusRtuTarget" and keys == {"name", "com_port", "device_id"} and place in COM_PORTS
     return RtuTarget(name, place, int(device_id), span) if is_serial else None
 
 
 def _remote(_: Param, text: str, span: Span) -> Value | None:
-    quoted = _quoted(text)
-    if quoted is not None:
-        address = parse_address(quoted)
+    inner = unquoted(text)
+    if inner is not None:
+        address = parse_address(inner)
         return RemoteCell(address, span) if address else None
     call = call_of(text)
     given = call.keywords if call else {}
     if call is None or call.name != "ModbusAddress" or call.arguments:
         return None
     number = given.get("address", "")
-    if given.keys() == {"address"} and number.isdigit():
+    if given.keys() == {"address"} and _NUMBER.fullmatch(number):
         return RemoteModbus(int(number), span)
     match = _HEX.fullmatch(number)
     if given.keys() == {"address", "register_type"} and match:
