@@ -5,10 +5,12 @@ from __future__ import annotations
 import csv
 import json
 import os
+import random
 import re
+import shutil
 import subprocess
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -23,13 +25,14 @@ from strategies.edits import random_draft
 from strategies.meaning import meaning_programs
 from strategies.one_rung import power_programs
 from strategies.programs import Program
+from test_importing_cases import ladder_text, wired
 
 import clickgen
 from clickgen.cli import main
 from clickgen.comparing.same import Comparison, Likeness, compare
-from clickgen.device.banks import Address
-from clickgen.diffing.changes import CHANGED, COMMENTED, KINDS, MOVED, REMOVED, Difference
-from clickgen.diffing.match import gaps, longest_common, most_like
+from clickgen.device.banks import Address, parse_address
+from clickgen.diffing.changes import ADDED, CHANGED, COMMENTED, KINDS, MOVED, REMOVED, Difference
+from clickgen.diffing.match import Block, longest_common, most_like, single, steps
 from clickgen.diffing.revision import named_revision
 from clickgen.diffing.run import diff
 from clickgen.diffing.sides import Side, program_side
@@ -39,8 +42,9 @@ from clickgen.emit.listing import Names
 from clickgen.ir.conditions import Contact
 from clickgen.ladder.grid import DrawnRung, read_ladder
 from clickgen.ladder.project import DrawnRoutine
+from clickgen.lower.scratch import purpose_of, rung_of
 from clickgen.pipeline import Settings
-from clickgen.resolve.rows import default_row
+from clickgen.resolve.rows import default_row, scratch_name
 from clickgen.resolve.table import AddressTable
 
 RUNGS = [
@@ -290,6 +294,94 @@ def test_programs_with_other_scratch_cells_do_the_same(tmp_path: Path, seed: int
     assert (found.differs, happened(found)) == (False, [])
 
 
+NUMBERED = program(
+    "    if c.Go:\n        calc('ds[ds[1]] + 1', ds[2])\n",
+    "    if c.Go:\n        calc('ds[ds[5]] + ds[ds[1]]', ds[3])\n",
+    "    if c.A:\n        rtof(t[1], 5, unit=Ts, reset=lambda: c.B)\n",
+    "    if t[1]:\n        out(y[1])\n",
+    "    if c.Wash:\n        call(wash)\n",
+    sub="\n\n@sub\ndef wash():\n    if nc(t[1]):\n        out(y[2])\n\n    if True:\n        return\n",
+)
+NAMED = "".join(f'C{n},BIT,"{name}",0,No,""\n' for n, name in enumerate(("Go", "A", "B", "Wash"), 1))
+OTHER_NUMBERS = 'C1996,BIT,"Taken",0,No,""\nDS4499,INT,"Level",0,Yes,""\nDS4500,INT,"Taken_too",0,Yes,""\n'
+
+
+def test_scratch_cells_of_any_bank_and_reach(run: Run) -> None:
+    write("prog.py", NUMBERED)
+    write("nicknames.csv", TABLE + NAMED)
+    assert main(["nicknames", "sync", "prog.py"]) == 0
+    write("new/prog.py", NUMBERED)
+    write("new/nicknames.csv", TABLE + NAMED + OTHER_NUMBERS)
+    for before, after in (("prog.py", "new/prog.py"), ("new/prog.py", "prog.py")):
+        said = run(before, after)
+        assert said.code == 0, said.out
+        assert "rungs are drawn otherwise" in said.out
+    for old, new in (
+        ("ds[ds[1]] + 1", "ds[ds[2]] + 1"),
+        ("nc(t[1])", "nc(t[2])"),
+        ("if t[1]", "if t[2]"),
+        ("+ 1", "+ 2"),
+    ):
+        write("new/prog.py", NUMBERED.replace(old, new))
+        assert run("prog.py", "new/prog.py").code == 1
+
+
+def test_a_scratch_cell_in_a_range_keeps_its_number() -> None:
+    def rungs(bit: str) -> dict[str, list[DrawnRung]]:
+        looks = [("X001", f"out({bit})")], [("X003", "out(C1)")], [(bit, "out(Y001)")]
+        return plant(*looks, [("X002", "reset(C1990..C1999)")], [(bit, "out(Y002)")])
+
+    assert diff(with_scratch(rungs("C2000"), "C2000"), with_scratch(rungs("C1999"), "C1999")).differs
+    assert not diff(with_scratch(rungs("C2000"), "C2000"), with_scratch(rungs("C1989"), "C1989")).differs
+
+
+def test_the_number_of_a_scratch_cell_that_is_shown_is_its_own(run: Run) -> None:
+    write("prog.py", NUMBERED)
+    write("nicknames.csv", TABLE + NAMED)
+    write("new/prog.py", NUMBERED.replace("'ds[ds[1]] + 1'", "'ds[ds[1]] + 2'"))
+    write("new/nicknames.csv", TABLE + NAMED + OTHER_NUMBERS)
+    said = run("prog.py", "new/prog.py")
+    [before] = [line for line in said.lines if "+ 1" in line]
+    [after] = [line for line in said.lines if "+ 2" in line]
+    assert ("DS4500" in before, "DS4498" in after) == (True, True)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_no_numbers_hide_a_change(tmp_path: Path, seed: int) -> None:
+    """Whatever the rows say of what their cells are for."""
+    chance = random.Random(seed)
+    for name, text in random_draft(seed).items():
+        (tmp_path / name).write_text(text, "utf-8")
+    taken = Settings(reserved=tuple(Address("C", number) for number in range(1996, 2001)))
+    one, other = (program_side(tmp_path / "prog.py", "prog.py", each) for each in (Settings(), taken))
+    assert other.table
+    rows = other.scratch_rows
+    reasons = [row.comment for row in rows]
+    chance.shuffle(reasons)
+    others = [row for row in other.table.rows if row not in rows]
+    others += [replace(row, comment=reason) for row, reason in zip(rows, reasons, strict=True)]
+    other = replace(other, table=AddressTable.empty("").extended(others))
+    assert not diff(one, replace(one)).differs
+    changed = 0
+    for routine in other.routines:
+        for n, rung in enumerate(routine.rungs):
+            new = negated(rung)
+            if compare([rung], [new]).is_same:
+                continue
+            changed += 1
+            rungs = (*routine.rungs[:n], new, *routine.rungs[n + 1 :])
+            routines = tuple(replace(each, rungs=rungs) if each is routine else each for each in other.routines)
+            assert diff(one, replace(other, routines=routines)).differs
+    assert changed
+
+
+def test_the_word_rung_in_the_name_of_a_routine() -> None:
+    reasons = [f"condition of {name} rung 9: X001 == 1" for name in ("Pump rung 3", "Pump rung 4", "Pump - rung 3 x")]
+    assert len({purpose_of(reason) for reason in reasons}) == 3
+    assert {rung_of(reason) for reason in reasons} == {9}
+    assert purpose_of("condition of Pump rung 3 rung 12") == purpose_of("condition of Pump rung 3 rung 9")
+
+
 def ladder(*rungs: tuple[str, str]) -> dict[str, list[DrawnRung]]:
     lines = [",".join(["R", contact, *["-"] * 30, output]) for contact, output in rungs]
     return {"main": list(read_ladder("\n".join([",".join(HEADER), *lines]), "main.csv").rungs)}
@@ -310,6 +402,132 @@ def test_rungs_that_do_together_what_one_does() -> None:
     assert (found.differs, happened(found)) == (False, [(COMMENTED, "main", 1)])
 
 
+Drawing = Sequence[tuple[str, str]]
+"""Rows of a rung: contacts, ``.`` for a blank square; and the output."""
+
+END_RUNG: Drawing = [("-", "end()")]
+
+
+def plant(*drawings: Drawing) -> dict[str, list[DrawnRung]]:
+    """A main with these rungs and an end."""
+    rows = [wired(*row, "" if n else "R") for drawing in (*drawings, END_RUNG) for n, row in enumerate(drawing)]
+    return {"main": list(read_ladder(ladder_text(rows), "main.csv").rungs)}
+
+
+def write_plant(folder: str, *drawings: Drawing) -> None:
+    rows = [wired(*row, "" if n else "R") for drawing in (*drawings, END_RUNG) for n, row in enumerate(drawing)]
+    write(f"{folder}/main.csv", ladder_text(rows))
+
+
+def test_nothing_is_paired_across_what_stays(run: Run) -> None:
+    counter = [("X003 ~C5 T", "latch(C5)"), (". . -", "count_up(CT1,CTD1,preset=10)"), (".", ""), ("X004", ".reset()")]
+    write_plant("plant", [("X001 X002", "out(C5)")], counter)
+    box = "    if all(x[3], nc(c[5])):\n        set(c[5])\n        ctu(ct[1], 10, reset=lambda: x[4])\n"
+    coil = "    if all(x[2], x[1]):\n        out(c[5])\n"
+    write("prog.py", program(box, coil))
+    assert (run("plant", "prog.py").code, run("prog.py", "plant").code) == (1, 1)
+    write("prog.py", program(coil, box))
+    assert (run("plant", "prog.py").code, run("prog.py", "plant").code) == (0, 0)
+
+
+def with_scratch(rungs: dict[str, list[DrawnRung]], *addresses: str, reason: str = "condition of main rung 9") -> Side:
+    """A side with these addresses for clickgen's own use."""
+    found = [parse_address(address) for address in addresses]
+    rows = [default_row(address, scratch_name(address), reason) for address in found if address]
+    return replace(side(rungs), table=AddressTable.empty("nicknames.csv").extended(rows))
+
+
+def test_each_side_has_its_own_scratch_cells() -> None:
+    one, other = ladder(("X001", "out(C2000)")), ladder(("X001", "out(C1999)"))
+    assert diff(with_scratch(one, "C1999"), with_scratch(other, "C2000")).differs
+    kept = plant([("X001 X002", "out(C2000)")], [("C2000", "out(Y001)")])
+    plain = plant([("X001 X002", "out(Y001)")])
+    assert diff(side(kept), with_scratch(plain, "C2000")).differs
+    assert not diff(with_scratch(kept, "C2000"), side(plain)).differs
+
+
+# -- one rung on one side, several on the other -----------------------------------------------------------------------
+
+MIXED: Drawing = [
+    ("X001 T", "out(Y001)"),
+    (". -", "count_up(CT1,CTD1,preset=5)"),
+    (".", ""),
+    ("X002", ".reset()"),
+]
+DIVIDED: tuple[Drawing, ...] = (
+    [("X001", "out(Y001)")],
+    [("X001", "count_up(CT1,CTD1,preset=5)"), (".", ""), ("X002", ".reset()")],
+)
+LOOP: Drawing = [("-", "for(5)")]
+NEXT: Drawing = [("-", "next()")]
+
+
+@pytest.mark.parametrize("is_twice", [False, True])
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ([MIXED], DIVIDED),
+        ([[("X003", "out(C9)")], MIXED, [("X001", "out(Y001)")]], [[("X003", "out(C9)")], *DIVIDED, DIVIDED[0]]),
+        ([LOOP, MIXED, NEXT], [LOOP, *DIVIDED, NEXT]),
+        ([[("C1 T", "out(C2)"), (". -", "out(C3)")]], [[("C1", "out(C2)")], [("C1", "out(C3)")]]),
+        (
+            [[("C1 T", "out(C2)"), (". -", "out(C3)")], [("C1", "out(C4)")]],
+            [[("C1", "out(C2)")], [("C1 T", "out(C3)"), (". -", "out(C4)")]],
+        ),
+    ],
+)
+def test_a_rung_that_is_divided_stays(one: Sequence[Drawing], other: Sequence[Drawing], is_twice: bool) -> None:
+    times = 2 if is_twice else 1
+    for before, after in ((one, other), (other, one)):
+        found = diff(side(plant(*[*before] * times)), side(plant(*[*after] * times)))
+        assert (found.differs, happened(found)) == (False, [])
+        assert found.drawn_otherwise
+        if len(after) > 1:
+            assert diff(side(plant(*before)), side(plant(*after[::-1]))).differs
+        added = diff(side(plant(*before)), side(plant(*after, [("X009", "out(Y009)")])))
+        assert [kind for kind, *_ in happened(added)] == [ADDED]
+
+
+def test_a_divided_rung_is_no_pretext() -> None:
+    """What an earlier part drives must not be looked at by a later one."""
+    whole: Drawing = [("C1 T", "out(C1)"), (". -", "out(C2)")]
+    parts: tuple[Drawing, ...] = ([("C1", "out(C1)")], [("C1", "out(C2)")])
+    assert not diff(side(plant(whole)), side(plant(whole))).differs
+    other: tuple[Drawing, ...] = ([("~X001 C1", "out(C1)")], [("C1", "out(C2)")])
+    joined: Drawing = [("C1 T ~X001", "out(C1)"), (". -", "out(C2)")]
+    assert diff(side(plant(whole)), side(plant(*parts))).differs
+    assert diff(side(plant(joined)), side(plant(*other))).differs
+
+
+def test_a_tall_rung_that_is_divided_stays() -> None:
+    wires = ["X001 T", *[". T"] * 30, ". -"]
+    tall = [(wire, f"out(C{n})") for n, wire in enumerate(wires, 1)]
+    single_ones = [[("X001", f"out(C{n})")] for n in range(1, 33)]
+    assert not diff(side(plant(tall)), side(plant(*single_ones))).differs
+    assert diff(side(plant(tall)), side(plant(*single_ones[:-1]))).differs
+
+
+# -- rungs that do nothing --------------------------------------------------------------------------------------------
+
+
+def test_a_rung_that_does_nothing_is_no_logic(run: Run) -> None:
+    coil: Drawing = [("X001", "out(Y001)")]
+    write_plant("plant", coil)
+    for number, idle in enumerate(([("-", "NOP")], [("X002", "")])):
+        write_plant("new", coil, idle)
+        said = run("plant", "new")
+        assert said.code == 0, number
+        assert said.lines[:2] == ["main", "  rung 2, which does nothing, added"]
+        assert "Without effect on the PLC: 1 comment changed." in said.lines
+        said = run("new", "plant")
+        assert (said.code, said.lines[1]) == (0, "  rung 2, which does nothing, removed")
+        text = Path("new/main.csv").read_text("utf-8")
+        marker = text.split("\n")[2]
+        write("new/main.csv", text.replace(marker, f"#,Valves\n{marker}"))
+        said = run("plant", "new")
+        assert (said.code, said.lines[2]) == (0, "    + | Valves")
+
+
 # -- routines ---------------------------------------------------------------------------------------------------------
 
 
@@ -325,8 +543,16 @@ def test_routines_that_come_and_go(run: Run, bundle: str) -> None:
         "  rung 2 added",
         "    + always",
     ]
-    assert "wash removed (2 rungs)" in said.lines
-    assert "1 routine added; 1 routine removed." in said.out
+    place = said.lines.index("wash removed (2 rungs)")
+    assert said.lines[place + 1 : place + 4] == ["  rung 1 removed", "    - if C4:Wash", "    -   out(C5:Valve)"]
+    assert said.lines[-3] == "1 routine added; 1 routine removed."
+
+
+def test_the_rungs_of_a_large_routine_are_counted(run: Run, bundle: str) -> None:
+    rungs = "\n".join(f"    if c[{n}]:\n        out(c[{n + 100}])\n" for n in range(100, 120))
+    write("prog.py", program(*RUNGS, sub=f"{SUB}\n\n@sub\ndef more():\n{rungs}\n    if True:\n        return\n"))
+    assert run(bundle, "prog.py").lines == ["more added (21 rungs)", "1 routine added."]
+    assert run("prog.py", bundle).lines == ["more removed (21 rungs)", "1 routine removed."]
 
 
 def test_a_renamed_routine(run: Run, bundle: str) -> None:
@@ -469,12 +695,99 @@ def test_ladder_without_a_table_borrows_names(run: Run, bundle: str) -> None:
     assert run("prog.py", "prog.py", "--nicknames", "missing.csv").code == 2
 
 
-@pytest.mark.parametrize("text", ["", "no table", TABLE + 'C1,BIT,"Start",0,No,""\nC9999,BIT,"None",0,No,""\n'])
+@pytest.mark.parametrize("text", ["", "no table"])
 def test_a_bad_table_does_not_stop_the_diff(run: Run, bundle: str, text: str) -> None:
     write("plc/nicknames.csv", text)
     said = run("prog.py", bundle)
     assert said.code == 0
     assert "initial values and retention are not compared: plc/nicknames.csv" in said.out.replace("\\", "/")
+
+
+@pytest.mark.parametrize(
+    ("row", "code"),
+    [
+        ('C9999,BIT,"None",0,No,""', 0),
+        ('DS77,INT,"Far",many,Yes,""', 0),
+        ('DS1,INT,"Count",many,Yes,""', 1),
+        ('DS1,INT,"Count",0,Perhaps,""', 1),
+        ('DS1,BIT,"Count",0,Yes,""', 1),
+        ('DS1,INT,"Count,0,Yes,""', 1),
+        ('DS1,INT,"No name!",0,Yes,""', 0),
+        ('DS1,INT,"Count",0,Yes,"\u00e9\u00e9"', 0),
+    ],
+)
+def test_rows_that_cannot_be_read_are_left_out(run: Run, bundle: str, row: str, code: int) -> None:
+    text = Path("plc/nicknames.csv").read_text("utf-8")
+    assert 'DS1,INT,"Count",0,Yes,""\n' in text
+    kept = text if row[:4] != "DS1," else text.replace('DS1,INT,"Count",0,Yes,""\n', "")
+    write("plc/nicknames.csv", f"{kept}{row}\n")
+    for before, after in ((bundle, "prog.py"), ("prog.py", bundle)):
+        said = run(before, after)
+        assert said.code == code, said.out
+        assert (
+            "DS1" in said.out and "initial value and retention" in said.out and "cannot be read" in said.out
+        ) == code
+    # The other rows are compared.
+    changed = kept.replace('DS2,INT,"Shown",0,Yes', 'DS2,INT,"Shown",8,Yes')
+    assert changed != kept
+    write("plc/nicknames.csv", f"{changed}{row}\n")
+    said = run(bundle, "prog.py")
+    assert (said.code, "  DS2:Shown: initial value 8 -> 0" in said.lines) == (1, True)
+
+
+def test_the_same_bad_row_on_both_sides_is_none(run: Run, bundle: str) -> None:
+    write("plc/nicknames.csv", Path("plc/nicknames.csv").read_text("utf-8").replace('"Count",0,', '"Count",many,'))
+    shutil.copytree(bundle, "copy")
+    said = run(bundle, "copy")
+    assert (said.code, "left out: plc/nicknames.csv" in said.out.replace("\\", "/")) == (0, True)
+
+
+# -- names without an address -----------------------------------------------------------------------------------------
+
+
+def swapped(text: str) -> str:
+    return text.replace("Foo", "@").replace("Bar", "Foo").replace("@", "Bar")
+
+
+FOO_AND_BAR = ("    if c.Foo:\n        out(y[1])\n", "    if c.Bar:\n        out(y[2])\n")
+
+
+@pytest.mark.parametrize(
+    ("new", "code"),
+    [
+        (FOO_AND_BAR, 0),
+        (tuple(map(swapped, FOO_AND_BAR)), 1),
+        ((FOO_AND_BAR[0], FOO_AND_BAR[1].replace("Bar", "Baz")), 1),
+        # What the older side chose is something else here.
+        ((FOO_AND_BAR[0], "    if c[1]:\n        out(y[2])\n"), 1),
+        (("    if c[1]:\n        out(y[1])\n", FOO_AND_BAR[1].replace("Bar", "Foo")), 1),
+    ],
+)
+def test_names_without_addresses_are_compared_by_name(run: Run, new: Sequence[str], code: int) -> None:
+    write("old.py", program(*FOO_AND_BAR))
+    write("new/new.py", program(*new))
+    said = run("old.py", "new/new.py")
+    assert said.code == code
+    assert "of old.py have no addresses yet" in said.out
+    assert "renamed" not in said.out
+    assert run("new/new.py", "old.py").code == code or "c[1]" in "".join(new)
+    assert list(Path().rglob("nicknames.csv")) == []
+
+
+def test_names_keep_their_place_where_others_come_before_them(run: Run) -> None:
+    write("old.py", program(*FOO_AND_BAR))
+    write("new.py", program("    if c.First:\n        out(y[3])\n", *FOO_AND_BAR))
+    said = run("old.py", "new.py")
+    assert [line for line in said.lines if line.startswith("  rung")] == ["  rung 1 added"]
+    assert "Note: names without addresses on both sides are compared by name." in said.lines
+
+
+def test_a_row_of_the_table_wins(run: Run) -> None:
+    write("old.py", program(*FOO_AND_BAR))
+    write("new/new.py", program(*FOO_AND_BAR))
+    write("new/nicknames.csv", TABLE + 'C2,BIT,"Foo",0,No,""\n')
+    said = run("old.py", "new/new.py")
+    assert (said.code, "    - if C1:Foo" in said.lines, "    + if C2:Foo" in said.lines) == (1, True, True)
 
 
 # -- what stops it ----------------------------------------------------------------------------------------------------
@@ -774,8 +1087,10 @@ def test_common_subsequences_are_longest(one: list[int], other: list[int]) -> No
     assert len(pairs) == lengths[-1][-1]
     assert all(one[i] == other[j] for i, j in pairs)
     assert all(a < c and b < d for (a, b), (c, d) in pairwise(pairs))
-    left = [each for gap in gaps(pairs, len(one), len(other)) for each in gap.one]
-    assert sorted([*left, *(i for i, _ in pairs)]) == list(range(len(one)))
+    found = list(steps(map(single, pairs), Block(range(len(one)), range(len(other)))))
+    assert [n for _, block in found for n in block.one] == list(range(len(one)))
+    assert [n for _, block in found for n in block.other] == list(range(len(other)))
+    assert sum(is_shared for is_shared, _ in found) == len(pairs)
 
 
 @given(*[st.lists(st.frozensets(st.sampled_from("abcdef"), min_size=1), max_size=8)] * 2)
@@ -785,6 +1100,14 @@ def test_what_resembles_each_other_stays_in_order(one: list[frozenset[str]], oth
     assert all(a < c and b < d for (a, b), (c, d) in pairwise(pairs))
     if one == other:
         assert pairs == [(n, n) for n in range(len(one))]
+
+
+def test_thousands_of_rungs_that_changed_alike() -> None:
+    one, other = ([[(contact, f"out(Y{n % 16 + 1:03d})")] for n in range(2000)] for contact in ("X001", "X002"))
+    start = time.perf_counter()
+    found = diff(side(plant(*one)), side(plant(*other)))
+    assert found.count(CHANGED) == len(happened(found)) == 2000
+    assert time.perf_counter() - start < 20
 
 
 def test_thousands_of_rungs_are_quick() -> None:

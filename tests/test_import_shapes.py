@@ -339,13 +339,14 @@ SHAPES: dict[str, tuple[Drawing, str]] = {
             ("X003", ".reset()"),
             ("X004", "out(C2)"),
         ],
-        "if True:\n"
-        "    if x[1]:\n"
-        "        out(c[1])\n"
-        "        if x[2]:\n"
-        "            rton(t[1], setpoint=5, unit=Ts, reset=lambda: x[3])\n"
-        "    if x[4]:\n"
-        "        out(c[2])",
+        "if x[1]:\n"
+        "    out(c[1])\n"
+        "\n"
+        "if all(x[1], x[2]):\n"
+        "    rton(t[1], setpoint=5, unit=Ts, reset=lambda: x[3])\n"
+        "\n"
+        "if x[4]:\n"
+        "    out(c[2])",
     ),
     "two boxes with inputs": (
         [
@@ -354,11 +355,11 @@ SHAPES: dict[str, tuple[Drawing, str]] = {
             ("X003", "count_down(CT2,CTD2,preset=5)"),
             ("X004", ".reset()"),
         ],
-        "if True:\n"
-        "    if x[1]:\n"
-        "        ctu(ct[1], setpoint=5, reset=lambda: x[2])\n"
-        "    if x[3]:\n"
-        "        ctd(ct[2], setpoint=5, reset=lambda: x[4])",
+        "if x[1]:\n"
+        "    ctu(ct[1], setpoint=5, reset=lambda: x[2])\n"
+        "\n"
+        "if x[3]:\n"
+        "    ctd(ct[2], setpoint=5, reset=lambda: x[4])",
     ),
     "a box with inputs and a coil that it reads": (
         [("X001", "out(C1)"), ("C1", "on_delay(T1,TD1,preset=5,unit=Ts)"), ("X003", ".reset()"), ("T1 C1", "out(C2)")],
@@ -427,7 +428,10 @@ SPLIT = (
     "two boxes with inputs",
     "a box with inputs and a coil that it reads",
 )
-"""CLICK wants all inputs of a box on one branch (C000A), so a build makes several rungs of these."""
+"""CLICK wants all inputs of a box on one branch (C000A), so a build makes several rungs of these, and import too.
+
+The last one needs scratch bits, and stays as it is drawn.
+"""
 HANGING = ("a hanging wire", "a chain of T", "empty rows between circuits", "an empty row behind")
 """The judge takes no wires that hang in the air, and no rows without anything."""
 
@@ -439,8 +443,9 @@ def test_a_shape_is_written_as_a_person_would(name: str, tmp_path: Path) -> None
     result = imported(tmp_path, {"main": rows, "Sub": [RETURN]})
     source = result.files[tmp_path / "prog.py"].decode()
     assert first_rung(source) == expected
-    assert not [problem for problem in result.diagnostics if problem.code != "CG705"]
-    if name in SPLIT:
+    codes = {problem.code for problem in result.diagnostics}
+    assert codes - {"CG705"} == ({"CG704"} if name in SPLIT else set())
+    if name == SPLIT[-1]:
         return
     result.write()
     before = {"main.csv": ladder_text(rows), "subroutines/Sub.csv": ladder_text([RETURN])}
@@ -449,7 +454,7 @@ def test_a_shape_is_written_as_a_person_would(name: str, tmp_path: Path) -> None
     built.write(tmp_path / "again")
     second = import_project(tmp_path / "again", Target(tmp_path / "second" / "prog.py"))
     assert second.files[tmp_path / "second" / "prog.py"].decode() == source
-    if name not in HANGING and "NOP" not in name:
+    if name not in (*HANGING, *SPLIT) and "NOP" not in name:
         for pair in compared(before, {file: built.files[file] for file in before}):
             check_same(pair)
 
@@ -581,7 +586,6 @@ def test_a_comment_comes_back(name: str, tmp_path: Path) -> None:
     assert again == ladder_text([*comment(*map(str.rstrip, lines)), *rung(("X001", "out(C1)")), END])
 
 
-@pytest.mark.xfail(reason="the source has a line #, which a build reads as no comment", strict=True)
 def test_a_comment_of_spaces_is_no_comment(tmp_path: Path) -> None:
     came_back(tmp_path, {"main": [*comment("   "), *rung(("X001", "out(C1)")), END]})
 

@@ -108,7 +108,7 @@ LINES: dict[str, tuple[str, str, str]] = {
     "calls": ("X001", 'call("fill")', "if x.Start:\n    call(fill)"),
     "calls by another name": ("X001", 'call("Fill 2")', "if x.Start:\n    call(fill_2)"),
     "calls of what is elsewhere": ("X001", 'call("Fill 3")', 'if x.Start:\n    call("Fill 3")'),
-    "float constants": ("DF1>=1.5E+10", "copy(-0.5,DF1)", "if df[1] >= 1.5e10:\n    copy(-0.5, df[1])"),
+    "float constants": ("DF1>=1.5E+10", "copy(-0.5,DF1)", "if df[1] >= 15000000000.0:\n    copy(-0.5, df[1])"),
 }
 
 

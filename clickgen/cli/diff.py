@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -22,8 +23,9 @@ from clickgen.report.frames import summary as counts
 _COLORS = {"-": "31", "+": "32"}
 
 DESCRIPTION = (
-    "Show which rungs were added, removed, moved or changed, in the words of the listing. Comments, nicknames "
-    "and how a rung is drawn are no logic. Nothing is written."
+    "Show which rungs were added, removed, moved or changed, in the words of the listing, and what addresses begin "
+    "with. Comments, nicknames, how a rung is drawn or divided, and clickgen's own scratch cells are no logic. "
+    "Nothing is written."
 )
 EXAMPLES = """\
 examples:
@@ -62,17 +64,15 @@ def run(options: argparse.Namespace) -> int:
     wanted = Wanted(settings_of, options.nicknames, options.export, options.config)
     try:
         with TemporaryDirectory(prefix="clickgen-") as one, TemporaryDirectory(prefix="clickgen-") as other:
-            sides = (
-                read_side(options.one, wanted, Path(one), complain),
-                read_side(options.other, wanted, Path(other), complain),
-            )
+            older = read_side(options.one, wanted, Path(one), complain)
+            newer = read_side(options.other, replace(wanted, placed=older.placed), Path(other), complain)
     except BrokenProgram as error:
         write_problems(error.problems, error.sources, sys.stderr)
         found = counts(problem.severity for problem in error.problems)
         complain(f"{error.shown} has {found}; there is nothing to compare")
         return COULD_NOT_RUN
-    difference = diff(*sides)
-    names = name_changes(*sides)
+    difference = diff(older, newer)
+    names = name_changes(older, newer)
     if options.output_format == "json":
         from clickgen.diffing.json import render
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import os
+import shlex
 import sys
 from pathlib import Path
 
@@ -59,31 +61,36 @@ def run(options: argparse.Namespace) -> int:
         complain(f"{noted}; nothing was written")
         return PROBLEMS
     if options.output == "-":
-        sys.stdout.write(result.files[target.program].decode())
-        print(_verified(result, options.verify), file=sys.stderr)
+        sys.stdout.flush()
+        sys.stdout.buffer.write(result.files[target.program])
+        print(_verified(result), file=sys.stderr)
         return OK if result.ok else PROBLEMS
     result.write(options.force)
-    print(_report(result, options.verify, noted))
+    print(_report(result, noted))
     return OK if result.ok else PROBLEMS
 
 
 def _target(output: str, config: str | None) -> Target:
     """Where the program goes: a file that ends in .py, else a folder; ``-`` is the standard output."""
     if output == "-":
-        return Target(Path("<standard output>") / "prog.py")
+        return Target(Path("<standard output>") / "prog.py", is_shown=True)
     if not output:
         raise CouldNotRun("the place after -o is empty")
     path = Path(output)
-    is_folder = path.is_dir() or output.endswith(("/", "\\")) or path.suffix.lower() != ".py"
+    is_folder = path.is_dir() or output.endswith(("/", os.sep)) or path.suffix.lower() != ".py"
+    if is_folder and path.suffix and not path.is_dir() and not output.endswith(("/", os.sep)):
+        raise CouldNotRun(f"{output} does not end in .py; to make a folder of this name write {output}/")
     program = path / "main.py" if is_folder else path
     settings = settings_of(config)
     own = settings.program(program)
-    return Target(program, is_folder, Settings(own.nicknames and near(own.nicknames), False, False, settings.reserved))
+    return Target(
+        program, is_folder, settings=Settings(own.nicknames and near(own.nicknames), False, False, settings.reserved)
+    )
 
 
-def _report(result: ImportResult, verifies: bool, noted: str) -> str:
+def _report(result: ImportResult, noted: str) -> str:
     place = result.target.program.parent if result.target.is_folder else result.target.program
-    lines = [f"Imported {result.source} into {near(place)}: {_counts(result)}.", _verified(result, verifies)]
+    lines = [f"Imported {result.source} into {near(place)}: {_counts(result)}.", _verified(result)]
     if result.left_out:
         marked = f"{counted(result.left_out, 'rung')} could not be kept"
         lines.append(f"{marked}: look for not_imported in the program; a build refuses it until then.")
@@ -91,7 +98,7 @@ def _report(result: ImportResult, verifies: bool, noted: str) -> str:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
     if result.names:
         lines.append(f"{counted(result.names, 'nickname')} in {near(result.target.table)}: commit it with the program.")
-    program = near(result.target.program)
+    program = shlex.quote(str(near(result.target.program)))
     if result.ok and result.is_whole:
         lines += ["Next:", f"  1. clickgen check {program}", f"  2. clickgen build {program}"]
     return "\n".join(lines)
@@ -100,21 +107,22 @@ def _report(result: ImportResult, verifies: bool, noted: str) -> str:
 def _counts(result: ImportResult) -> str:
     main = [routine for routine in result.routines if routine.is_main]
     others = [routine for routine in result.routines if not routine.is_main]
-    parts = [f"{counted(len(routine.pieces), 'rung')} in main" for routine in main]
+    parts = [f"{counted(routine.count, 'rung')} in main" for routine in main]
     if others:
-        rungs = sum(len(routine.pieces) for routine in others)
+        rungs = sum(routine.count for routine in others)
         parts.append(f"{counted(rungs, 'rung')} in {counted(len(others), 'subroutine')}")
     return ", ".join(parts)
 
 
-def _verified(result: ImportResult, verifies: bool) -> str:
-    if not verifies or result.verdict is None:
+def _verified(result: ImportResult) -> str:
+    if result.verdict is None:
         return f"0 of {counted(result.rungs, 'rung')} verified: --no-verify was given."
     verdict = result.verdict
     identical = verdict.verified - len(verdict.redrawn)
     lines = [f"{verdict.verified} of {counted(result.rungs, 'rung')} verified, {identical} identical cell by cell."]
     if verdict.redrawn:
-        names = [f"{routine.name} rung {piece.drawn.number}" for routine, piece in verdict.redrawn if piece.drawn]
+        drawn = ((each.routine, each.piece.drawn) for each in verdict.redrawn)
+        names = [f"{routine.name} rung {rung.number}" for routine, rung in drawn if rung]
         more = f" and {len(names) - _SHOWN_MAX} more" if len(names) > _SHOWN_MAX else ""
         lines.append(f"Drawn otherwise, the same logic: {', '.join(names[:_SHOWN_MAX])}{more}.")
     return "\n".join(lines)

@@ -7,6 +7,7 @@ nothing that must not be looked at twice. Splitting keeps every other condition 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -76,6 +77,13 @@ class Run:
         found = dict.fromkeys(map(literal_of, contacts))
         return {literal: None for literal in found if literal.name and literal.name not in defined}
 
+    @cached_property
+    def looks(self) -> Counter[str]:
+        """How often the rungs look at each terminal itself: between two looks it may change."""
+        squares = (square for rung in self.rungs for row in rung.rows for square in row.squares)
+        contacts = (square.contact for square in squares if square.contact is not None)
+        return Counter(literal_of(contact).name for contact in contacts if _is_immediate(contact))
+
     def powers(self, logic: Logic) -> list[list[int]]:
         """Of each output when it has power, and then when each of its inputs has, by what was on before the run."""
         known: dict[str, int] = {"": logic.always}
@@ -118,6 +126,9 @@ class Run:
             for box in part.outputs:
                 if len(self._parts) > 1 and loops(box) and not (is_last and box is part.outputs[-1]):
                     yield f"{said_by(box).token} stands between the rungs"
+                if leaves_early(box) and not is_last:
+                    # Within one rung CLICK may run the outputs below it; no source says.
+                    yield f"{said_by(box).token} stands above outputs of the same rung, and is drawn in a rung before"
                 if touched_by(box).meets(dropped):
                     yield f"{said_by(box).token} may touch a scratch bit"
             past.add(part, self.calls)
@@ -129,18 +140,13 @@ class _Past:
 
     writes: Writes = field(default_factory=Writes)
     defined: set[Address] = field(default_factory=set)
-    immediate: set[str] = field(default_factory=set)
-    """The names of the immediate contacts that were looked at."""
     has_run: bool = False
-    may_have_left: bool = False
 
     def add(self, part: _Part, calls: Mapping[str, Writes]) -> None:
         for box in part.outputs:
             self.writes.add(box, calls)
             self.has_run = True
-            self.may_have_left = self.may_have_left or leaves_early(box)
         self.defined |= part.definitions.keys()
-        self.immediate |= {literal_of(contact).name for contact in part.contacts if _is_immediate(contact)}
 
     def doubts(self, contact: Contact | Compare, index: int) -> Iterator[str]:
         """Why a contact may look otherwise in this rung than it did before the first one."""
@@ -148,10 +154,8 @@ class _Past:
         if not name:
             return
         where = f"{name} in rung {index + 1}"
-        if _is_immediate(contact) and (self.has_run or name in self.immediate):
+        if _is_immediate(contact) and self.has_run:
             yield f"{where} looks at the terminal itself, which may have changed since the first rung"
-        if self.may_have_left and isinstance(contact, Contact) and contact.edge:
-            yield f"{where} misses the scans in which a return or end stands above it"
         if self.writes.may_change(reads(contact)):
             writer = f": {self.writes.anything} may change anything" if self.writes.anything else ""
             yield f"{where} may be changed by an output above it{writer}"

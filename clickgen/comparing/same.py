@@ -55,12 +55,14 @@ def compare(
     other: Sequence[DrawnRung],
     scratch: Collection[Address] = (),
     calls: Mapping[str, Writes] | None = None,
+    scratch_of_other: Collection[Address] | None = None,
 ) -> Comparison:
     """Compare two runs of rungs, each of which stands for one rung of a program. Comments are not compared.
 
     ``scratch`` are addresses that clickgen took for itself: a coil on such a bit that a later rung of its run reads is
     no output of the program. Nothing outside the run may read the bit, unless the runs are the same rung by rung.
     ``calls`` says what subroutines may change (``writes_of``); without it a call may change everything.
+    ``scratch`` holds for both runs, or for the first alone where ``scratch_of_other`` says what holds for the other.
     """
     for rung in (*one, *other):
         if rung.problems:
@@ -74,7 +76,9 @@ def compare(
             return pairs[0]
         if all(pair.is_same for pair in pairs):
             return Comparison(Likeness.SAME)
-    return _compared(*(Run(tuple(rungs), frozenset(scratch), calls or {}) for rungs in (one, other)))
+    taken = (scratch, scratch if scratch_of_other is None else scratch_of_other)
+    runs = (Run(tuple(rungs), frozenset(own), calls or {}) for rungs, own in zip((one, other), taken, strict=True))
+    return _compared(*runs)
 
 
 def is_identical(one: DrawnRung, other: DrawnRung) -> bool:
@@ -101,6 +105,16 @@ def _compared(one: Run, other: Run) -> Comparison:
         return Comparison(Likeness.DIFFERENT, _other_outputs(one.outputs, other.outputs))
     if one.doubt or other.doubt:
         return Comparison(Likeness.UNKNOWN, one.doubt or other.doubt)
+    compared = _by_power(one, other)
+    if compared.is_same and one.looks != other.looks:
+        name = min(name for name in {*one.looks, *other.looks} if one.looks[name] != other.looks[name])
+        times = " and ".join(str(count) for count in sorted((one.looks[name], other.looks[name])))
+        reason = f"{name} looks at the terminal itself, {times} times: it may change in between"
+        return Comparison(Likeness.UNKNOWN, reason)
+    return compared
+
+
+def _by_power(one: Run, other: Run) -> Comparison:
     names = list(dict.fromkeys(literal.name for run in (one, other) for literal in run.literals))
     is_exact = len(names) <= EXHAUSTIVE_MAX
     situations = Situations.every(names) if is_exact else Situations.sampled(names)

@@ -52,6 +52,11 @@ class RoutineChange:
     def differs(self) -> bool:
         return self.kind != SAME or any(change.is_logic for change in self.changes)
 
+    @property
+    def counted(self) -> tuple[RungChange, ...]:
+        """The changes that count: with a routine that came or went its rungs did, too."""
+        return tuple(change for change in self.changes if change.kind != self.kind)
+
 
 @dataclass(frozen=True)
 class ValueChange:
@@ -82,8 +87,8 @@ class Difference:
         return bool(self.values) or any(routine.differs for routine in self.routines)
 
     def count(self, kind: str) -> int:
-        """The rungs to which this happened; one that moved between routines counts once."""
-        found = [change for routine in self.routines for change in routine.changes if change.kind == kind]
+        """The rungs to which this happened; one that moved counts once, those of a routine that came or went do not."""
+        found = [change for routine in self.routines for change in routine.counted if change.kind == kind]
         return len({id(change) for change in found})
 
     @property

@@ -61,5 +61,5 @@ def _rung(rung: WordedRung | None, names: Names) -> dict[str, object] | None:
         "routine": rung.routine,
         "number": rung.number,
         "comment": "\n".join(rung.comment),
-        "words": [named(line, names) for line in rung.lines],
+        "words": [named(line, names) for line in rung.shown.lines],
     }

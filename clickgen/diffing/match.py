@@ -1,4 +1,4 @@
-"""Two sequences side by side: what they have in common, the gaps between, and what resembles each other in these."""
+"""Two sequences side by side: what they have in common, what lies between, and what resembles each other there."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _ALL_PAIRS = 10_000
 """In a gap with at most so many pairs each is looked at; in a larger one only those that share something rare."""
 
 
-class Gap(NamedTuple):
-    """The places between two neighbouring pairs, in the one sequence and in the other."""
+class Block(NamedTuple):
+    """Neighbouring places in the one sequence, and in the other."""
 
     one: range
     other: range
@@ -67,13 +67,36 @@ def _common(one: Sequence[Hashable], other: Sequence[Hashable]) -> list[Pair]:
     return pairs[::-1]
 
 
-def gaps(pairs: Iterable[Pair], one: int, other: int) -> Iterator[Gap]:
-    """What lies between pairs of two sequences of these lengths; at least one of the two ranges holds something."""
-    i = j = 0
-    for next_i, next_j in (*pairs, (one, other)):
-        if next_i > i or next_j > j:
-            yield Gap(range(i, next_i), range(j, next_j))
-        i, j = next_i + 1, next_j + 1
+def single(pair: Pair) -> Block:
+    i, j = pair
+    return Block(range(i, i + 1), range(j, j + 1))
+
+
+def steps(shared: Iterable[Block], within: Block) -> Iterator[tuple[bool, Block]]:
+    """All places in order: the blocks that are shared, with True, and what lies between them."""
+    i, j = within.one.start, within.other.start
+    for block in (*shared, Block(range(within.one.stop, within.one.stop), range(within.other.stop, within.other.stop))):
+        if block.one.start > i or block.other.start > j:
+            yield False, Block(range(i, block.one.start), range(j, block.other.start))
+        if block.one or block.other:
+            yield True, block
+        i, j = block.one.stop, block.other.stop
+
+
+def same_together(one: Sequence[Sequence[Hashable]], other: Sequence[Sequence[Hashable]]) -> Iterator[Block]:
+    """Blocks as short as can be in which both sequences hold the same, one behind the other, however it is divided."""
+    mine, theirs = ([n for n, held in enumerate(side) for _ in held] for side in (one, other))
+    common = longest_common([key for held in one for key in held], [key for held in other for key in held])
+    found: list[tuple[int, int, int, int, int]] = []
+    for i, j in ((mine[a], theirs[b]) for a, b in common):
+        if found and (i < found[-1][1] or j < found[-1][3]):
+            start_i, _, start_j, _, count = found[-1]
+            found[-1] = (start_i, i + 1, start_j, j + 1, count + 1)
+        else:
+            found.append((i, i + 1, j, j + 1, 1))
+    for start_i, stop_i, start_j, stop_j, count in found:
+        if all(sum(map(len, held)) == count for held in (one[start_i:stop_i], other[start_j:stop_j])):
+            yield Block(range(start_i, stop_i), range(start_j, stop_j))
 
 
 def most_like(one: Sequence[frozenset[str]], other: Sequence[frozenset[str]]) -> list[Pair]:
@@ -96,7 +119,8 @@ def _candidates(one: Sequence[frozenset[str]], other: Sequence[frozenset[str]]) 
         for feature in features:
             places[feature].append(j)
     counts = Counter(feature for features in one for feature in features)
-    found: set[Pair] = set()
+    # Where everything changed alike nothing is rare, but what stands at the same place may belong together.
+    found: set[Pair] = {(n, n) for n in range(len(one))} if len(one) == len(other) else set()
     for i, features in enumerate(one):
         rare = (feature for feature in features if counts[feature] * len(places.get(feature, ())) <= _ALL_PAIRS)
         found.update((i, j) for feature in rare for j in places.get(feature, ()))

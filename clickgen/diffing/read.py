@@ -13,6 +13,7 @@ from clickgen.diagnostics import CouldNotRun, Diagnostic
 from clickgen.diffing.revision import Tree, named_revision, open_tree
 from clickgen.diffing.sides import BrokenProgram, Side, is_program, ladder_side, program_side
 from clickgen.pipeline import TABLE_NAME, Settings
+from clickgen.resolve.rows import Row
 from clickgen.source import SourceFile, Span
 
 _LADDER_FILES = (".csv", ".json", ".tmp", ".scr")
@@ -23,13 +24,15 @@ _LADDER_FILES = (".csv", ".json", ".tmp", ".scr")
 class Wanted:
     """How sides are read: the settings of a program on disk, and the tables and settings that the person named.
 
-    ``nicknames`` is the address table of programs, ``export`` that of ladder without one of its own.
+    ``nicknames`` is the address table of programs, ``export`` that of ladder without one of its own. ``placed`` are the
+    names that only a build gave their addresses on the other side.
     """
 
     settings_of: Callable[[str], Settings]
     nicknames: str | None = None
     export: str | None = None
     config: str | None = None
+    placed: tuple[Row, ...] = ()
 
 
 def read_side(text: str, wanted: Wanted, folder: Path, note: Callable[[str], None]) -> Side:
@@ -39,7 +42,7 @@ def read_side(text: str, wanted: Wanted, folder: Path, note: Callable[[str], Non
     """
     if os.path.lexists(text):
         if is_program(text) and not os.path.isdir(text):
-            return program_side(Path(text), text, wanted.settings_of(text))
+            return program_side(Path(text), text, wanted.settings_of(text), wanted.placed)
         return ladder_side(Path(text), text, Path(wanted.export) if wanted.export else None)
     named = named_revision(text)
     if named is None:
@@ -71,7 +74,7 @@ class _Revision:
             around = posixpath.dirname(self.path)
             tree.put(tree.below(around, lambda name: "/" not in name and name.endswith(".py")))
             tree.put([posixpath.join(around, TABLE_NAME)], must_be_there=True)
-            return program_side(place, shown, self._settings(place))
+            return program_side(place, shown, self._settings(place), self.wanted.placed)
         if tree.is_folder(self.path):
             files = tree.below(self.path, lambda name: name.lower().endswith(_LADDER_FILES))
             tree.put(files, must_be_there=True)

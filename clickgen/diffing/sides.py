@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+import csv
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
+from clickgen.device.banks import Address, parse_address
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
+from clickgen.diffing.placing import name_key, placed_alike
 from clickgen.ladder.grid import DrawnRung, Ladder, read_ladder
 from clickgen.ladder.problem import LadderProblem
 from clickgen.ladder.project import MAIN, DrawnRoutine, Project, read_project
 from clickgen.pipeline import TABLE_NAME, BuildResult, Settings, build
+from clickgen.resolve.judge_row import initial_value_fault, retention_fault
 from clickgen.resolve.layers import is_workbook
-from clickgen.resolve.read_table import TableUnreadable, read_table
+from clickgen.resolve.read_table import PROBLEMS_MAX, TableUnreadable, read_table
 from clickgen.resolve.rows import HEADER, Row, format_row, is_scratch
 from clickgen.resolve.table import AddressTable, Entry
 from clickgen.source import SourceFile
 
 _PROBLEMS_SHOWN = 20
+_ADDRESS_MAX = 16
+"""No address is longer, and a field of thousands of digits is no business of int()."""
 
 
 class BrokenProgram(CouldNotRun):
@@ -45,8 +51,9 @@ class Damaged(CouldNotRun):
 class Side:
     """``shown`` is what the person calls it. A side that ``is_part`` is a file with a routine, no whole project.
 
-    ``table`` is None without a table; ``doubt`` says why there is none, or why it is only good for names. ``unplaced``
-    counts the names that only a build would give their addresses.
+    ``table`` is None without a table; ``doubt`` says why there is none, or why it is only good for names. ``unread``
+    are the rows that do not say what their address begins with, ``faults`` the first of what is wrong with rows.
+    ``placed`` are the names that only a build would give their addresses.
     """
 
     shown: str
@@ -54,12 +61,18 @@ class Side:
     table: AddressTable | None = None
     doubt: str = ""
     is_part: bool = False
-    unplaced: int = 0
+    placed: tuple[Row, ...] = ()
+    unread: Mapping[Address, str] = field(default_factory=dict)
+    faults: tuple[str, ...] = ()
 
     @cached_property
     def scratch_rows(self) -> tuple[Row, ...]:
         """The cells that clickgen needs for itself."""
         return tuple(row for row in self.table.rows if is_scratch(row)) if self.table else ()
+
+    @cached_property
+    def scratch(self) -> frozenset[Address]:
+        return frozenset(row.address for row in self.scratch_rows)
 
 
 def is_program(name: str) -> bool:
@@ -67,18 +80,22 @@ def is_program(name: str) -> bool:
     return name.lower().endswith(".py")
 
 
-def program_side(path: Path, shown: str, settings: Settings) -> Side:
+def program_side(path: Path, shown: str, settings: Settings, placed: Sequence[Row] = ()) -> Side:
     """A program, built in memory; the ladder is that of its files, as CLICK gets it.
 
-    Raises BrokenProgram, and CouldNotRun where there is no program.
+    ``placed`` are the names that only a build gave their addresses on the other side: where this one needs an address
+    for the same name, it gets that one. Raises BrokenProgram, and CouldNotRun where there is no program.
     """
     result = build(str(path), settings=settings)
     if not result.ok:
         errors = [problem for problem in result.diagnostics if problem.is_error]
         raise BrokenProgram(shown, errors, [*result.sources, *_text_of_table(result)])
+    names = {name_key(row) for row in result.placed_rows if row.nickname}
+    if names and placed:
+        result = placed_alike(result, settings, [row for row in placed if name_key(row) in names], placed)
     table = _table_of(str(result.table_path), result.rows)
-    named = [row for row in result.placed_rows if row.nickname]
-    return Side(shown, tuple(_routines(result, shown)), table, unplaced=len(named))
+    own = tuple(row for row in result.rows if name_key(row) in names)
+    return Side(shown, tuple(_routines(result, shown)), table, placed=own)
 
 
 def _routines(result: BuildResult, shown: str) -> Iterable[DrawnRoutine]:
@@ -142,7 +159,31 @@ def _with_table(side: Side, path: Path | None) -> Side:
     except TableUnreadable as error:
         return replace(side, doubt=str(error))
     errors = [problem for problem in problems.in_order() if problem.is_error]
-    return replace(side, table=table, doubt=f"{errors[0].span}: {errors[0].message}" if errors else "")
+    faults = tuple(f"{error.span}: {error.message}" for error in errors)
+    if faults and (is_workbook(path) or len(faults) >= PROBLEMS_MAX):
+        return replace(side, table=table, doubt=faults[0])
+    unread = dict(_unread(table, {error.span.line for error in errors if error.span}))
+    return replace(side, table=table, unread=unread, faults=faults)
+
+
+def _unread(table: AddressTable, lines: Iterable[int]) -> Iterator[tuple[Address, str]]:
+    """Of the rows with a fault on one of these lines those whose values cannot be told, by their addresses."""
+    at = {line: row for row in table.rows for line in range(row.line, row.line + row.raw.count("\n") + 1)}
+    texts = table.text().split("\n")
+    for line in lines:
+        row = at.get(line)
+        text = row.raw if row else texts[line - 1]
+        address = row.address if row else parse_address(text.partition(",")[0].strip('"')[:_ADDRESS_MAX])
+        if address is not None and (row is None or not _has_values(row)):
+            yield address, text.rstrip("\r")
+
+
+def _has_values(row: Row) -> bool:
+    """False where the row does not say what its address begins with, or whether it keeps it."""
+    fields = next(csv.reader([row.raw]))
+    initial_is_legal = row.initial == "0" or initial_value_fault(row.address, row.initial) is None
+    retention_is_legal = fields[4] in ("Yes", "No") and retention_fault(row.address, row.retentive) is None
+    return fields[1] == row.address.kind.value and initial_is_legal and retention_is_legal
 
 
 def _table(path: Path, problems: Diagnostics) -> AddressTable:

@@ -23,6 +23,9 @@ from clickgen.diffing.words import WordedRung, named
 from clickgen.emit.listing import Names
 from clickgen.wording import counted
 
+_RUNGS_SHOWN = 20
+"""Of a larger routine that came or went only the number of its rungs is told."""
+
 
 class Line(NamedTuple):
     """A line with its mark: ``-``, ``+``, or a space for what stays."""
@@ -73,7 +76,7 @@ def _counts(difference: Difference) -> str:
     counts = [(difference.count(kind), kind) for kind in (CHANGED, ADDED, REMOVED, MOVED)]
     found = [(count, kind) for count, kind in counts if count]
     rungs = [f"{counted(count, 'rung') if not n else count} {kind}" for n, (count, kind) in enumerate(found)]
-    touched = sum(any(change.is_logic for change in routine.changes) for routine in difference.routines)
+    touched = sum(any(change.is_logic for change in routine.counted) for routine in difference.routines)
     parts = [f"{', '.join(rungs)} in {counted(touched, 'routine')}"] if rungs else []
     for kind in (ADDED, REMOVED, RENAMED):
         routines = sum(routine.kind == kind for routine in difference.routines)
@@ -88,17 +91,13 @@ def _counts(difference: Difference) -> str:
 
 def _routine(routine: RoutineChange, difference: Difference) -> Iterator[Line]:
     size = f"({counted(routine.rungs, 'rung')})"
-    if routine.kind == REMOVED:
-        yield Line("-", f"{routine.name} removed {size}")
-        changes = [change for change in routine.changes if change.kind == MOVED]
+    if routine.kind in (ADDED, REMOVED):
+        yield Line("-" if routine.kind == REMOVED else "+", f"{routine.name} {routine.kind} {size}")
+    elif routine.kind == RENAMED:
+        yield Line(" ", f"{routine.former} renamed to {routine.name} {size}")
     else:
-        changes = list(routine.changes)
-        if routine.kind == ADDED:
-            yield Line("+", f"{routine.name} added {size}")
-        elif routine.kind == RENAMED:
-            yield Line(" ", f"{routine.former} renamed to {routine.name} {size}")
-        else:
-            yield Line(" ", f"{routine.former} and {routine.name}" if routine.former else routine.name)
+        yield Line(" ", f"{routine.former} and {routine.name}" if routine.former else routine.name)
+    changes = routine.changes if routine.rungs <= _RUNGS_SHOWN else routine.counted
     for change in changes:
         yield Line(" ", f"  {headline(change, routine)}")
         for line in change_lines(change, difference):
@@ -111,6 +110,8 @@ def headline(change: RungChange, routine: RoutineChange) -> str:
     if one is None or other is None:
         rung = one or other
         assert rung is not None
+        if change.kind == COMMENTED:
+            return f"rung {rung.number}, which does nothing, {ADDED if one is None else REMOVED}"
         return f"rung {rung.number} {change.kind}"
     if change.kind == MOVED and one.routine != other.routine and one.routine != routine.former:
         if other.routine == routine.name and routine.kind != REMOVED:
@@ -135,7 +136,7 @@ def change_lines(change: RungChange, difference: Difference) -> Iterator[Line]:
         rung, mark, names = (other, "+", after) if other is not None else (one, "-", before)
         assert rung is not None
         yield from (Line(mark, f"| {line}".rstrip()) for line in rung.comment)
-        yield from (Line(mark, named(line, names)) for line in rung.lines)
+        yield from (Line(mark, named(line, names)) for line in rung.shown.lines)
         return
     yield from _comment_lines(one, other)
     if change.kind == COMMENTED:
@@ -144,7 +145,7 @@ def change_lines(change: RungChange, difference: Difference) -> Iterator[Line]:
         cells = difference.wording.cells
         yield from _compared(cells(one), cells(other), difference.names)
     else:
-        yield from _compared(one.lines, other.lines, difference.names)
+        yield from _compared(one.shown.lines, other.shown.lines, difference.names)
 
 
 def _comment_lines(one: WordedRung, other: WordedRung) -> Iterator[Line]:

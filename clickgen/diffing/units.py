@@ -14,7 +14,7 @@ from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import Cell
 from clickgen.lower.effects import Cells, reads
 
-_RUNGS_MAX = 16
+_RUNGS_MAX = 48
 """Rungs further apart do not come from one rung of a program."""
 _BANK = "C"
 """Scratch bits, which one rung drives and others look at; scratch registers hold values alone."""
@@ -22,18 +22,18 @@ _BANK = "C"
 
 @dataclass(frozen=True)
 class Unit:
-    """Neighbouring rungs, most often one; ``outputs`` are what they drive, their scratch cells aside.
+    """Neighbouring rungs, most often one, by their ``places``; ``outputs`` are what they drive, scratch cells aside.
 
     In ``words`` scratch cells of their own have no numbers.
     """
 
-    rungs: tuple[WordedRung, ...]
+    places: range
     outputs: tuple[Said, ...] = ()
     words: tuple[tuple[str, ...], ...] = ()
 
 
 class Units:
-    """The rungs of one side, and which of them use the scratch cells of either side."""
+    """The rungs of one side, and which of them use its scratch cells."""
 
     def __init__(self, routines: Routines, scratch: frozenset[Address]) -> None:
         self._scratch = frozenset(address for address in scratch if address.bank == _BANK)
@@ -67,12 +67,12 @@ class Units:
         """The scratch bits that may be among these cells."""
         return self._scratch if _BANK in cells.banks else self._scratch & cells.addresses
 
-    def of(self, rungs: Sequence[WordedRung]) -> list[Unit]:
-        """These neighbouring rungs, those that share scratch cells of their own in one unit."""
-        place = {id(rung): n for n, rung in enumerate(rungs)}
+    def of(self, rungs: Sequence[WordedRung], places: range) -> list[Unit]:
+        """The rungs at these places, those that share scratch cells of their own in one unit."""
+        place = {id(rungs[n]): n for n in places}
         units: list[Unit] = []
-        start = 0
-        while start < len(rungs):
+        start = places.start
+        while start < places.stop:
             stop, reached = start + 1, start
             while reached < stop:
                 own = [address for address in self._cells.get(id(rungs[reached]), ()) if address not in self._loose]
@@ -81,24 +81,22 @@ class Units:
                 stop, reached = max(stop, last + 1), reached + 1
             if stop - start > _RUNGS_MAX:
                 stop = start + 1
-            units.append(self._unit(rungs[start:stop]))
+            units.append(self._unit(rungs, range(start, stop)))
             start = stop
         return units
 
-    def _unit(self, rungs: Sequence[WordedRung]) -> Unit:
-        unit = Unit(tuple(rungs))
-        own = [address for address in self.cells(unit) if self.keeps(address, unit)]
+    def _unit(self, rungs: Sequence[WordedRung], places: range) -> Unit:
+        held = [rungs[n] for n in places]
+        own = self.own(held)
         coils = {f"out({address})" for address in own}
-        outputs = (said for rung in rungs for said in rung.outputs)
-        words = tuple(rung.lines for rung in rungs)
+        outputs = (said for rung in held for said in rung.outputs)
+        words = tuple(rung.lines for rung in held)
         for number, address in enumerate(own):
             words = tuple(tuple(without(line, address, f"scratch {number}") for line in lines) for lines in words)
-        return Unit(unit.rungs, tuple(said for said in outputs if said.token not in coils), words)
+        return Unit(places, tuple(said for said in outputs if said.token not in coils), words)
 
-    def cells(self, unit: Unit) -> list[Address]:
-        """The scratch cells that a unit uses, each once, in the order of its rungs."""
-        return list(dict.fromkeys(address for rung in unit.rungs for address in self._cells.get(id(rung), ())))
-
-    def keeps(self, address: Address, unit: Unit) -> bool:
-        """True for a scratch cell that no rung of this side uses outside of a unit."""
-        return address not in self._loose and self._users.get(address, set()) <= {id(rung) for rung in unit.rungs}
+    def own(self, rungs: Sequence[WordedRung]) -> list[Address]:
+        """The scratch cells that these rungs use and no other rung of this side, in the order of their first use."""
+        users = {id(rung) for rung in rungs}
+        cells = dict.fromkeys(address for rung in rungs for address in self._cells.get(id(rung), ()))
+        return [address for address in cells if address not in self._loose and self._users[address] <= users]

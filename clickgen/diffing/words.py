@@ -31,7 +31,10 @@ _ALONE = (END.name, RETURN.name, NEXT.name, NOP.name)
 
 @dataclass(frozen=True)
 class WordedRung:
-    """A rung and its words: ``lines`` without names, but with room for them. ``number`` counts in its routine."""
+    """A rung and its words: ``lines`` without names, but with room for them. ``number`` counts in its routine.
+
+    Where scratch cells have the numbers of the other side, ``origin`` is the rung with its own.
+    """
 
     routine: str
     number: int
@@ -39,6 +42,12 @@ class WordedRung:
     lines: tuple[str, ...]
     is_plain: bool
     """True for a rung that every program has: an unconditional end, return or next, or nothing at all."""
+    origin: WordedRung | None = None
+
+    @property
+    def shown(self) -> WordedRung:
+        """The rung as a person finds it."""
+        return self.origin or self
 
     @cached_property
     def comment(self) -> tuple[str, ...]:
@@ -56,6 +65,11 @@ class WordedRung:
     def outputs(self) -> tuple[Said, ...]:
         """What the rung drives, in the order of its rows."""
         return tuple(said_by(box) for box in outputs_of(self.drawn))
+
+    @property
+    def is_idle(self) -> bool:
+        """True for a rung that does nothing, such as one that a person drew for its comment."""
+        return not self.outputs
 
     @cached_property
     def cells(self) -> tuple[str, ...]:
@@ -86,7 +100,7 @@ class Wording:
 
     def cells(self, rung: WordedRung) -> tuple[str, ...]:
         """The rung as it is drawn, with room for names."""
-        return tuple(map(self._with_room, rung.cells))
+        return tuple(map(self._with_room, rung.shown.cells))
 
     def _with_room(self, line: str) -> str:
         parts = line.split('"')

@@ -13,6 +13,7 @@ from clickgen.resolve.judge_row import address_nickname_fault, may_share_a_name
 from clickgen.resolve.read_table import TableUnreadable, bytes_of_table, read_table
 from clickgen.resolve.rows import Row, is_scratch
 from clickgen.resolve.table import AddressTable
+from clickgen.wording import counted
 
 
 @dataclass(frozen=True)
@@ -25,6 +26,12 @@ class Nicknames:
     table: AddressTable
     names: Names
     problems: tuple[Diagnostic, ...] = ()
+    path: Path | None = None
+    """The address table that was read."""
+
+    @property
+    def is_given(self) -> bool:
+        return self.path is not None
 
 
 def no_nicknames() -> Nicknames:
@@ -44,7 +51,8 @@ def nicknames_of(path: Path, shown: str, is_kept: bool = False) -> Nicknames:
         before = Diagnostics()
         table = read_table(path, shown, before, data)
         if is_kept:
-            return Nicknames(table, names_of(table), tuple(problem for problem in before.found if problem.is_error))
+            errors = tuple(problem for problem in before.found if problem.is_error)
+            return Nicknames(table, names_of(table), errors, path)
         kept = table
         for row in _unusable(table):
             kept = kept.renamed(row.address, "")
@@ -56,7 +64,12 @@ def nicknames_of(path: Path, shown: str, is_kept: bool = False) -> Nicknames:
     places = {_place(problem) for problem in remaining}
     left_out = [problem for problem in before.found if problem.is_error and _place(problem) not in places]
     problems = [*remaining, *(_left_out(problem) for problem in left_out)]
-    return Nicknames(kept, names_of(kept), tuple(sorted(problems, key=lambda problem: problem.sort_key)))
+    scratch = sum(map(is_scratch, table.rows))
+    if scratch:
+        cells = counted(scratch, "scratch cell")
+        message = f"{shown}: the nicknames of {cells} of an earlier build are left out"
+        problems.append(Diagnostic("CG705", message, None, "their addresses are cells of the program like any other"))
+    return Nicknames(kept, names_of(kept), tuple(sorted(problems, key=lambda problem: problem.sort_key)), path)
 
 
 def _place(problem: Diagnostic) -> tuple[str, int]:
@@ -64,7 +77,8 @@ def _place(problem: Diagnostic) -> tuple[str, int]:
 
 
 def _left_out(problem: Diagnostic) -> Diagnostic:
-    way_out = "the program has the address in its place; give the address a name that CLICK takes, and import again"
+    which = "both addresses stand" if problem.code == "CG602" else "the address stands"
+    way_out = f"{which} without a name in the program; give each a legal name of its own, and import again"
     return Diagnostic("CG706", problem.message, problem.span, way_out, problem.labels)
 
 
@@ -85,10 +99,12 @@ def _unusable(table: AddressTable) -> list[Row]:
 def names_of(table: AddressTable) -> Names:
     """What a program can write in place of an address, and mean that address; CLICK's own names included."""
     names: dict[Address, str] = {}
-    for name, address in system_nicknames().values():
-        if name.lower() not in table.by_nickname and find_system_name(name) == (name, address):
-            names[address] = name
     for row in table.rows:
         if row.nickname and table.by_nickname[row.nickname.lower()] is row:
             names[row.address] = row.nickname
+    # CLICK's own points go by CLICK's names: what a table calls them, no build writes.
+    for name, address in system_nicknames().values():
+        holder = table.by_nickname.get(name.lower())
+        if (holder is None or holder.address == address) and find_system_name(name) == (name, address):
+            names[address] = name
     return names

@@ -27,6 +27,7 @@ from clickgen.ir.operands import (
 )
 from clickgen.ir.program import Action, FormulaText, KeptToken, Operands, Options, Pattern, Word
 from clickgen.ir.walk import Rewriter
+from clickgen.lower.tokens import real_token
 
 Names = Mapping[Address, str]
 """The nicknames to write in place of addresses."""
@@ -82,7 +83,7 @@ def operand_text(operand: Operand) -> str:
     if isinstance(operand, Hex):
         return f"0x{operand.value:04X}"
     if isinstance(operand, Real):
-        return operand.text
+        return real_token(operand)
     if isinstance(operand, CharCode):
         return f'"${operand.value:02X}"'
     assert isinstance(operand, Text)

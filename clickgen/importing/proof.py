@@ -7,14 +7,25 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from clickgen.comparing.outputs import Writes, writes_of
-from clickgen.comparing.same import Likeness, compare
+from clickgen.comparing.outputs import Writes, touched_by, writes_of
+from clickgen.comparing.same import Comparison, Likeness, compare
+from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostic
-from clickgen.importing.routines import ImportedRoutine, Piece
+from clickgen.importing.routines import ImportedRoutine, RungImport
 from clickgen.ir.program import Rung, loops_in
 from clickgen.ladder.grid import DrawnRung, read_ladder
 from clickgen.pipeline import BuildResult
 from clickgen.source import Span
+
+
+@dataclass(frozen=True)
+class Redrawn:
+    """A rung that a build draws otherwise: the CLICK rungs in its place, and whether they need scratch cells."""
+
+    routine: ImportedRoutine
+    piece: RungImport
+    run: tuple[DrawnRung, ...]
+    needs_scratch: bool
 
 
 @dataclass
@@ -22,62 +33,76 @@ class Verdict:
     """What the comparison found: how many rungs are the same, and which of them are drawn otherwise."""
 
     verified: int = 0
-    redrawn: list[tuple[ImportedRoutine, Piece]] = field(default_factory=list)
-    refused: list[tuple[ImportedRoutine | None, Piece | None, Diagnostic]] = field(default_factory=list)
+    redrawn: list[Redrawn] = field(default_factory=list)
+    refused: list[tuple[ImportedRoutine | None, RungImport | None, Diagnostic]] = field(default_factory=list)
     """What a build does not take, with the rung where it belongs to one."""
-    differing: list[tuple[ImportedRoutine, Piece, str]] = field(default_factory=list)
-    """The rungs that do not come back, and why."""
+    differing: list[tuple[RungImport, Comparison]] = field(default_factory=list)
+    """The rungs that do not come back, or are not proven to."""
+
+
+MISSING = Comparison(Likeness.DIFFERENT, "the rung is missing in what was built")
 
 
 def verdict_of(routines: Sequence[ImportedRoutine], result: BuildResult) -> Verdict:
-    """Compare what was built with what was imported. The built program has a rung for every piece, in order."""
+    """Compare what was built with what was imported. The program has its rungs in the order of the pieces."""
     verdict = Verdict()
     if not result.ok:
         _sort_out(routines, result, verdict)
         return verdict
-    scratch = {row.address for row in result.scratch_rows}
-    drawn = _drawn(result.files)
-    built = {routine.name: routine for routine in result.routines}
+    scratch = frozenset(row.address for row in result.scratch_rows)
     called = {routine.name: [piece.drawn for piece in routine.pieces if piece.drawn] for routine in routines}
     calls: dict[str, Writes] = {}
+    runs = _runs(routines, result)
     for routine in routines:
-        runs: list[list[DrawnRung]] = []
-        rungs = drawn.get(routine.name, [])
-        start = 0
-        for _, group in groupby(built[routine.name].rungs, key=lambda rung: rung.span):
-            stop = start + len(list(group))
-            runs.append(rungs[start:stop])
-            start = stop
-        if runs and routine.pieces:
-            # Nothing may stand behind the last rung.
-            runs[min(len(runs), len(routine.pieces)) - 1] += rungs[start:]
-        for piece, run in zip(routine.pieces, runs, strict=False):
-            if piece.drawn is None or piece.rung is None:
+        for piece, run in zip(routine.pieces, runs[routine.name], strict=True):
+            if piece.drawn is None or not piece.rungs:
                 continue
-            if not run:
-                verdict.differing.append((routine, piece, "the rung is missing in what was built"))
-                continue
-            reason = _difference(piece.drawn, run)
             if len(run) > 1 and not calls:
                 calls = {name: writes_of(rungs) for name, rungs in called.items()}
-            compared = compare([piece.drawn], run, scratch, calls)
-            if reason or not compared.is_same:
-                verdict.differing.append((routine, piece, reason or compared.reason))
+            compared = _compared(piece.drawn, run, scratch, calls)
+            if not compared.is_same:
+                verdict.differing.append((piece, compared))
                 continue
             verdict.verified += 1
             if compared.likeness is not Likeness.IDENTICAL:
-                verdict.redrawn.append((routine, piece))
-        if len(runs) < len(routine.pieces):
-            piece = routine.pieces[len(runs)]
-            verdict.differing.append((routine, piece, "the rung is missing in what was built"))
+                needs_scratch = any(touched_by(box).addresses & scratch for rung in run for box in rung.boxes)
+                verdict.redrawn.append(Redrawn(routine, piece, tuple(run), needs_scratch))
     return verdict
 
 
-def _difference(drawn: DrawnRung, run: Sequence[DrawnRung]) -> str:
-    """What is wrong with the comment; spaces at the ends of lines, which a source cannot keep, aside."""
-    before = [line.rstrip() for line in drawn.comment.split("\n")]
-    after = [line.rstrip() for line in run[0].comment.split("\n")]
-    return "" if before == after else "its comment does not come back"
+def _runs(routines: Sequence[ImportedRoutine], result: BuildResult) -> dict[str, list[list[DrawnRung]]]:
+    """For each piece of each routine the CLICK rungs that were built of it; none where the ladder ends before it.
+
+    What stands behind the last rung of a program counts to it.
+    """
+    drawn = _drawn(result.files)
+    found: dict[str, list[list[DrawnRung]]] = {}
+    for built in result.routines:
+        sizes = [len(list(group)) for _, group in groupby(built.rungs, key=lambda rung: rung.span)]
+        routine = next((routine for routine in routines if routine.name == built.name), None)
+        rungs = drawn.get(built.name, [])
+        runs = found.setdefault(built.name, [])
+        start = group = 0
+        for piece in routine.pieces if routine else ():
+            count = len(piece.rungs) or 1
+            stop = start + sum(sizes[group : group + count])
+            runs.append(rungs[start:stop])
+            start, group = stop, group + count
+        if runs:
+            runs[-1] += rungs[start + sum(sizes[group:]) :]
+    return found
+
+
+def _compared(
+    drawn: DrawnRung, run: Sequence[DrawnRung], scratch: frozenset[Address], calls: Mapping[str, Writes]
+) -> Comparison:
+    """Logic and comment; spaces at the ends of the comment's lines, which a source cannot keep, aside."""
+    if not run:
+        return MISSING
+    before, after = ([line.rstrip() for line in comment.split("\n")] for comment in (drawn.comment, run[0].comment))
+    if before != after:
+        return Comparison(Likeness.DIFFERENT, "its comment does not come back")
+    return compare([drawn], run, scratch, calls)
 
 
 def _drawn(files: Mapping[str, str]) -> dict[str, list[DrawnRung]]:
@@ -109,37 +134,45 @@ def _sort_out(routines: Sequence[ImportedRoutine], result: BuildResult, verdict:
 
 
 class _Places:
-    """Which rung of the project the lines of the program's files come from."""
+    """Which rung of the project the lines of the program's files come from; without one, which routine."""
 
     def __init__(self, routines: Sequence[ImportedRoutine], result: BuildResult) -> None:
-        self._rungs: list[tuple[Span, ImportedRoutine, Piece]] = []
+        self._spans: list[tuple[Span, ImportedRoutine, RungImport | None]] = []
         program = result.facts.program if result.facts else None
         read = {routine.name: routine for routine in program.routines} if program else {}
         for routine in routines:
             if routine.name in read:
-                written = flattened(read[routine.name].rungs)
-                for rung, piece in zip(written, routine.pieces, strict=False):
-                    self._rungs.append((rung.span, routine, piece))
+                written = read[routine.name]
+                self._spans += [(written.span, routine, None), (written.named_at, routine, None)]
+                pieces = (piece for piece in routine.pieces for _ in piece.rungs or (None,))
+                for rung, piece in zip(flattened(written.rungs), pieces, strict=False):
+                    self._spans.append((rung.span, routine, piece))
+        paths = "|".join(re.escape(source.path) for source in result.sources)
+        self._line = re.compile(rf"\bline (\d+)\b|(?P<path>{paths}):(?P<line>\d+)(?::\d+)?")
 
     def seen(self, problem: Diagnostic) -> str:
         """The message with rungs in the place of the lines of a program that nobody has seen."""
-        message = problem.message
-        for label in problem.labels:
-            routine, piece = self.at(label.span)
-            if problem.span and routine and piece and piece.drawn:
-                place = f"{routine.name} rung {piece.drawn.number}"
-                message = message.replace(label.span.seen_from(problem.span), place)
-        return message
+        here = problem.span.path if problem.span else ""
 
-    def at(self, span: Span | None) -> tuple[ImportedRoutine | None, Piece | None]:
+        def place(match: re.Match[str]) -> str:
+            line = int(match["line"] or match[1])
+            routine, piece = self.at(Span(match["path"] or here, line, 1, line, 2))
+            if routine is None:
+                return match[0]
+            return f"{routine.name} rung {piece.drawn.number}" if piece and piece.drawn else routine.file
+
+        return self._line.sub(place, problem.message)
+
+    def at(self, span: Span | None) -> tuple[ImportedRoutine | None, RungImport | None]:
+        """The innermost rung around a place."""
         holding = [
             (own.end_line - own.line, index)
-            for index, (own, _, _) in enumerate(self._rungs)
+            for index, (own, _, _) in enumerate(self._spans)
             if span is not None and span.path == own.path and own.line <= span.line <= own.end_line
         ]
         if not holding:
             return None, None
-        _, routine, piece = self._rungs[min(holding)[1]]
+        _, routine, piece = self._spans[min(holding)[1]]
         return routine, piece
 
 

@@ -19,19 +19,28 @@ from clickgen.source import Span
 
 
 @dataclass
-class Piece:
-    """One drawn rung and the rung of the program that it becomes; None where it cannot be kept, and ``faults`` say why.
+class RungImport:
+    """One drawn rung and what it becomes in the program: one rung, or several where a build draws it as several.
 
-    ``drawn`` is None for what stands in the place of damaged text between the rungs of a file.
+    Without any it cannot be kept, and ``faults`` say why. ``drawn`` is None for what stands in the place of damaged
+    text between the rungs of a file.
     """
 
     drawn: DrawnRung | None
-    rung: Rung | None
+    rungs: tuple[Rung, ...] = ()
     notes: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
     """What a person should know of the rung, and what is said of details that do nothing."""
     faults: list[tuple[str, LadderProblem]] = field(default_factory=list)
     """Why it cannot be kept, each with the code of its problem."""
+    is_settled: bool = False
+    """True when it has been written as a build draws it, so that a second import gives the same source."""
+
+    def lose(self, code: str, reason: str) -> None:
+        """It cannot be kept after all."""
+        assert self.drawn is not None
+        self.rungs, self.notes, self.remarks = (), (), ()
+        self.faults.append((code, LadderProblem(reason, self.drawn.file, self.drawn.line, self.drawn.number)))
 
 
 @dataclass
@@ -42,7 +51,12 @@ class ImportedRoutine:
     function: str
     is_main: bool
     file: str
-    pieces: list[Piece]
+    pieces: list[RungImport]
+
+    @property
+    def count(self) -> int:
+        """The rungs that were drawn."""
+        return sum(piece.drawn is not None for piece in self.pieces)
 
 
 def imported_routines(project: Project) -> list[ImportedRoutine]:
@@ -55,19 +69,26 @@ def imported_routines(project: Project) -> list[ImportedRoutine]:
         function = "main" if routine.is_main else function_name(routine.name, functions | others)
         functions.add(function)
         pieces = [_piece(drawn) for drawn in routine.rungs]
-        pieces += [Piece(None, None, faults=[("CG701", problem)]) for problem in _between(project, routine)]
+        pieces += [RungImport(None, faults=[("CG701", problem)]) for problem in _between(project, routine)]
         found.append(ImportedRoutine(routine.name, function, routine.is_main, routine.file, pieces))
+    names = {routine.name.lower(): routine.name for routine in project.routines}
+    for piece in (piece for routine in found for piece in routine.pieces):
+        for called in calls_of(piece):
+            name = names.get(called.lower(), called)
+            if name != called and piece.drawn is not None:
+                piece.lose("CG702", f"it calls {called!r}, and the subroutine is called {name!r}")
+                break
     return found
 
 
-def _piece(drawn: DrawnRung) -> Piece:
+def _piece(drawn: DrawnRung) -> RungImport:
     if drawn.problems:
-        return Piece(drawn, None, faults=[("CG701", problem) for problem in drawn.problems])
+        return RungImport(drawn, faults=[("CG701", problem) for problem in drawn.problems])
     try:
         imported = import_rung(drawn)
     except LadderProblem as problem:
-        return Piece(drawn, None, faults=[("CG702", problem.in_rung(drawn.number))])
-    return Piece(drawn, imported.rung, imported.notes, imported.remarks)
+        return RungImport(drawn, faults=[("CG702", problem.in_rung(drawn.number))])
+    return RungImport(drawn, (imported.rung,), imported.notes, imported.remarks)
 
 
 def _between(project: Project, routine: DrawnRoutine) -> Iterator[LadderProblem]:
@@ -84,7 +105,10 @@ def _between(project: Project, routine: DrawnRoutine) -> Iterator[LadderProblem]
 
 def as_routines(routines: Iterable[ImportedRoutine]) -> list[Routine]:
     """The routines as they are written, marked rungs in the places of those that could not be kept."""
-    return [_routine(routine, [piece.rung or _marked(piece) for piece in routine.pieces]) for routine in routines]
+    return [
+        _routine(routine, [rung for piece in routine.pieces for rung in piece.rungs or (_marked(piece),)])
+        for routine in routines
+    ]
 
 
 def as_proof(routines: Iterable[ImportedRoutine]) -> list[Routine]:
@@ -95,7 +119,7 @@ def as_proof(routines: Iterable[ImportedRoutine]) -> list[Routine]:
     found: list[Routine] = []
     routines = list(routines)
     for routine in routines:
-        rungs = [piece.rung or _rung(_span(piece), Action(NOP, {}, _span(piece))) for piece in routine.pieces]
+        rungs = [rung for piece in routine.pieces for rung in piece.rungs or (_nothing(piece),)]
         closing = END if routine.is_main else RETURN
         last = rungs[-1:] if not routine.is_main else rungs
         if not any(_is_unconditional(rung, closing) for rung in last):
@@ -123,17 +147,18 @@ def missing_subroutines(routines: Iterable[ImportedRoutine]) -> list[str]:
     return [name for name in called if name not in known]
 
 
-def calls_of(piece: Piece) -> Iterator[str]:
-    for action in actions_in(piece.rung.items) if piece.rung else ():
-        if action.spec is CALL:
-            yield action.word("subroutine")
+def calls_of(piece: RungImport) -> Iterator[str]:
+    for rung in piece.rungs:
+        for action in actions_in(rung.items):
+            if action.spec is CALL:
+                yield action.word("subroutine")
 
 
 def is_complete(routine: ImportedRoutine) -> bool:
     """True when the routine ends as CLICK wants it: main somewhere with ``end()``, a subroutine with ``return``."""
     closing = END if routine.is_main else RETURN
     pieces = routine.pieces if routine.is_main else routine.pieces[-1:]
-    return any(piece.rung is None or _is_unconditional(piece.rung, closing) for piece in pieces)
+    return any(not piece.rungs or any(_is_unconditional(rung, closing) for rung in piece.rungs) for piece in pieces)
 
 
 def _is_unconditional(rung: Rung, spec: Spec) -> bool:
@@ -146,7 +171,12 @@ def _routine(routine: ImportedRoutine, rungs: list[Rung]) -> Routine:
     return routine_of(routine.name, rungs, routine.is_main, routine.function)
 
 
-def _marked(piece: Piece) -> Rung:
+def _nothing(piece: RungImport) -> Rung:
+    """What stands for a rung that could not be kept while the others are compared."""
+    return _rung(_span(piece), Action(NOP, {}, _span(piece)))
+
+
+def _marked(piece: RungImport) -> Rung:
     """The rung that a build refuses, with the comment of the one that could not be kept."""
     span = _span(piece)
     reason = "; ".join(str(fault) for _, fault in piece.faults)
@@ -159,7 +189,7 @@ def _rung(span: Span, *items: Item) -> Rung:
     return Rung(Always(span), items, "", span, span)
 
 
-def _span(piece: Piece) -> Span:
+def _span(piece: RungImport) -> Span:
     if piece.drawn is not None:
         return piece.drawn.span
     [_, fault] = piece.faults[0]

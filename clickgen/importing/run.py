@@ -7,14 +7,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from clickgen.comparing.same import Likeness
 from clickgen.diagnostics import CouldNotRun, Diagnostic
 from clickgen.emit.write import put_in_place
+from clickgen.importing.declarations import declarations
 from clickgen.importing.files import a_file_each
 from clickgen.importing.nicknames import Nicknames, nicknames_of, no_nicknames
-from clickgen.importing.proof import Verdict, verdict_of
+from clickgen.importing.proof import Redrawn, Verdict, verdict_of
 from clickgen.importing.routines import (
     ImportedRoutine,
-    Piece,
+    RungImport,
     as_proof,
     as_routines,
     calls_of,
@@ -22,13 +24,15 @@ from clickgen.importing.routines import (
     is_complete,
     missing_subroutines,
 )
-from clickgen.importing.source import write_source
+from clickgen.importing.source import rung_lines, write_source
 from clickgen.ir.program import Routine
 from clickgen.ladder.problem import LadderProblem
 from clickgen.ladder.project import MAIN, Project, read_project
+from clickgen.ladder.rungs import import_rung
 from clickgen.pipeline import TABLE_NAME, BuildResult, Settings, build
 from clickgen.resolve.layers import is_workbook
 from clickgen.source import SourceFile, Span
+from clickgen.wording import counted
 
 
 @dataclass(frozen=True)
@@ -40,6 +44,8 @@ class Target:
 
     program: Path
     is_folder: bool = False
+    is_shown: bool = False
+    """True for a program that stands nowhere, and so declares its names itself."""
     settings: Settings = field(default_factory=Settings)
 
     @property
@@ -66,15 +72,17 @@ class ImportResult:
     """None where nothing was to be verified."""
     names: int
     """The addresses that have a nickname."""
+    named_by: Path | None
+    """The address table that the names come from."""
 
     @property
     def rungs(self) -> int:
-        return sum(piece.drawn is not None for routine in self.routines for piece in routine.pieces)
+        return sum(routine.count for routine in self.routines)
 
     @property
     def left_out(self) -> int:
         """The marked rungs in the places of those that could not be kept."""
-        return sum(piece.rung is None for routine in self.routines for piece in routine.pieces)
+        return sum(not piece.rungs for routine in self.routines for piece in routine.pieces)
 
     @property
     def is_whole(self) -> bool:
@@ -94,9 +102,12 @@ class ImportResult:
         is never replaced), and OSError.
         """
         taken = [path for path, data in self.files.items() if _holds_otherwise(path, data)]
-        tables = [path for path in taken if path == self.target.table]
-        if tables:
-            message = f"{tables[0]} says otherwise than the nicknames of {self.source}"
+        table = self.target.table
+        if table in taken and self.named_by is not None and table.resolve() == self.named_by.resolve():
+            message = f"{table} would lose the nicknames that are left out"
+            raise CouldNotRun(f"{message}: give these addresses legal names there, or choose another place with -o")
+        if table in taken:
+            message = f"{table} says otherwise than {self.named_by}"
             raise CouldNotRun(f"{message}: take them in with clickgen nicknames merge, or choose another place with -o")
         if taken and not replaces:
             names = ", ".join(map(str, taken))
@@ -122,6 +133,8 @@ def import_project(
     for routine in project.routines:
         if routine.name == MAIN and not routine.is_main:
             raise CouldNotRun(f"{routine.file}: a subroutine cannot be called main, as the main program is")
+    if not any(routine.rungs for routine in project.routines) and not project.problems:
+        raise CouldNotRun(f"{source} holds no rungs")
     run = _Import(project, target, keep_going, imported_routines(project), _nicknames(project, target, nicknames))
     verdict = run.verified() if verifies else None
     return run.result(verdict)
@@ -150,48 +163,59 @@ class _Import:
     def verified(self) -> Verdict:
         """Build and compare. Rungs that a build refuses, or that do not come back, are no longer kept.
 
-        Without some of its rungs a program may be refused for another reason, so this goes on until nothing changes.
+        Without some of its rungs a program may be refused for another reason, and a rung that a build draws otherwise
+        may be written otherwise: so this goes on until nothing changes.
         """
         while True:
             verdict = verdict_of(self.routines, self._built())
-            lost = 0
+            is_lost = False
+            lost_before = self._lost()
             for routine, piece, problem in verdict.refused:
                 if piece is None:
                     self._refuse(routine, problem)
-                elif piece.rung is not None:
-                    lost += self._lose(piece, "CG702", f"a build refuses it: {problem.message} ({problem.code})")
-            for _, piece, reason in verdict.differing:
-                lost += self._lose(piece, "CG703", f"it would not be the same: {reason}")
-            if not lost:
+                elif piece.rungs:
+                    after = f"; this may follow from {lost_before}, which is not kept" * (problem.code in _LOOPS)
+                    reason = f"a build refuses it: {problem.message} ({problem.code}){after if lost_before else ''}"
+                    piece.lose("CG702", reason)
+                    is_lost = True
+            for piece, compared in verdict.differing:
+                is_wrong = compared.likeness is Likeness.DIFFERENT
+                what = "it would not be the same" if is_wrong else "it cannot be proven the same"
+                piece.lose("CG703" if is_wrong else "CG702", f"{what}: {compared.reason}")
+                is_lost = True
+            settled = [] if is_lost else [_settle(redrawn) for redrawn in verdict.redrawn]
+            if not is_lost and not any(settled):
                 return verdict
+
+    def _lost(self) -> str:
+        """The first rung that could not be kept."""
+        pieces = ((routine, piece) for routine in self.routines for piece in routine.pieces if not piece.rungs)
+        return next((_named(*pair).removesuffix(": ") for pair in pieces), "")
 
     def _refuse(self, routine: ImportedRoutine | None, problem: Diagnostic) -> None:
         """What belongs to no rung. The address table has told its own faults."""
-        if any(own.is_error and own.code == problem.code for own in self.nicknames.problems):
+        if any((own.code, own.message) == (problem.code, problem.message) for own in self.nicknames.problems):
             return
-        place = f"{routine.name}: " if routine else ""
-        message = f"{place}a build refuses the program: {problem.message} ({problem.code})"
-        self._add("CG702", message, None, "change it in CLICK and import again")
-
-    def _lose(self, piece: Piece, code: str, reason: str) -> int:
-        assert piece.drawn is not None
-        drawn = piece.drawn
-        piece.rung, piece.notes, piece.remarks = None, (), ()
-        piece.faults.append((code, LadderProblem(reason, drawn.file, drawn.line, drawn.number)))
-        return 1
+        place = LadderProblem(problem.message, routine.file) if routine else None
+        message = f"a build refuses {routine.name if routine else 'the program'}: {problem.message} ({problem.code})"
+        self._add("CG702", message, place, "change it in CLICK and import again")
 
     def _built(self) -> BuildResult:
         files = {path: text.encode() for path, text in self._texts(as_proof(self.routines)).items()}
-        if self.nicknames.table.own_rows:
-            files[self.target.table] = self.nicknames.table.to_bytes()
-        overlay = {os.path.realpath(path): data for path, data in files.items()}
+        overlay = {os.path.realpath(path): data for path, data in {**files, **self._table()}.items()}
         settings = replace(self.target.settings, overlay={**self.target.settings.overlay, **overlay})
         return build(self.target.program, settings=settings)
+
+    def _table(self) -> dict[Path, bytes]:
+        """The address table where it is to stand; none where names were not given, or are declared in the program."""
+        is_written = self.nicknames.is_given and not self.target.is_shown
+        return {self.target.table: self.nicknames.table.to_bytes()} if is_written else {}
 
     def _texts(self, routines: Sequence[Routine]) -> dict[Path, str]:
         names = self.nicknames.names
         if not self.target.is_folder:
-            return {self.target.program: write_source(routines, names)}
+            header = declarations(routines, self.nicknames) if self.target.is_shown else ""
+            return {self.target.program: write_source(routines, names, header)}
         return {self.target.program.parent / name: text for name, text in a_file_each(routines, names).items()}
 
     # -- reporting ----------------------------------------------------------------------------------------------------
@@ -199,8 +223,7 @@ class _Import:
     def result(self, verdict: Verdict | None) -> ImportResult:
         table = self.nicknames.table
         files = {path: text.encode() for path, text in self._texts(as_routines(self.routines)).items()}
-        if table.own_rows:
-            files[self.target.table] = table.to_bytes()
+        files |= self._table()
         self.problems += self.nicknames.problems
         for routine in self.routines:
             for piece in routine.pieces:
@@ -216,9 +239,10 @@ class _Import:
             tuple(SourceFile(name, text) for name, text in self.project.texts.items()),
             verdict,
             sum(bool(row.nickname) for row in table.rows),
+            self.nicknames.path,
         )
 
-    def _report(self, routine: ImportedRoutine, piece: Piece) -> None:
+    def _report(self, routine: ImportedRoutine, piece: RungImport) -> None:
         for code, fault in piece.faults:
             self._add(code, f"{_named(routine, piece)}{fault.message}", fault)
         for code, notes in (("CG704", piece.notes), ("CG705", piece.remarks)):
@@ -257,5 +281,35 @@ _HELP = {
 }
 
 
-def _named(routine: ImportedRoutine, piece: Piece) -> str:
+_LOOPS = ("CG407", "CG408", "CG409", "CG422", "CG425")
+"""What is said of one end of a loop when the other is not there."""
+
+
+def _settle(redrawn: Redrawn) -> bool:
+    """Write a rung as a build draws it, so that a second import gives the same source; False when it stays.
+
+    A rung that needs scratch cells stays as it was drawn: nobody would write it with them.
+    """
+    piece = redrawn.piece
+    if piece.is_settled:
+        return False
+    piece.is_settled = True
+    if redrawn.needs_scratch:
+        count = counted(len(redrawn.run), "rung")
+        piece.notes += (f"a build draws it as {count} of CLICK, with scratch cells: see the comments in the table",)
+        return False
+    try:
+        found = tuple(import_rung(drawn).rung for drawn in redrawn.run)
+    except LadderProblem:
+        return False
+    found = (replace(found[0], comment=piece.rungs[0].comment), *found[1:])
+    if rung_lines(found) == rung_lines(piece.rungs):
+        return False
+    piece.rungs = found
+    if len(found) > 1:
+        piece.notes += (f"it becomes {counted(len(found), 'rung')}, as a build has to draw it",)
+    return True
+
+
+def _named(routine: ImportedRoutine, piece: RungImport) -> str:
     return f"{routine.name} rung {piece.drawn.number}: " if piece.drawn is not None else ""

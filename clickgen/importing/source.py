@@ -41,7 +41,7 @@ def routine_lines(routine: Routine, names: Names = NO_NAMES, functions: Function
     title = "" if routine.function == routine.name else f"({quoted(routine.name)})"
     head = [f"def {routine.function}():"]
     rungs = _WithFunctions(functions).rungs(WithNames(names).rungs(routine.rungs))
-    return [*([] if routine.is_main else [f"@sub{title}"]), *head, *(_rungs(rungs, 1) or [f"{INDENT}pass"])]
+    return [*([] if routine.is_main else [f"@sub{title}"]), *head, *(rung_lines(rungs, 1) or [f"{INDENT}pass"])]
 
 
 class _WithFunctions(Rewriter):
@@ -62,13 +62,14 @@ class _WithFunctions(Rewriter):
 
 def comment_lines(comment: str, depth: int = 0) -> list[str]:
     """A rung comment as the block that is read as the same comment, but for spaces at the ends of lines."""
-    if not comment:
+    shown = [line.rstrip() for line in comment.split("\n")]
+    if shown == [""]:
         return []
-    shown = (line.rstrip() for line in comment.split("\n"))
     return [f"{INDENT * depth}# {line}".rstrip() for line in shown]
 
 
-def _rungs(rungs: Sequence[Rung], depth: int) -> list[str]:
+def rung_lines(rungs: Sequence[Rung], depth: int = 0) -> list[str]:
+    """Rungs with blank lines between them; addresses are written as they stand in the rungs."""
     written: list[str] = []
     for rung in rungs:
         written += [""] if written else []
@@ -86,7 +87,7 @@ def _item(item: Item, depth: int) -> list[str]:
     if isinstance(item, Branch):
         return _if(condition_piece(item.condition), item.items, depth)
     if isinstance(item, Loop):
-        body = _rungs(item.body, depth + 1) if item.body else [f"{INDENT * (depth + 1)}pass"]
+        body = rung_lines(item.body, depth + 1) if item.body else [f"{INDENT * (depth + 1)}pass"]
         return [*lines(_counted(item.action), depth, after=":"), *body]
     return lines(action_piece(item), depth)
 

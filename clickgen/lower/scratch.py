@@ -20,7 +20,8 @@ from clickgen.resolve.rows import Row, is_scratch, scratch_name
 from clickgen.resolve.table import AddressTable
 from clickgen.source import Span
 
-_RUNG_NUMBER = re.compile(r" rung ([0-9]+)")
+_RUNG_NUMBER = re.compile(r"(?<= rung )[0-9]+(?=:|$)")
+"""Of the first that is followed by a condition or nothing; the name of a routine may hold the word and a number."""
 
 
 @dataclass(frozen=True)
@@ -34,10 +35,11 @@ class ScratchUse:
     @property
     def purpose(self) -> str:
         """The reason without the rung number."""
-        return _purpose(self.reason)
+        return purpose_of(self.reason)
 
 
-def _purpose(comment: str) -> str:
+def purpose_of(comment: str) -> str:
+    """A reason without the rung number: what a scratch cell is known by."""
     return _RUNG_NUMBER.sub("", comment, count=1)
 
 
@@ -98,8 +100,8 @@ def _matched(uses: list[ScratchUse], old: list[Row]) -> dict[ScratchUse, Address
     Purposes hold the routine, so that rows of one purpose stand in the order in which the last build met their uses.
     """
     addresses: dict[ScratchUse, Address] = {}
-    waiting = sorted(old, key=lambda row: (_rung(row.comment), -row.address.number))
-    for key in (_purpose, lambda _: ""):
+    waiting = sorted(old, key=lambda row: (rung_of(row.comment), -row.address.number))
+    for key in (purpose_of, lambda _: ""):
         rows: dict[str, list[Row]] = {}
         for row in waiting:
             rows.setdefault(key(row.comment), []).append(row)
@@ -112,9 +114,10 @@ def _matched(uses: list[ScratchUse], old: list[Row]) -> dict[ScratchUse, Address
     return addresses
 
 
-def _rung(comment: str) -> int:
+def rung_of(comment: str) -> int:
+    """The rung number of a reason; 0 where it has none."""
     match = _RUNG_NUMBER.search(comment)
-    return int(match[1]) if match else 0
+    return int(match[0]) if match else 0
 
 
 def _settle(addresses: dict[ScratchUse, Address]) -> None:

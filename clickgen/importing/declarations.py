@@ -1,0 +1,57 @@
+"""The names of a program that has no address table beside it, declared in the program."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address, Kind
+from clickgen.importing.layout import Atom, Brackets, Keyword, Piece, lines
+from clickgen.importing.nicknames import Nicknames
+from clickgen.importing.pieces import operand_text, quoted
+from clickgen.ir.operands import Cell, Immediate, Named
+from clickgen.ir.program import Routine
+from clickgen.ir.walk import rung_operands
+from clickgen.resolve.rows import Row, default_row
+from clickgen.source import Span
+
+_HERE = Span("", 1, 1, 1, 2)
+
+
+def declarations(routines: Iterable[Routine], nicknames: Nicknames) -> str:
+    """``nickname(c.Run, c[7])`` for every name of the table that these routines are written with."""
+    used: set[Address] = set()
+    for routine in routines:
+        for operand in (operand for rung in routine.rungs for operand in rung_operands(rung)):
+            cell = operand.target if isinstance(operand, Immediate) else operand
+            if isinstance(cell, Cell):
+                used.add(cell.address)
+                bit = CURRENT_VALUE_OF.get(cell.bank)
+                if bit and cell.address not in nicknames.names:
+                    used.add(Address(bit, cell.address.number))
+    # CLICK's own points need no declaration.
+    rows = [row for row in nicknames.table.rows if row.address in used and row.address.bank not in ("SC", "SD")]
+    rows = [row for row in rows if row.nickname and nicknames.names.get(row.address) == row.nickname]
+    rows.sort(key=lambda row: row.address.sort_key)
+    return "\n".join(line for row in rows for line in lines(_declaration(row), 0))
+
+
+def _declaration(row: Row) -> Piece:
+    address, plain = row.address, default_row(row.address, row.nickname)
+    parts: list[Piece] = [
+        Atom(operand_text(Named(address.bank, row.nickname, _HERE))),
+        Atom(operand_text(Cell(address, _HERE))),
+    ]
+    if not BANKS[address.bank].settings_fixed:
+        if row.initial not in ("", "0", plain.initial):
+            parts.append(Keyword("initial=", Atom(_initial(row))))
+        if row.retentive != plain.retentive:
+            parts.append(Keyword("retentive=", Atom(str(row.retentive))))
+    if row.comment:
+        parts.append(Keyword("comment=", Atom(quoted(row.comment))))
+    return Brackets("nickname(", tuple(parts), ")")
+
+
+def _initial(row: Row) -> str:
+    if row.address.kind is Kind.HEX:
+        return f"0x{int(row.initial, 16):04X}"
+    return quoted(row.initial) if row.address.kind is Kind.TEXT else row.initial
