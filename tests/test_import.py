@@ -385,7 +385,7 @@ def test_no_verify_says_so(capsys: pytest.CaptureFixture[str]) -> None:
     assert "0 of 2 rungs verified: --no-verify was given." in out
 
 
-def _table_rows(text: str) -> Mapping[str, list[str]]:
+def _table_rows(text: str) -> dict[str, list[str]]:
     return {row[0]: row for row in csv.reader(text.splitlines()[1:])}
 
 
@@ -404,3 +404,128 @@ def test_scratch_cells_of_an_earlier_build_are_cells_like_any_other(tmp_path: Pa
     for address in scratch:
         assert rows[address][2] == ""
         assert rows[address][5] != ""
+
+
+# -- names without a table --------------------------------------------------------------------------------------------
+
+
+def test_a_program_for_the_terminal_declares_its_names(capfdbinary: pytest.CaptureFixture[bytes]) -> None:
+    """Built elsewhere, without the table, it drives the same addresses."""
+    rows = [
+        'X001,BIT,"Start it",0,Yes,"left of the door"',
+        'Y003,BIT,"Press",0,No,""',
+        'C7,BIT,"Run",1,No,""',
+        'T2,BIT,"Delay",0,No,""',
+        'DS5,INT,"Speed",-7,No,""',
+        'DH1,HEX,"Mask",00FF,Yes,""',
+        'DF1,FLOAT,"Level",-1.5,Yes,""',
+        'TXT1,TEXT,"Letter",A,Yes,"a ""quote"""',
+        'C99,BIT,"Unused",0,No,""',
+    ]
+    drawn = [
+        wired("X001 C7 SC2 TD2>5 DH1==00FFh DF1>1.5", "out(Y003)", "R"),
+        wired("C7", "copy(DS5,TXT1,convert=to_text(suppress_zero=1,exponential=0,termination_code=none))", "R"),
+    ]
+    write_bundle(Path("dash"), "\n".join(rows) + "\n", main=drawn)
+    assert main(["import", "dash", "-o", "-"]) == 0
+    text = capfdbinary.readouterr().out.decode("utf-8")
+    Path("elsewhere").mkdir()
+    Path("elsewhere/prog.py").write_text(text)
+    assert 'nickname(x["Start it"], x[1], retentive=True, comment="left of the door")\n' in text
+    assert "Unused" not in text
+    assert "_1st_SCAN" in text
+    built = clickgen.build("elsewhere/prog.py", frozen=True)
+    assert built.ok, built.diagnostics
+    assert built.files["main.csv"] == Path("dash/main.csv").read_text()
+    given = _table_rows(Path("dash/nicknames.csv").read_text())
+    del given["C99"]
+    assert _table_rows(built.files["nicknames.csv"]) == given
+    assert ruff_changes(text) == ""
+
+
+def test_a_header_alone_is_a_table_too(capsys: pytest.CaptureFixture[str]) -> None:
+    """Of a bundle without nicknames the addresses have no initial values, whatever stands at the target."""
+    write_bundle(Path("plant"), main=SEAL)
+    Path("plant/nicknames.csv").write_text(f"{HEADER}\n")
+    Path("t").mkdir()
+    Path("t/nicknames.csv").write_text(f'{HEADER}\nC1,BIT,"Foo",1,Yes,""\n')
+    _, err = ran(capsys, "plant", "-o", "t/p.py", code=2)
+    assert f"says otherwise than {Path('plant/nicknames.csv')}" in err
+
+
+def test_a_table_that_would_lose_names_stays(capsys: pytest.CaptureFixture[str]) -> None:
+    write_bundle(Path("plant"), 'X001,BIT,"a.b",0,No,""\n', main=SEAL)
+    _, err = ran(capsys, "plant", "-o", "plant/prog.py", code=2)
+    assert "would lose the nicknames that are left out" in err
+
+
+# -- stability --------------------------------------------------------------------------------------------------------
+
+UNSTABLE = {
+    "a wire into a counter and its reset": [
+        wired("-", "count_up(CT1,CTD1,preset=5)", "R"),
+        [""] * 33,
+        wired("-", ".reset()"),
+    ],
+    "a box beside an output": [
+        wired("X001 T", "out(Y001)", "R"),
+        wired(". -", "count_up(CT1,CTD1,preset=5)"),
+        [""] * 33,
+        wired("X002", ".reset()"),
+    ],
+    "a number with an exponent": [wired("DF1>1E-3", "copy(1.0E+10,DF1)", "R")],
+    "a comment of spaces": [*comment("  "), *SEAL],
+    "a separate column for the outputs": [wired("X001 T T", "out(Y001)", "R"), wired("X002 .  -", "out(Y002)")],
+}
+
+
+@pytest.mark.parametrize("name", UNSTABLE)
+def test_a_second_import_gives_the_same_source(name: str, tmp_path: Path) -> None:
+    write_bundle(tmp_path / "plant", main=UNSTABLE[name])
+    first = import_project(tmp_path / "plant", Target(tmp_path / "one" / "prog.py"))
+    assert first.ok, first.diagnostics
+    first.write()
+    clickgen.build(tmp_path / "one" / "prog.py", frozen=True).write(tmp_path / "again")
+    second = import_project(tmp_path / "again", Target(tmp_path / "two" / "prog.py"))
+    assert second.verdict is not None
+    assert second.verdict.verified == second.rungs
+    [one, two] = (found.files[found.target.program] for found in (first, second))
+    assert one == two
+
+
+# -- reasons ----------------------------------------------------------------------------------------------------------
+
+
+def test_a_call_in_other_letters_says_what_the_subroutine_is_called(capsys: pytest.CaptureFixture[str]) -> None:
+    write_bundle(Path("plant"), main=[wired("X001", 'call("heat")', "R")], Heat=SEAL)
+    _, err = ran(capsys, "plant", "-o", "prog.py", code=1)
+    assert "main rung 1: it calls 'heat', and the subroutine is called 'Heat'" in err
+    assert err.count("error[") == 1
+
+
+def test_what_follows_from_a_lost_loop_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    write_bundle(Path("plant"), main=[wired("X001", "for(0)", "R"), *SEAL, wired("", "next()", "R")])
+    _, err = ran(capsys, "plant", "-o", "prog.py", code=1)
+    assert re.findall(r"error\[CG702\]: (main rung \d)", err) == ["main rung 1", "main rung 3"]
+    assert "this may follow from main rung 1, which is not kept" in err
+    assert "line " not in err
+
+
+def test_outputs_below_an_end_are_not_taken_for_skipped(capsys: pytest.CaptureFixture[str]) -> None:
+    """No source says whether CLICK still runs what stands below it in the rung."""
+    write_bundle(Path("plant"), main=[wired("X001 T", "end()", "R"), wired(". -", "out(C3)")])
+    _, err = ran(capsys, "plant", "-o", "prog.py", code=1)
+    assert "error[CG702]: main rung 1: it cannot be proven the same: end() stands above outputs" in err
+
+
+@pytest.mark.parametrize("text", ["", ladder_text([])])
+def test_a_source_without_rungs_is_no_project(text: str, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("ladder.csv").write_text(text)
+    ran(capsys, "ladder.csv", "-o", "prog.py", code=2)
+    assert os.listdir() == ["ladder.csv"]
+
+
+def test_a_folder_is_not_made_by_mistake(capsys: pytest.CaptureFixture[str]) -> None:
+    write_bundle(Path("plant"), main=SEAL)
+    _, err = ran(capsys, "plant", "-o", "prog.txt", code=2)
+    assert "prog.txt does not end in .py" in err

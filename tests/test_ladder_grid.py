@@ -107,11 +107,11 @@ DAMAGED: dict[str, tuple[str, int, str]] = {
     "nothing": ("", 1, "the file is empty"),
     "another header": (f"Address,Nickname\n{ROW}\n", 1, "the header of a ladder file is marker,A,...,AF"),
     "too few columns": (f"{HEAD}\n{ROW}\nR,X001,-\n", 3, "the line has 3 columns, not 33: is it cut off?"),
-    "too many columns": (f"{HEAD}\n{ROW},,\n", 2, "the line has 35 columns, not 33: is it cut off?"),
+    "too many columns": (f"{HEAD}\n{ROW},,\n", 2, "the line has 35 columns, not 33"),
     "an unknown square": (
         f"{HEAD}\n{ROW.replace('X001', 'X017')}\n",
         2,
-        "column A holds 'X017', which is no contact and no wire",
+        "column A holds 'X017', and CLICK has no X017",
     ),
     "a quote that is not closed": (
         f'{HEAD}\n{ROW}\nR,"X001,-\n',

@@ -234,8 +234,15 @@ REFUSED: dict[str, tuple[Drawing, int, str]] = {
     "a counter without its reset": (
         [("X001", "count_up(CT1,CTD1,preset=5)")],
         2,
-        "count_up(CT1,CTD1,preset=5) is no instruction that CLICK is known for",
+        "count_up(CT1,CTD1,preset=5) is not written as CLICK writes it: look at its arguments and its inputs",
     ),
+    "a range over a gap": ([("X001", "out(Y017)")], 2, "out(Y017) names Y017, which CLICK does not have"),
+    "a token that the codec writes otherwise": (
+        [("X001", "raw(Email,0x2737,1,60a5=1)")],
+        2,
+        "raw(Email,0x2737,1,60a5=1) cannot be kept: ",
+    ),
+    "an instruction of nobody": ([("X001", "blink(Y001)")], 2, "blink(Y001) is no instruction that CLICK is known for"),
 }
 
 
@@ -244,7 +251,8 @@ def test_what_cannot_be_kept_is_refused_with_its_row(name: str) -> None:
     drawing, row, message = REFUSED[name]
     with pytest.raises(LadderProblem) as caught:
         read(drawing)
-    assert (caught.value.file, caught.value.row, caught.value.message) == ("main.csv", row, message)
+    assert (caught.value.file, caught.value.row) == ("main.csv", row)
+    assert caught.value.message.startswith(message)
 
 
 def test_a_condition_beyond_reading_is_refused() -> None:

@@ -58,8 +58,10 @@ def _reason(error: Exception) -> str | None:
     if isinstance(error, CouldNotRun):
         return str(error)
     if isinstance(error, OSError):
-        place = f"{error.filename}: " if error.filename else ""
-        return f"{place}{error.strerror or error}; nothing was written"
+        # Without a file it is the terminal or a pipe: then the files may be in place already.
+        if not error.filename:
+            return f"the output could not be shown: {error.strerror or error}"
+        return f"{error.filename}: {error.strerror or error}; nothing was written"
     return None
 
 

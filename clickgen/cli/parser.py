@@ -49,6 +49,12 @@ class _Help(argparse.RawDescriptionHelpFormatter):
             width = 80
         super().__init__(prog, width=max(width, 40) - 2)
 
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        """Examples stay as they are; a description is wrapped."""
+        if "\n" in text:
+            return super()._fill_text(text, width, indent)
+        return argparse.HelpFormatter._fill_text(self, text, width, indent)
+
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
@@ -61,6 +67,8 @@ def _hint(message: str, parser: argparse.ArgumentParser) -> str:
 
     words = message.replace("'", " ").replace(":", " ").split()
     known = [option for action in parser._actions for option in (*action.option_strings, *(action.choices or ()))]
+    if "required" in message:
+        return ""
     unknown = [word for word in words if word.startswith("-") or "invalid choice" in message]
     for word in unknown:
         close = difflib.get_close_matches(word, known, n=1, cutoff=0.6)

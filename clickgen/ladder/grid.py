@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 
 from clickgen.emit.ladder_csv import HEADER
 from clickgen.ir.conditions import Compare, Contact
-from clickgen.ladder.operands import condition_of
+from clickgen.ladder.operands import condition_of, missing_address
 from clickgen.ladder.problem import LadderProblem
 from clickgen.ladder.tokens import PIN, height_of, is_own_input_below, pin_row_of
 from clickgen.lower.grid import COLUMNS, MAX_ROWS
@@ -166,7 +166,8 @@ class _Reader:
         elif marker:
             self._fault(f"the line begins with {marker!r}, not with R, # or nothing", row)
         if len(fields) != len(HEADER):
-            self._fault(f"the line has {len(fields)} columns, not {len(HEADER)}: is it cut off?", row)
+            why = ": is it cut off?" if len(fields) < len(HEADER) else ""
+            self._fault(f"the line has {len(fields)} columns, not {len(HEADER)}{why}", row)
             return
         if any("\n" in cell or "\r" in cell for cell in fields):
             self._fault("a cell holds a line break: is a quote missing?", row)
@@ -183,7 +184,9 @@ class _Reader:
         is_down = text[:2] in ("T:", "|:")
         contact = condition_of(text[2:] if is_down else text, Span(self.file, row, 1, row, 2))
         if contact is None:
-            self._fault(f"column {HEADER[column + 1]} holds {text!r}, which is no contact and no wire", row)
+            missing = missing_address(text)
+            why = f"and CLICK has no {missing}" if missing else "which is no contact and no wire"
+            self._fault(f"column {HEADER[column + 1]} holds {text!r}, {why}", row)
         return Square(True, is_down and column > 0, contact)
 
     def _fault(self, message: str, row: int) -> None:

@@ -30,6 +30,7 @@ _COMPARE = re.compile(rf"({_SIDE})\s*(==|!=|<=|>=|<|>)\s*({_SIDE})")
 _EDGE = re.compile(rf"(rise|fall)\(\s*({ADDRESS})\s*\)")
 _CODE = re.compile(r"\$([0-9A-Fa-f]{2})")
 _CONTACT = re.compile(rf"(~?)\s*(?:({ADDRESS})(\.immediate)?|immediate\(\s*({ADDRESS})\s*\))")
+_LIKE_ADDRESS = re.compile(r"\b([A-Z]{1,3})[0-9]{1,9}u?\b")
 _LARGEST_WORD = 0xFFFFFFFF
 """What laddercodec takes for a hexadecimal constant; which of them an instruction takes, a build knows."""
 
@@ -64,6 +65,14 @@ def condition_of(text: str, span: Span) -> Contact | Compare | None:
             return None
         return Compare(compare[2], left, right, span)
     return None
+
+
+def missing_address(text: str) -> str:
+    """The first address in a token that its bank does not have, such as X017; "" when all are there."""
+    for match in _LIKE_ADDRESS.finditer(re.sub(_TEXT, "", text)):
+        if match[1] in BANKS and parse_address(match[0]) is None:
+            return match[0]
+    return ""
 
 
 def embedded(text: str, span: Span) -> EmbeddedText:

@@ -9,16 +9,18 @@ from keyword import iskeyword
 
 from clickgen.device.system import ALWAYS_ON
 from clickgen.instructions.control import FOR, NEXT, NOP
+from clickgen.instructions.raw import RAW
 from clickgen.instructions.spec import Spec
 from clickgen.ir.conditions import Always, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
 from clickgen.ladder.grid import DrawnBox, DrawnRung
-from clickgen.ladder.kept import raw_of
+from clickgen.ladder.kept import fault_of, raw_of
 from clickgen.ladder.network import RAIL, Arc, Network, Place, network_of
+from clickgen.ladder.operands import missing_address
 from clickgen.ladder.problem import LadderProblem
 from clickgen.ladder.reduce import TooEntangled, series, tree_of
-from clickgen.ladder.tokens import NOP_TOKEN, action_of
+from clickgen.ladder.tokens import NOP_TOKEN, action_of, specs_of
 from clickgen.source import Span
 from clickgen.syntax.comments import DIRECTIVE
 
@@ -116,8 +118,21 @@ def _action(drawn: DrawnRung, network: Network, box: DrawnBox, fed: set[Place]) 
         action = raw_of(box.token, span)
     if action is None:
         with_pins = f" with {', '.join(pins)}" if pins else ""
-        raise _problem(drawn, box.row, f"{_shortened(box.token)}{with_pins} is no instruction that CLICK is known for")
+        raise _problem(drawn, box.row, f"{_shortened(box.token)}{with_pins} {_why_unknown(box.token)}")
     return action
+
+
+def _why_unknown(token: str) -> str:
+    """What keeps a token from being an instruction, behind the token."""
+    missing = missing_address(token)
+    if missing:
+        return f"names {missing}, which CLICK does not have"
+    if token.startswith((f"{RAW.name}(", "math(")):
+        fault = fault_of(token)
+        return f"cannot be kept: {fault.message}; {fault.help}" if fault else "stands with inputs that it cannot have"
+    if specs_of(token):
+        return "is not written as CLICK writes it: look at its arguments and its inputs"
+    return "is no instruction that CLICK is known for"
 
 
 def _pin(network: Network, end: Place, fed: set[Place], span: Span) -> Condition:

@@ -19,7 +19,7 @@ from clickgen.instructions.maths import MATH_HEX
 from clickgen.instructions.raw import rows_of
 from clickgen.instructions.spec import REQUIRED, ParamKind, Spec, Variant
 from clickgen.ir.conditions import Condition
-from clickgen.ir.operands import Cell, Range
+from clickgen.ir.operands import Cell, Integer, Range
 from clickgen.ir.program import Action, Value
 from clickgen.ladder.calls import Call, call_of
 from clickgen.ladder.values import value_of
@@ -171,7 +171,8 @@ def _action(spec: Spec, given: Mapping[str, str | Condition], span: Span) -> Act
         if text is None or (param.kind is ParamKind.FLAG and text == "0"):
             continue
         value = value_of(param, text, span, "hex" if spec is MATH_HEX else "decimal") if isinstance(text, str) else text
-        if value is None:
+        # A constant step of a jump is the language's alone: CLICK jumps to the one that a register holds.
+        if value is None or (param.of_pin and isinstance(value, Integer)):
             return None
         args[param.name] = value
     return _shortened(Action(spec, args, span), given)
