@@ -27,20 +27,18 @@ from clickgen.lower.place import PlaceScratch
 from clickgen.lower.scratch import Scratch
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
-from clickgen.resolve.layers import beside_workbook, is_workbook
+from clickgen.resolve.layers import beside_workbook
 from clickgen.resolve.read_table import TableUnreadable, read_table
 from clickgen.resolve.record import record_beside, with_placed
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
+from clickgen.settings import TABLE_NAME, Settings
 from clickgen.source import SourceFile
 from clickgen.syntax.files import read_program
 from clickgen.syntax.parse import decode
 
 __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "KnownNames", "Settings", "build", "check", "known_names"]
-
-TABLE_NAME = "nicknames.csv"
-"""The address table beside a program, when none is named."""
 
 
 @dataclass(frozen=True)
@@ -192,25 +190,6 @@ class KnownNames:
     """The address table with the names of the program, where these agree with it."""
 
 
-@dataclass(frozen=True)
-class Settings:
-    """What a program is built with beside its own text.
-
-    ``nicknames`` names the address table; None is ``nicknames.csv`` beside the program. A workbook that it names is
-    only read: what it lacks stands in ``nicknames.csv`` beside the program. ``table_must_exist`` refuses one that is
-    not there. ``frozen`` forbids choosing addresses; ``reserved`` are never chosen. ``overlay`` gives files
-    contents other than those on disk, by real path. ``wants`` says of a code whether a check should look for it.
-    """
-
-    nicknames: str | os.PathLike[str] | None = None
-    table_must_exist: bool = False
-    frozen: bool = False
-    reserved: tuple[Address, ...] = ()
-    overlay: Mapping[str, bytes] = field(default_factory=dict)
-    wants: Callable[[str], bool] = field(default=lambda _: True)
-    is_part: bool = False
-
-
 @dataclass
 class _Build:
     """A build under way; each stage fills in what the next one needs."""
@@ -293,10 +272,7 @@ def known_names(path: str | os.PathLike[str], settings: Settings | None = None) 
 
 def _run(path: str | os.PathLike[str], settings: Settings, stages: _Stages) -> _Build:
     program = Path(path)
-    named = Path(settings.nicknames) if settings.nicknames is not None else None
-    workbook = named if named is not None and is_workbook(named) else None
-    table = program.parent / TABLE_NAME if named is None or workbook is not None else named
-    state = _Build(program, str(path), table, workbook, settings)
+    state = _Build(program, str(path), settings.table_of(program), settings.workbook, settings)
     for stage, needs_no_errors in stages:
         if needs_no_errors and state.problems.has_errors:
             break

@@ -11,7 +11,8 @@ from pathlib import Path
 import clickgen
 from clickgen.diagnostics import Diagnostic
 from clickgen.fixing import apply_fixes
-from clickgen.pipeline import Settings, check
+from clickgen.pipeline import check
+from clickgen.settings import Settings
 
 
 def found(data: bytes, code: str, folder: Path) -> list[Diagnostic]:

@@ -16,6 +16,7 @@ ROAD = (
     "formula",
     "syntax",
     "resolve",
+    "settings",
     "check",
     "lower",
     "emit",

@@ -43,9 +43,9 @@ from clickgen.ir.conditions import Contact
 from clickgen.ladder.grid import DrawnRung, read_ladder
 from clickgen.ladder.project import DrawnRoutine
 from clickgen.lower.scratch import purpose_of, rung_of
-from clickgen.pipeline import Settings
 from clickgen.resolve.rows import default_row, scratch_name
 from clickgen.resolve.table import AddressTable
+from clickgen.settings import Settings
 
 RUNGS = [
     "    # Start and stop\n    if all(c.Start, nc(c.EStop)):\n        set(c.Running)\n",

@@ -24,7 +24,7 @@ from clickgen.diffing.sides import Side, ladder_side, program_side
 from clickgen.importing.run import Target, import_project
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ladder.grid import DrawnRung
-from clickgen.pipeline import Settings
+from clickgen.settings import Settings
 
 Rows = list[list[str]]
 

@@ -18,7 +18,7 @@ from clickgen.cli import main
 from clickgen.codes import CODES
 from clickgen.importing.run import Target, import_project
 from clickgen.importing.source import write_source
-from clickgen.pipeline import Settings
+from clickgen.settings import Settings
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
 import golden

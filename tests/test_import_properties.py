@@ -32,8 +32,9 @@ import clickgen
 from clickgen.importing import files, run
 from clickgen.importing.run import ImportResult, Target, import_project
 from clickgen.importing.source import write_source
-from clickgen.pipeline import BuildResult, Settings
+from clickgen.pipeline import BuildResult
 from clickgen.resolve.rows import is_scratch
+from clickgen.settings import Settings
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment"
 TABLE = "nicknames.csv"

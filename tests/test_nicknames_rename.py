@@ -18,8 +18,9 @@ from clickgen.diagnostics import CouldNotRun, Diagnostics
 from clickgen.emit.write import ChangedMeanwhile, put_in_place
 from clickgen.nicknames.rename import Rename, rename
 from clickgen.nicknames.uses import comments_with, places_in, read_names
-from clickgen.pipeline import Settings, build
+from clickgen.pipeline import build
 from clickgen.resolve.rows import HEADER
+from clickgen.settings import Settings
 from clickgen.syntax.parse import decode
 
 

@@ -14,8 +14,9 @@ from clickgen.cli import main
 from clickgen.device.banks import BANKS, Address
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.timers import UNITS
-from clickgen.pipeline import Settings, known_names
+from clickgen.pipeline import known_names
 from clickgen.resolve.rows import Row, default_row
+from clickgen.settings import Settings
 from clickgen.stubs.arguments import COMPARISONS
 from clickgen.stubs.stub import MARK, builtins_stub, module_stub
 from clickgen.stubs.text import docstring

@@ -261,3 +261,16 @@ def test_a_subroutine_of_another_file_is_called_by_its_function_or_in_quotes() -
 def test_a_routine_needs_a_function_that_python_takes(function: str) -> None:
     with pytest.raises(LadderProblem, match="cannot have the name"):
         routine_of("Auto Mode", [], False, function)
+
+
+@pytest.mark.parametrize("title", ["Count Parts", "2nd-Line", "Pump rung 3"])
+def test_scratch_cells_are_known_again_in_a_second_build(tmp_path: Path, title: str) -> None:
+    """The reason in the table names the routine, and by it clickgen knows the row for its own."""
+    rungs = "    if all(x[3], nc(c[5])):\n        set(c[5])\n        ctu(ct[1], 10, reset=lambda: x[4])\n"
+    program = f'{main_of("cp")}\n\n@sub("{title}")\ndef cp():\n{rungs}    if True:\n        return\n'
+    first = build(tmp_path, program)
+    assert first.scratch_rows
+    first.write(tmp_path / "out")
+    second = clickgen.build(tmp_path / "plc.py", frozen=True)
+    assert second.ok, second.diagnostics
+    assert second.files == first.files

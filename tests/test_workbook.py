@@ -17,9 +17,9 @@ from clickgen.diagnostics import Diagnostics
 from clickgen.emit.workbook import Project, sheets, workbook
 from clickgen.emit.workbook.book import ROWS_MAX, TEXT_MAX, as_written, clean, to_bytes
 from clickgen.emit.workbook.sheet import Column, Sheet
-from clickgen.pipeline import Settings
 from clickgen.resolve.read_workbook import read_workbook
 from clickgen.resolve.rows import Row
+from clickgen.settings import Settings
 
 DEMO = Path(__file__).parents[1] / "fixtures" / "cases" / "demo" / "prog.py"
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\n"

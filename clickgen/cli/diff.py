@@ -15,10 +15,10 @@ from clickgen.diffing.read import Wanted, read_side
 from clickgen.diffing.run import diff
 from clickgen.diffing.sides import BrokenProgram
 from clickgen.diffing.text import Line, report, summary
-from clickgen.pipeline import Settings
 from clickgen.report import use_color
 from clickgen.report.frames import printable, write_problems
 from clickgen.report.frames import summary as counts
+from clickgen.settings import Settings
 
 _COLORS = {"-": "31", "+": "32"}
 

@@ -12,8 +12,8 @@ from clickgen.cli import OK, PROBLEMS, complain
 from clickgen.cli.jobs import near, settings_of
 from clickgen.diagnostics import CouldNotRun
 from clickgen.importing.run import ImportResult, Target, import_project
-from clickgen.pipeline import Settings
 from clickgen.report.frames import summary, write_problems
+from clickgen.settings import Settings
 from clickgen.wording import counted
 
 _SHOWN_MAX = 10

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from clickgen.config import Config, ProgramSettings, find_config, read_config
 from clickgen.diagnostics import CouldNotRun
-from clickgen.pipeline import Settings
+from clickgen.settings import Settings
 
 
 @dataclass(frozen=True)

@@ -20,11 +20,12 @@ from clickgen.nicknames.merge import Merge
 from clickgen.nicknames.programs import Program
 from clickgen.nicknames.sync import TableSync
 from clickgen.nicknames.uses import FileNames
-from clickgen.pipeline import TABLE_NAME, BuildResult, build
+from clickgen.pipeline import BuildResult, build
 from clickgen.report.frames import summary, write_problems
 from clickgen.resolve.layers import is_workbook
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
+from clickgen.settings import TABLE_NAME
 from clickgen.source import SourceFile
 from clickgen.wording import counted
 

@@ -11,10 +11,11 @@ from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.ladder.grid import DrawnRung, read_ladder
 from clickgen.lower.effects import Cells, reads
-from clickgen.pipeline import TABLE_NAME, BuildResult, Settings, build
+from clickgen.pipeline import BuildResult, build
 from clickgen.resolve.read_table import read_table
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
+from clickgen.settings import TABLE_NAME, Settings
 
 
 def name_key(row: Row) -> tuple[str, str]:

@@ -12,8 +12,8 @@ from clickgen.config import OWN_FILE, PROJECT_FILE, Config, find_config, read_co
 from clickgen.diagnostics import CouldNotRun, Diagnostic
 from clickgen.diffing.revision import Tree, named_revision, open_tree
 from clickgen.diffing.sides import BrokenProgram, Side, is_program, ladder_side, program_side
-from clickgen.pipeline import TABLE_NAME, Settings
 from clickgen.resolve.rows import Row
+from clickgen.settings import TABLE_NAME, Settings
 from clickgen.source import SourceFile, Span
 
 _LADDER_FILES = (".csv", ".json", ".tmp", ".scr")

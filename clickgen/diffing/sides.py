@@ -11,15 +11,17 @@ from pathlib import Path
 from clickgen.device.banks import Address, parse_address
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
 from clickgen.diffing.placing import name_key, placed_alike
-from clickgen.ladder.grid import DrawnRung, Ladder, read_ladder
+from clickgen.ladder.built import built_ladders
+from clickgen.ladder.grid import Ladder
 from clickgen.ladder.problem import LadderProblem
-from clickgen.ladder.project import MAIN, DrawnRoutine, Project, read_project
-from clickgen.pipeline import TABLE_NAME, BuildResult, Settings, build
+from clickgen.ladder.project import DrawnRoutine, Project, read_project
+from clickgen.pipeline import BuildResult, build
 from clickgen.resolve.judge_row import initial_value_fault, retention_fault
 from clickgen.resolve.layers import is_workbook
 from clickgen.resolve.read_table import PROBLEMS_MAX, TableUnreadable, read_table
 from clickgen.resolve.rows import HEADER, Row, format_row, is_scratch
 from clickgen.resolve.table import AddressTable, Entry
+from clickgen.settings import TABLE_NAME, Settings
 from clickgen.source import SourceFile
 
 _PROBLEMS_SHOWN = 20
@@ -99,17 +101,10 @@ def program_side(path: Path, shown: str, settings: Settings, placed: Sequence[Ro
 
 
 def _routines(result: BuildResult, shown: str) -> Iterable[DrawnRoutine]:
-    files = {name: text for name, text in result.files.items() if name.endswith(".csv") and name != TABLE_NAME}
+    ladders = built_ladders(result.files, f"{shown}: ")
     for routine in result.routines:
-        stem = MAIN if routine.is_main else f"subroutines/{routine.name}"
-        # The parts of a long main have numbers of the same length.
-        names = sorted(name for name in files if name == f"{stem}.csv" or name.startswith(f"{stem}_"))
-        names = names if routine.is_main else [f"{stem}.csv"]
-        rungs: list[DrawnRung] = []
-        for name in names:
-            ladder = _whole(read_ladder(files[name], f"{shown}: {name}"), shown)
-            rungs += (rung.numbered(len(rungs) + rung.number) for rung in ladder.rungs)
-        yield DrawnRoutine(routine.name, routine.is_main, tuple(rungs), names[0])
+        rungs = _whole(ladders[routine.name], shown).rungs
+        yield DrawnRoutine(routine.name, routine.is_main, rungs, rungs[0].file if rungs else shown)
 
 
 def _whole(ladder: Ladder, shown: str) -> Ladder:

@@ -6,9 +6,12 @@ import csv
 import io
 from collections.abc import Iterable, Iterator
 from string import ascii_uppercase
+from typing import TYPE_CHECKING
 
 from clickgen.lower.grid import COLUMNS, Grid
-from clickgen.lower.split import ClickRung
+
+if TYPE_CHECKING:
+    from clickgen.lower.split import ClickRung
 
 _CONDITION_COLUMNS = [*ascii_uppercase, *(f"A{letter}" for letter in ascii_uppercase)][:COLUMNS]
 HEADER = ("marker", *_CONDITION_COLUMNS, "AF")

@@ -13,7 +13,8 @@ from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostic
 from clickgen.importing.routines import ImportedRoutine, RungImport
 from clickgen.ir.program import Rung, loops_in
-from clickgen.ladder.grid import DrawnRung, read_ladder
+from clickgen.ladder.built import built_ladders
+from clickgen.ladder.grid import DrawnRung
 from clickgen.pipeline import BuildResult
 from clickgen.source import Span
 
@@ -75,12 +76,12 @@ def _runs(routines: Sequence[ImportedRoutine], result: BuildResult) -> dict[str,
 
     What stands behind the last rung of a program counts to it.
     """
-    drawn = _drawn(result.files)
+    drawn = built_ladders(result.files)
     found: dict[str, list[list[DrawnRung]]] = {}
     for built in result.routines:
         sizes = [len(list(group)) for _, group in groupby(built.rungs, key=lambda rung: rung.span)]
         routine = next((routine for routine in routines if routine.name == built.name), None)
-        rungs = drawn.get(built.name, [])
+        rungs = list(drawn[built.name].rungs) if built.name in drawn else []
         runs = found.setdefault(built.name, [])
         start = group = 0
         for piece in routine.pieces if routine else ():
@@ -103,23 +104,6 @@ def _compared(
     if before != after:
         return Comparison(Likeness.DIFFERENT, "its comment does not come back")
     return compare([drawn], run, scratch, calls)
-
-
-def _drawn(files: Mapping[str, str]) -> dict[str, list[DrawnRung]]:
-    """The rungs of each routine out of the files of a build, main's parts one behind the other."""
-    found: dict[str, list[DrawnRung]] = {}
-    for name, text in sorted(files.items(), key=lambda item: _part(item[0])):
-        if re.fullmatch(r"main(_\d+)?\.csv", name):
-            found.setdefault("main", []).extend(read_ladder(text, name).rungs)
-        elif name.startswith("subroutines/"):
-            stem = name.removeprefix("subroutines/").removesuffix(".csv")
-            found[stem] = list(read_ladder(text, name).rungs)
-    return found
-
-
-def _part(name: str) -> int:
-    match = re.fullmatch(r"main_(\d+)\.csv", name)
-    return int(match[1]) if match else 0
 
 
 # -- what a build refuses ---------------------------------------------------------------------------------------------

@@ -6,14 +6,13 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from clickgen.comparing.same import Likeness
 from clickgen.diagnostics import CouldNotRun, Diagnostic
 from clickgen.emit.write import put_in_place
 from clickgen.importing.declarations import declarations
 from clickgen.importing.files import a_file_each
 from clickgen.importing.nicknames import Nicknames, nicknames_of, no_nicknames
-from clickgen.importing.proof import Redrawn, Verdict, verdict_of
 from clickgen.importing.routines import (
     ImportedRoutine,
     RungImport,
@@ -29,10 +28,13 @@ from clickgen.ir.program import Routine
 from clickgen.ladder.problem import LadderProblem
 from clickgen.ladder.project import MAIN, Project, read_project
 from clickgen.ladder.rungs import import_rung
-from clickgen.pipeline import TABLE_NAME, BuildResult, Settings, build
-from clickgen.resolve.layers import is_workbook
+from clickgen.settings import Settings
 from clickgen.source import SourceFile, Span
 from clickgen.wording import counted
+
+if TYPE_CHECKING:
+    from clickgen.importing.proof import Redrawn, Verdict
+    from clickgen.pipeline import BuildResult
 
 
 @dataclass(frozen=True)
@@ -51,10 +53,7 @@ class Target:
     @property
     def table(self) -> Path:
         """The address table that a build would take."""
-        named = self.settings.nicknames
-        if named is None or is_workbook(Path(named)):
-            return self.program.parent / TABLE_NAME
-        return Path(named)
+        return self.settings.table_of(self.program)
 
 
 @dataclass(frozen=True)
@@ -166,6 +165,9 @@ class _Import:
         Without some of its rungs a program may be refused for another reason, and a rung that a build draws otherwise
         may be written otherwise: so this goes on until nothing changes.
         """
+        from clickgen.comparing.same import Likeness
+        from clickgen.importing.proof import verdict_of
+
         while True:
             verdict = verdict_of(self.routines, self._built())
             is_lost = False
@@ -201,6 +203,8 @@ class _Import:
         self._add("CG702", message, place, "change it in CLICK and import again")
 
     def _built(self) -> BuildResult:
+        from clickgen.pipeline import build
+
         files = {path: text.encode() for path, text in self._texts(as_proof(self.routines)).items()}
         overlay = {os.path.realpath(path): data for path, data in {**files, **self._table()}.items()}
         settings = replace(self.target.settings, overlay={**self.target.settings.overlay, **overlay})

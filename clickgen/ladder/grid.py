@@ -92,6 +92,9 @@ class Ladder:
         return tuple(sorted(found, key=lambda problem: (problem.row, problem.rung)))
 
 
+_PLAIN = {text: Square(*wires) for text, wires in _WIRES.items() if not wires[1]}
+
+
 def decode_ladder(data: bytes, file: str) -> str:
     """The text of a ladder file (UTF-8, with or without a byte order mark). Raises LadderProblem."""
     try:
@@ -169,10 +172,15 @@ class _Reader:
             why = ": is it cut off?" if len(fields) < len(HEADER) else ""
             self._fault(f"the line has {len(fields)} columns, not {len(HEADER)}{why}", row)
             return
-        if any("\n" in cell or "\r" in cell for cell in fields):
+        text = "".join(fields)
+        if "\n" in text or "\r" in text:
             self._fault("a cell holds a line break: is a quote missing?", row)
             return
-        squares = tuple(self._square(cell.strip(), column, row) for column, cell in enumerate(fields[1:-1]))
+        squares = tuple(
+            # Most squares are blank or a wire.
+            _PLAIN.get(cell) or self._square(cell.strip(), column, row)
+            for column, cell in enumerate(fields[1:-1])
+        )
         self.rows.append(DrawnRow(squares, fields[-1].strip(), row))
 
     def _square(self, text: str, column: int, row: int) -> Square:

@@ -6,9 +6,8 @@ import re
 import struct
 import unicodedata
 from functools import lru_cache
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from clickgen.check.facts import Facts
 from clickgen.device.system import WRITABLE_SD
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions import INSTRUCTIONS
@@ -25,6 +24,9 @@ from clickgen.ladder.tokens import NOP_TOKEN, action_of, specs_of
 from clickgen.lower.grid import COLUMNS, MAX_ROWS
 from clickgen.lower.tokens import action_token
 from clickgen.source import Span
+
+if TYPE_CHECKING:
+    from clickgen.check.facts import Facts
 
 _FORMULA = "math"
 _MODES = {"decimal": CALC, "hex": MATH_HEX}

@@ -12,8 +12,8 @@ from clickgen.checking.discover import Target, targets
 from clickgen.config import CheckSettings, Config
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
 from clickgen.nicknames.uses import FileNames, read_names
-from clickgen.pipeline import TABLE_NAME, Settings
 from clickgen.resolve.layers import is_workbook
+from clickgen.settings import TABLE_NAME, Settings
 from clickgen.source import SourceFile
 from clickgen.syntax.files import read_program
 from clickgen.syntax.parse import decode

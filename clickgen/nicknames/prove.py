@@ -11,8 +11,9 @@ from clickgen.diagnostics import CouldNotRun, Diagnostic
 from clickgen.emit.listing import listing
 from clickgen.emit.nickname_csv import nickname_csv
 from clickgen.nicknames.programs import Program
-from clickgen.pipeline import TABLE_NAME, BuildResult, build
+from clickgen.pipeline import BuildResult, build
 from clickgen.resolve.rows import Row
+from clickgen.settings import TABLE_NAME
 
 _LISTING = "listing.txt"
 
