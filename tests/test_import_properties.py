@@ -375,7 +375,7 @@ def check_refuses(plant: Plant, seed: int, damages: bool) -> None:
 
         writer = write if damages else write_otherwise
         with (
-            patch.object(run, "build", built.build),
+            patch("clickgen.pipeline.build", built.build),
             patch.object(run, "write_source", writer),
             patch.object(files, "write_source", writer),
         ):
@@ -424,7 +424,7 @@ def test_rungs_too_many_or_too_few_are_refused(name: str, file: str, tmp_path: P
         result = clickgen.build(*arguments, **others)
         return replace(result, files={**result.files, file: GONE[name](result.files[file])})
 
-    with patch.object(run, "build", build_otherwise):
+    with patch("clickgen.pipeline.build", build_otherwise):
         result = import_project(tmp_path / "bundle", Target(tmp_path / "prog.py"))
     assert "CG703" in {problem.code for problem in result.diagnostics}
     assert not result.files
