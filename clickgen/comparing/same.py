@@ -29,6 +29,8 @@ _Cell = tuple[bool, bool, str]
 
 
 class Likeness(Enum):
+    """What a comparison of two runs of rungs came to."""
+
     IDENTICAL = "identical"
     """Drawn alike, square by square."""
     SAME = "same"
@@ -47,6 +49,7 @@ class Comparison:
 
     @property
     def is_same(self) -> bool:
+        """True when both do the same, however they are drawn."""
         return self.likeness in (Likeness.IDENTICAL, Likeness.SAME)
 
 

@@ -31,6 +31,7 @@ class RungChange:
 
     @property
     def is_logic(self) -> bool:
+        """False where only a comment differs."""
         return self.kind != COMMENTED
 
 
@@ -50,6 +51,7 @@ class RoutineChange:
 
     @property
     def differs(self) -> bool:
+        """True when the routine does something else."""
         return self.kind != SAME or any(change.is_logic for change in self.changes)
 
     @property

@@ -34,6 +34,8 @@ class Keyword:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
+    """``ds.Level >= ds.High``, which may be divided in front of its operator."""
+
     left: str
     op: str
     right: str

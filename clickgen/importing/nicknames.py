@@ -31,6 +31,7 @@ class Nicknames:
 
     @property
     def is_given(self) -> bool:
+        """False where there is no address table, and CLICK's own names are all there are."""
         return self.path is not None
 
 

@@ -108,6 +108,7 @@ def _escaped(character: str) -> str:
 
 
 def condition_piece(condition: Condition) -> Piece:
+    """A condition: ``True``, ``c.Run``, ``nc(x[1])``, ``ds[1] == 5``, ``any(c.A, all(c.B, c.C))``."""
     if isinstance(condition, Always):
         return Atom("True")
     if isinstance(condition, Compare):

@@ -148,6 +148,7 @@ def missing_subroutines(routines: Iterable[ImportedRoutine]) -> list[str]:
 
 
 def calls_of(piece: RungImport) -> Iterator[str]:
+    """The subroutines that a rung calls, by CLICK's names."""
     for rung in piece.rungs:
         for action in actions_in(rung.items):
             if action.spec is CALL:

@@ -76,6 +76,7 @@ class ImportResult:
 
     @property
     def rungs(self) -> int:
+        """The rungs that the source has."""
         return sum(routine.count for routine in self.routines)
 
     @property
@@ -225,6 +226,7 @@ class _Import:
     # -- reporting ----------------------------------------------------------------------------------------------------
 
     def result(self, verdict: Verdict | None) -> ImportResult:
+        """What there is to write and to say; without ``keep_going`` an error leaves nothing to write."""
         table = self.nicknames.table
         files = {path: text.encode() for path, text in self._texts(as_routines(self.routines)).items()}
         files |= self._table()

@@ -35,6 +35,7 @@ class Tree:
     notes: list[str] = field(default_factory=list)
 
     def path(self, node: Place) -> tuple[Arc, ...]:
+        """The arcs from the rail to a node, in their order."""
         path: list[Arc] = []
         while node != RAIL:
             path.append(self.arcs[node])
