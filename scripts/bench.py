@@ -3,13 +3,14 @@
 cold build and cold check of 2,000 rungs against a bare libcst.parse_module of the same file, whole processes;
 growth of the build from 500 to 4,000 rungs;
 a repeated check, and its growth with the number of files, against a bare python -c pass;
-growth of nicknames sync, nicknames check and workbook with the rows of the address table;
+growth of nicknames sync, nicknames check, with a CSV and with a workbook, and workbook with the rows of the table;
 import of a bundle of 500 rungs in 34 routines against pyrung's ladder_to_pyrung of the same bundle;
 clickgen --version against the same.
 """
 
 from __future__ import annotations
 
+import csv
 import shutil
 import statistics
 import subprocess
@@ -101,6 +102,23 @@ def project(rows: int, folder: Path) -> Path:
     folder.mkdir()
     (folder / "nicknames.csv").write_text("\n".join((*lines, "")))
     (folder / "plc.py").write_text(f"def main():\n{''.join(rungs)}    if True:\n        end()\n")
+    return folder / "plc.py"
+
+
+def with_workbook(project: Path) -> Path:
+    """The same program in a folder of its own, its address table as a workbook."""
+    import openpyxl
+
+    folder = project.parent / "listed"
+    if not folder.exists():
+        folder.mkdir()
+        (folder / "plc.py").write_text(project.read_text())
+        book = openpyxl.Workbook(write_only=True)
+        sheet = book.create_sheet("IO")
+        with (project.parent / "nicknames.csv").open(newline="") as file:
+            for row in csv.reader(file):
+                sheet.append(row)
+        book.save(folder / "io.xlsx")
     return folder / "plc.py"
 
 
@@ -202,6 +220,14 @@ def main() -> None:
                 )
             per_row = ", ".join(f"{rows}: {1000 * spent / rows:.2f} ms" for rows, spent in times.items())
             print(f"{what}, time per row as tables grow: {per_row} (linear: it does not rise)")
+
+        times = {}
+        for rows in (2500, 5000, 10000):
+            path = with_workbook(folder / f"table{rows}" / "plc.py")
+            check_list = [*clickgen, "nicknames", "check", "--nicknames", str(path.with_name("io.xlsx")), str(path)]
+            times[rows] = statistics.median(seconds(check_list, lambda: None) for _ in range(3))
+        per_row = ", ".join(f"{rows}: {1000 * spent / rows:.2f} ms" for rows, spent in times.items())
+        print(f"nicknames check with a workbook as the table, time per row: {per_row} (linear: it does not rise)")
 
         plain, verified = imports(folder, clickgen)
         print(f"import of 500 rungs without verification / pyrung: {plain:.2f} (at most 1)")
