@@ -72,6 +72,6 @@ def test_a_comment_is_read_as_it_was(comment: str) -> None:
     assert routine.rungs[0].comment == "\n".join(line.rstrip() for line in comment.split("\n"))
 
 
-@pytest.mark.parametrize("text", ["clickgen: ignore[CG501]", "one\n  clickgen: ignore", "a\0b"])
+@pytest.mark.parametrize("text", ["clickgen: ignore[CG501]", "one\n  clickgen: ignore", "a\0b", "a\ud800b"])
 def test_a_comment_that_would_not_come_back_is_known(text: str) -> None:
     assert not is_comment_kept(text)

@@ -74,6 +74,7 @@ def _said(written: Said) -> Said:
 
 
 def _no_scratch(bank: str, purpose: str, span: Span) -> Cell:
+    """What CLICK holds is not lowered any more, so nobody asks."""
     raise NotImplementedError
 
 

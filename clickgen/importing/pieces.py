@@ -10,7 +10,7 @@ from clickgen.formula import print_source
 from clickgen.importing.layout import Atom, Brackets, Comparison, Keyword, Piece
 from clickgen.instructions.data import SEARCH
 from clickgen.instructions.spec import Param, ParamKind
-from clickgen.ir.conditions import All, Always, Any, Compare, Condition
+from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget, Target, TcpTarget
 from clickgen.ir.operands import (
     Cell,
@@ -31,8 +31,6 @@ from clickgen.lower.tokens import real_token
 
 Names = Mapping[Address, str]
 """The nicknames to write in place of addresses."""
-
-_EDGES = {"rise": "re", "fall": "fe"}
 
 
 class WithNames(Rewriter):
@@ -117,7 +115,7 @@ def condition_piece(condition: Condition) -> Piece:
         opening = "all(" if isinstance(condition, All) else "any("
         return Brackets(opening, tuple(map(condition_piece, condition.terms)), ")")
     operand = Atom(operand_text(condition.operand))
-    function = _EDGES.get(condition.edge, "nc" if condition.negated else "")
+    function = EDGE_FUNCTIONS.get(condition.edge, "nc" if condition.negated else "")
     return Brackets(f"{function}(", (operand,), ")") if function else operand
 
 

@@ -12,6 +12,9 @@ OPPOSITE = {"==": "!=", "!=": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
 MIRRORED = {"==": "==", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
 """The comparison that says the same with its sides exchanged."""
 
+EDGE_FUNCTIONS = {"rise": "re", "fall": "fe"}
+"""How the language writes a contact on an edge."""
+
 
 @dataclass(frozen=True, slots=True)
 class Contact:

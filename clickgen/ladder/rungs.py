@@ -83,15 +83,17 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
 def _comment_remarks(drawn: DrawnRung) -> list[str]:
     """What is to be said of the comment. Raises LadderProblem for one that would not come back."""
     if not is_comment_kept(drawn.comment):
-        message = f"a line of the comment begins with {DIRECTIVE!r}, which speaks to clickgen, or holds a NUL character"
+        message = f"a line of the comment begins with {DIRECTIVE!r}, which speaks to clickgen, or no file can hold it"
         raise LadderProblem(message, drawn.file, drawn.line)
     has_spaces = any(line != line.rstrip() for line in drawn.comment.split("\n"))
     return ["spaces at the ends of the comment's lines are left out"] if has_spaces else []
 
 
 def is_comment_kept(comment: str) -> bool:
-    """False when a line of a comment would be read as something else."""
-    return not any(line.strip().startswith(DIRECTIVE) or "\0" in line for line in comment.split("\n"))
+    """False when a line of a comment would be read as something else, or stands in no UTF-8 file."""
+    if "\0" in comment or any("\ud800" <= character <= "\udfff" for character in comment):
+        return False
+    return not any(line.strip().startswith(DIRECTIVE) for line in comment.split("\n"))
 
 
 def _rung(drawn: DrawnRung, condition: Condition, items: tuple[Item, ...]) -> Rung:

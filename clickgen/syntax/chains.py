@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import NamedTuple, TypeGuard
 
 from clickgen.diagnostics import Edit, Fix
-from clickgen.ir.conditions import All, Any, Compare, Condition, Contact
+from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Any, Compare, Condition, Contact
 from clickgen.ir.logic import are_exclusive, can_hold, decided, implies, looked_at, terms_of
 from clickgen.ir.program import Item
 from clickgen.ir.walk import condition_operands, leaves
@@ -184,5 +184,5 @@ def _text(context: Context, condition: Condition) -> str | None:
         # A register alone is compared with a 0 that stands nowhere.
         return shown[0] if condition.op == "!=" else f"{shown[0]} {condition.op} 0"
     assert isinstance(condition, Contact)
-    word = "nc" if condition.negated else {"rise": "re", "fall": "fe"}.get(condition.edge)
+    word = "nc" if condition.negated else EDGE_FUNCTIONS.get(condition.edge)
     return f"{word}({shown[0]})" if word else shown[0]

@@ -7,7 +7,7 @@ import warnings
 
 from clickgen.device.banks import BANKS, Kind
 from clickgen.diagnostics import Diagnostic, Diagnostics, Fix, did_you_mean
-from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
+from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real
 from clickgen.source import SourceFile
 from clickgen.syntax.context import Context
@@ -23,7 +23,7 @@ COMPARISONS: dict[type[ast.cmpop], str] = {
     ast.GtE: ">=",
 }
 FUNCTIONS = ("all", "any", "nc", "re", "fe")
-_EDGES = {"re": "rise", "fe": "fall"}
+_EDGES = {function: edge for edge, function in EDGE_FUNCTIONS.items()}
 _WAY_OUT = "a condition is a bit, a comparison, all(...), any(...), nc(...), re(...) or fe(...)"
 
 
