@@ -67,7 +67,8 @@ def _hint(message: str, parser: argparse.ArgumentParser) -> str:
 
     words = message.replace("'", " ").replace(":", " ").split()
     known = [option for action in parser._actions for option in (*action.option_strings, *(action.choices or ()))]
-    if "required" in message:
+    # These name flags that are spelled right.
+    if "are required" in message or "expected" in message:
         return ""
     unknown = [word for word in words if word.startswith("-") or "invalid choice" in message]
     for word in unknown:
