@@ -433,6 +433,11 @@ def test_what_a_split_changes_is_found(parts: list[Sequence[str]]) -> None:
             [["immediate(X001) C1 > out(Y001)", "immediate(X001) C2 > out(Y002)"]],
             "looks at the terminal itself",
         ),
+        (
+            ["immediate(X001) T > out(Y001)", "immediate(X001) > "],
+            [["immediate(X001) immediate(X001) > out(Y001)"]],
+            "2 and 2 times",
+        ),
         (["X001 T > end()", ". - > out(C1)"], [["X001 > end()"], ["X001 > out(C1)"]], "stands above outputs"),
         (
             ["X001 T > return()", ". rise(X002) > out(C1)"],
@@ -485,15 +490,6 @@ def test_a_split_that_may_do_something_else_stays_unknown(
     ("whole", "parts"),
     [
         (["rise(X001) T > out(Y001)", ". - > out(C1)"], [["rise(X001) > out(Y001)"], ["rise(X001) > out(C1)"]]),
-        (
-            ["immediate(X001) > out(Y001)", "immediate(X001) > out(C1)"],
-            [
-                ["immediate(X001) > out(C2000)"],
-                ["immediate(X001) > out(C1999)"],
-                ["C2000 > out(Y001)"],
-                ["C1999 > out(C1)"],
-            ],
-        ),
         (['X001 T > call("sub")', ". X002 > out(C1)"], [['X001 > call("sub")'], ["X001 X002 > out(C1)"]]),
         (
             ["immediate(X001) T > out(Y001)", ". - > out(C1)"],

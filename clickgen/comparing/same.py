@@ -109,8 +109,10 @@ def _compared(one: Run, other: Run) -> Comparison:
     if one.doubt or other.doubt:
         return Comparison(Likeness.UNKNOWN, one.doubt or other.doubt)
     compared = _by_power(one, other)
-    if compared.is_same and one.looks != other.looks:
-        name = min(name for name in {*one.looks, *other.looks} if one.looks[name] != other.looks[name])
+    # Between two looks a terminal may change: then any(...) of them is no longer all(...) of them.
+    repeated = sorted(name for name, count in (one.looks | other.looks).items() if count > 1)
+    if compared.is_same and repeated:
+        name = repeated[0]
         times = " and ".join(str(count) for count in sorted((one.looks[name], other.looks[name])))
         reason = f"{name} looks at the terminal itself, {times} times: it may change in between"
         return Comparison(Likeness.UNKNOWN, reason)
