@@ -52,6 +52,7 @@ CODES: dict[str, Code] = {
     "CG121": Code(_E, "the file of an import is missing"),
     "CG122": Code(_E, "files import each other in a circle"),
     "CG123": Code(_E, "the imported file has no such subroutine"),
+    "CG140": Code(_E, "the program could not be judged"),
     # -- names and addresses --------------------------------------------------------------------------------------
     "CG201": Code(_E, "the bank has no such address"),
     "CG202": Code(_E, "the range is empty, reversed or crosses a gap"),

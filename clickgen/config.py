@@ -17,6 +17,11 @@ if TYPE_CHECKING:
 OWN_FILE, PROJECT_FILE = "clickgen.toml", "pyproject.toml"
 
 
+_DEPTH_MAX = 32
+"""Levels of tables and lists: other tools share a pyproject.toml, and some of them nest."""
+_BITS_MAX = 64
+
+
 class ConfigError(CouldNotRun):
     """The settings cannot be used. The message names the file, the key and the way out."""
 
@@ -105,8 +110,11 @@ def _read(path: Path, optional: bool) -> Config | None:
         tree: object = tomllib.loads(path.read_text("utf-8-sig"))
     except OSError as error:
         raise ConfigError(f"{path} cannot be read: {error.strerror or error}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except RecursionError:
+        raise ConfigError(f"{path} is nested too deeply for settings") from None
+    except ValueError as error:  # no TOML, no UTF-8, or a number of thousands of digits
         raise ConfigError(f"{path} is not TOML: {error}") from None
+    _refuse_monsters(path, tree)
     if path.name != OWN_FILE and isinstance(tree, dict) and ("tool" in tree or path.name == PROJECT_FILE):
         tool = tree.get("tool", {})
         if not isinstance(tool, dict) or "clickgen" not in tool:
@@ -115,6 +123,19 @@ def _read(path: Path, optional: bool) -> Config | None:
             raise ConfigError(f"{path} has no [tool.clickgen]")
         return _Table(path, "tool.clickgen", tool["clickgen"]).config()
     return _Table(path, "", tree).config()
+
+
+def _refuse_monsters(path: Path, tree: object) -> None:
+    """Raise ConfigError for what no setting is and no message could show: deep nesting and endless numbers."""
+    waiting: list[tuple[object, int]] = [(tree, 0)]
+    while waiting:
+        value, depth = waiting.pop()
+        if depth > _DEPTH_MAX:
+            raise ConfigError(f"{path} is nested too deeply for settings")
+        if isinstance(value, int) and value.bit_length() > _BITS_MAX:
+            raise ConfigError(f"{path} holds a number of {value.bit_length()} bits; no setting is that large")
+        inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+        waiting += ((one, depth + 1) for one in inner)
 
 
 class _Table:

@@ -8,6 +8,9 @@ from typing import NamedTuple
 from clickgen.codes import CODES, Severity
 from clickgen.source import Span
 
+TRACEBACK = "CLICKGEN_TRACEBACK"
+"""The environment variable that lets an internal error through, for those who mend it."""
+
 
 class CouldNotRun(Exception):
     """There is nothing to judge: a file is missing or unreadable, an output folder unusable. The message says which."""

@@ -12,3 +12,8 @@ def quoted(text: str) -> str:
     """A text in quotes, double ones where it can be: ``"Auto Mode"``."""
     shown = repr(text)
     return shown if '"' in text else f'"{shown[1:-1]}"'
+
+
+def as_utf8(text: str) -> str:
+    """Text that UTF-8 can hold: the bytes of a file name that is no text become escapes such as ``\\udcff``."""
+    return text.encode(errors="backslashreplace").decode()

@@ -39,7 +39,7 @@ def read_baseline(path: Path) -> Counter[Key] | None:
         return None
     except OSError as error:
         raise CouldNotRun(f"{path} cannot be read: {error.strerror or error}") from None
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, OverflowError, RecursionError):
         raise CouldNotRun(f"{path} is no baseline that clickgen made; delete it and make it anew") from None
 
 

@@ -135,6 +135,7 @@ class _Repository:
         self._reals: dict[str, str] = {}
         self._files: dict[str, _File] = {}
         self._programs: dict[str, list[str]] = {}
+        self._parts: dict[str, set[str]] = {}
 
     # -- targets ------------------------------------------------------------------------------------------------------
 
@@ -244,6 +245,11 @@ class _Repository:
 
     def _imported(self, program: str) -> set[str]:
         """Every file that a program is made of, itself aside, by its real path."""
+        if program not in self._parts:
+            self._parts[program] = self._reached(program)
+        return self._parts[program]
+
+    def _reached(self, program: str) -> set[str]:
         seen: set[str] = set()
         waiting = [program]
         while waiting:

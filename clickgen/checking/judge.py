@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from clickgen.check.select import Selection
 from clickgen.checking.cache import Cache, Cached, key_of
 from clickgen.checking.discover import Target
+from clickgen.diagnostics import TRACEBACK, CouldNotRun, Diagnostic
+from clickgen.source import Span
 
 if TYPE_CHECKING:
     from clickgen.device.banks import Address
@@ -41,9 +43,9 @@ class Judge(NamedTuple):
             if cached is not None:
                 found[target] = cached
         waiting = [target for target in targets if target not in found]
-        for target, (cached, reads) in self._judged(waiting):
+        for target, (cached, reads) in self._judged(waiting, is_one_of_many=len(targets) > 1):
             found[target] = cached
-            if not self.overlay:
+            if reads and not self.overlay:
                 self.cache.put(keys[target], cached, reads)
             self.progress(len(found))
         return found
@@ -51,16 +53,37 @@ class Judge(NamedTuple):
     def _key(self, target: Target) -> str:
         return key_of(target, self.reserved, self.selection)
 
-    def _judged(self, targets: list[Target]) -> Iterator[tuple[Target, Judged]]:
+    def _judged(self, targets: list[Target], is_one_of_many: bool) -> Iterator[tuple[Target, Judged]]:
+        judged = judged_at_any_rate if is_one_of_many else judge
         cores = min(len(targets), os.cpu_count() or 1)
         if len(targets) < _MANY or cores < 2:
-            yield from ((target, judge(target, self.selection, self.reserved, self.overlay)) for target in targets)
+            yield from ((target, judged(target, self.selection, self.reserved, self.overlay)) for target in targets)
             return
         from concurrent.futures import ProcessPoolExecutor
 
         with ProcessPoolExecutor(cores) as pool:
-            tasks = [pool.submit(judge, target, self.selection, self.reserved, self.overlay) for target in targets]
+            tasks = [pool.submit(judged, target, self.selection, self.reserved, self.overlay) for target in targets]
             yield from ((target, task.result()) for target, task in zip(targets, tasks, strict=True))
+
+
+def judged_at_any_rate(
+    target: Target, selection: Selection, reserved: tuple[Address, ...], overlay: Mapping[str, bytes]
+) -> Judged:
+    """``judge`` of one program of several: what keeps this one from being judged is its problem, and not the others'.
+
+    Such a problem is not remembered: nothing says what it depends on.
+    """
+    try:
+        return judge(target, selection, reserved, overlay)
+    except CouldNotRun as error:
+        reason, help = str(error), "mend this, and check again"
+    except Exception as error:
+        if os.environ.get(TRACEBACK):
+            raise
+        reason = f"internal error: {type(error).__name__}: {error}"
+        help = f"this is a fault of clickgen: please report it with the program; {TRACEBACK}=1 shows where it happened"
+    problem = Diagnostic("CG140", reason, Span(target.path, 1, 1, 1, 2), help)
+    return Cached((problem,), ()), {}
 
 
 def judge(target: Target, selection: Selection, reserved: tuple[Address, ...], overlay: Mapping[str, bytes]) -> Judged:

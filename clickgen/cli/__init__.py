@@ -12,9 +12,6 @@ from typing import NoReturn
 OK, PROBLEMS, COULD_NOT_RUN = 0, 1, 2
 """Exit codes: done; problems in the program; there was nothing to judge (no such file, bad flag, unreadable table)."""
 
-TRACEBACK = "CLICKGEN_TRACEBACK"
-"""The environment variable that lets an internal error through, for those who mend it."""
-
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code. Never a traceback: what is unforeseen asks to be reported."""
@@ -32,6 +29,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Exception as error:
         if isinstance(error.__cause__, KeyboardInterrupt):  # Python wraps one that comes while a class is made.
             return _interrupted()
+        from clickgen.diagnostics import TRACEBACK
+
         reason = _reason(error)
         if reason is None and os.environ.get(TRACEBACK):
             raise

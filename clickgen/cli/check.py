@@ -167,7 +167,7 @@ def _request(options: argparse.Namespace, config: Config, progress: Callable[[in
         (*(settings.ignore if select is None else ()), *(_joined(options.ignore) or ())),
     )
     paths = tuple(options.paths)
-    stdin = sys.stdin.buffer.read() if paths == ("-",) else None
+    stdin = _standard_input() if paths == ("-",) else None
     if stdin is not None:
         paths = (options.stdin_filename or "stdin.py",)
     return Request(
@@ -181,6 +181,13 @@ def _request(options: argparse.Namespace, config: Config, progress: Callable[[in
         progress,
         _baseline(Path(options.baseline)) if options.baseline else None,
     )
+
+
+def _standard_input() -> bytes:
+    """The program on the standard input. Raises CouldNotRun when whoever started the command closed it."""
+    if sys.stdin is None:
+        raise CouldNotRun("the standard input is closed: clickgen check - < prog.py")
+    return sys.stdin.buffer.read()
 
 
 def _joined(lists: list[list[str]] | None) -> tuple[str, ...] | None:

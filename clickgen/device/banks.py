@@ -174,6 +174,10 @@ def points_of(word: Address) -> list[Address]:
     return [Address(TWIN_BANKS[word.bank], number) for number in range(first, first + 16)]
 
 
+_DIGITS_MAX = 4
+"""The largest number is DS4500; int() refuses a text of thousands of digits."""
+
+
 def parse_address(text: str) -> Address | None:
     """Read an address as CLICK writes it (``X001``, ``DS17``, ``XD0u``; any case), or None if it is none."""
     text = text.strip()
@@ -186,6 +190,9 @@ def parse_address(text: str) -> Address | None:
     if upper:
         digits = digits[:-1]
     if not digits.isascii() or not digits.isdigit():
+        return None
+    digits = digits.lstrip("0") or "0"
+    if len(digits) > _DIGITS_MAX:
         return None
     number = int(digits)
     if upper and (name not in UPPER_BYTE_BANKS or number != 0):

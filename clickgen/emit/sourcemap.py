@@ -9,6 +9,7 @@ from functools import cache
 
 from clickgen.lower.split import ClickRoutine
 from clickgen.resolve.rows import Row
+from clickgen.wording import as_utf8
 
 FORMAT = 1
 """The version of the file's form."""
@@ -23,13 +24,15 @@ def source_map(routines: Iterable[ClickRoutine], scratch: Iterable[Row], files: 
     rows = []
     for routine in routines:
         rungs = [
-            json.dumps(
-                {
-                    "rung": number,
-                    "file": _relative(rung.span.path, base),
-                    "lines": [rung.span.line, rung.span.end_line],
-                },
-                ensure_ascii=False,
+            as_utf8(  # JSON knows these escapes
+                json.dumps(
+                    {
+                        "rung": number,
+                        "file": _relative(rung.span.path, base),
+                        "lines": [rung.span.line, rung.span.end_line],
+                    },
+                    ensure_ascii=False,
+                )
             )
             for number, rung in enumerate(routine.rungs, 1)
         ]

@@ -11,7 +11,7 @@ from clickgen.importing.pieces import operand_text, quoted
 from clickgen.ir.operands import Cell, Immediate, Named
 from clickgen.ir.program import Routine
 from clickgen.ir.walk import rung_operands
-from clickgen.resolve.rows import Row, default_row
+from clickgen.resolve.rows import Row, default_row, initial_fault
 from clickgen.source import Span
 
 _HERE = Span("", 1, 1, 1, 2)
@@ -42,7 +42,8 @@ def _declaration(row: Row) -> Piece:
         Atom(operand_text(Cell(address, _HERE))),
     ]
     if not BANKS[address.bank].settings_fixed:
-        if row.initial not in ("", "0", plain.initial):
+        # A value that the bank cannot hold is an error of the table, which the import has reported.
+        if row.initial not in ("", "0", plain.initial) and initial_fault(address.kind, row.initial) is None:
             parts.append(Keyword("initial=", Atom(_initial(row))))
         if row.retentive != plain.retentive:
             parts.append(Keyword("retentive=", Atom(str(row.retentive))))

@@ -20,7 +20,9 @@ from clickgen.source import Span
 
 BOM = b"\xef\xbb\xbf"
 
-_NICKNAME = re.compile(r'((?:"[^"]*"|[^",]*),(?:"[^"]*"|[^",]*),)("(?:[^"]|"")*"|[^",]*)')
+_FIELD = r'(?:"(?:[^"]|"")*"|[^",][^,]*|)'
+"""A field as the csv module reads it: quotes count where a field begins with one."""
+_NICKNAME = re.compile(rf"({_FIELD},{_FIELD},)({_FIELD})")
 """A row up to its nickname, and the nickname as it is written."""
 
 

@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.ir.imports import Import
@@ -29,7 +30,7 @@ def read_program(
     content = read_file(source, problems)
     if content is None:
         return None, tuple(files.sources)
-    files.enter(source.path, content)
+    files.enter(content)
     # A routine that two files import is one routine.
     routines = {id(routine): routine for routine in files.routines(content)}
     wanted = {name for item in content.items if isinstance(item, Import) for name, _ in item.names}
@@ -45,6 +46,17 @@ def read_program(
     return program, tuple(files.sources)
 
 
+class _Visit(NamedTuple):
+    """A file that is being taken in, and the imports that are left."""
+
+    content: FileContent
+    imports: Iterator[Import]
+
+
+_CHAIN_SHOWN = 12
+"""The files of a circle that a message names."""
+
+
 @dataclass
 class _Files:
     """Every file that was read, each once, and the path from the program to the one being read."""
@@ -55,19 +67,30 @@ class _Files:
     declarations: list[Declaration] = field(default_factory=list)
     blocks: list[BlockDeclaration] = field(default_factory=list)
     _contents: dict[str, FileContent | None] = field(default_factory=dict)
-    _open: list[str] = field(default_factory=list)
+    _open: dict[str, None] = field(default_factory=dict)
+    """The files from the program to the one being taken in, in this order."""
 
-    def enter(self, path: str, content: FileContent) -> None:
-        """Take in a file and, before it, what it imports."""
-        key = _key(path)
+    def enter(self, content: FileContent) -> None:
+        """Take in a file and, before it, everything that it imports, however long that chain is."""
+        waiting = [self._visit(content)]
+        while waiting:
+            visit = waiting[-1]
+            item = next(visit.imports, None)
+            if item is None:
+                waiting.pop()
+                self._open.pop(_key(visit.content.path))
+                self.declarations += (one for one in visit.content.items if isinstance(one, Declaration))
+                self.blocks += (one for one in visit.content.items if isinstance(one, BlockDeclaration))
+                continue
+            imported = self._import(visit.content.path, item)
+            if imported is not None:
+                waiting.append(self._visit(imported))
+
+    def _visit(self, content: FileContent) -> _Visit:
+        key = _key(content.path)
         self._contents[key] = content
-        self._open.append(key)
-        for item in content.items:
-            if isinstance(item, Import) and item.module:
-                self._import(path, item)
-        self._open.pop()
-        self.declarations += (item for item in content.items if isinstance(item, Declaration))
-        self.blocks += (item for item in content.items if isinstance(item, BlockDeclaration))
+        self._open[key] = None
+        return _Visit(content, (item for item in content.items if isinstance(item, Import) and item.module))
 
     def routines(self, content: FileContent) -> Iterator[Routine]:
         """The routines of the program: those of its own file, then those that it imports, in the order of the text."""
@@ -87,38 +110,41 @@ class _Files:
             for routine in self._subroutines(_sibling(content.path, item.module))
         }
 
-    def _import(self, importer: str, item: Import) -> None:
+    def _import(self, importer: str, item: Import) -> FileContent | None:
+        """The file that an import brings in, when this is the first time."""
         path = _sibling(importer, item.module)
         key = _key(path)
         if key in self._open:
-            chain = [os.path.basename(file) for file in (*self._open[self._open.index(key) :], key)]
+            opened = list(self._open)
+            chain = [os.path.basename(file) for file in (*opened[opened.index(key) :], key)]
+            if len(chain) > _CHAIN_SHOWN:
+                chain[_CHAIN_SHOWN // 2 : -_CHAIN_SHOWN // 2] = ["..."]
             self.problems.add(
                 "CG122",
                 item.span,
                 f"files import each other in a circle: {' -> '.join(chain)}",
                 "put what both need into a third file",
             )
-        else:
-            if key not in self._contents:
-                self._read(path, key, item.span)
-            self._check_names(path, item)
+            return None
+        is_new = key not in self._contents
+        content = self._contents[key] = self._read(path, item.span) if is_new else self._contents[key]
+        self._check_names(path, item)
+        return content if is_new else None
 
-    def _read(self, path: str, key: str, span: Span) -> None:
-        self._contents[key] = None
+    def _read(self, path: str, span: Span) -> FileContent | None:
+        """The content of an imported file; None, with a problem, where it cannot be read."""
         try:
             data = self.read_bytes(path)
         except OSError as error:
             missing = isinstance(error, FileNotFoundError)
             fault = f"there is no file {path}" if missing else f"{path} cannot be read: {error.strerror or error}"
             self.problems.add("CG121", span, fault, self._hint(path) if missing else "make it a readable file")
-            return
+            return None
         source = decode(path, data, self.problems)
         if source is None:
-            return
+            return None
         self.sources.append(source)
-        content = read_file(source, self.problems)
-        if content is not None:
-            self.enter(path, content)
+        return read_file(source, self.problems)
 
     def _hint(self, path: str) -> str:
         name = os.path.basename(path)

@@ -32,6 +32,7 @@ _LABEL = re.compile(r"[A-Za-z0-9 _-]{1,24}")
 _DEVICE_IDS = {"ModbusTcpTarget": TCP_DEVICE_MAX, "ModbusRtuTarget": RTU_DEVICE_MAX}
 
 _HEX = re.compile(r"([0-9A-Fa-f]{1,4})h")
+_DECIMAL = re.compile(r"[0-9]{1,20}")
 _REMOTE = 'remote_start="DS1", or ModbusAddress(address=400001)'
 
 
@@ -185,7 +186,7 @@ def _modbus_number(context: Context, node: ast.expr) -> tuple[int | None, bool]:
         return int(match[1], 16), True
     if type(value) is int and context.text(node)[:2].lower() == "0x" and value <= HEX_MAX:
         return value, True
-    if isinstance(value, str) and value.isascii() and value.isdigit():
+    if isinstance(value, str) and _DECIMAL.fullmatch(value):
         value = int(value)
     if type(value) is int and register_type_of(value):
         return value, False

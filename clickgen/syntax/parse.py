@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 import warnings
 
 from clickgen.diagnostics import Diagnostics
@@ -13,6 +14,11 @@ MAX_DEPTH = 100
 """How deep the syntax tree may be: far beyond any rung, and safe for every recursive walk."""
 _TERMS_MAX = 1000
 """Terms of one ``and`` or ``or``: level for Python, and far beyond any rung."""
+_BITS_MAX = 64
+"""CLICK's largest integers have 32 bits. Past some thousand digits Python cannot even print one."""
+_LARGEST = "DD holds -2147483648..2147483647; DF holds larger numbers, written 1.0E+12"
+_LONG_NUMBER = re.compile(r"[0-9A-Fa-f_]{17,}")
+"""No literal of more than 64 bits is shorter than this in hexadecimal, the densest notation."""
 
 
 def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
@@ -72,8 +78,25 @@ def parse_tree(source: SourceFile, problems: Diagnostics) -> ast.Module | None:
             _SPLIT,
         )
         return None
+    return None if _report_huge(source, tree, problems) else tree
 
-    return tree
+
+def _report_huge(source: SourceFile, tree: ast.Module, problems: Diagnostics) -> bool:
+    """Report every integer that no register can hold and no message can show; True when there is one."""
+    if not _LONG_NUMBER.search(source.text):
+        return False
+    found = False
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Constant) and type(node.value) is int and node.value.bit_length() > _BITS_MAX:
+            found = True
+            start, end = (source.column(node.lineno, offset) for offset in (node.col_offset, node.end_col_offset or 0))
+            problems.add(
+                "CG113",
+                source.span(node.lineno, start, node.lineno, end),
+                f"this number has {node.value.bit_length()} bits; CLICK's largest integers have 32",
+                _LARGEST,
+            )
+    return found
 
 
 def _syntax_problem(source: SourceFile, error: SyntaxError, problems: Diagnostics) -> None:
@@ -84,6 +107,10 @@ def _syntax_problem(source: SourceFile, error: SyntaxError, problems: Diagnostic
         end_line, end_col = line, col + 1
     if "too many" in error.msg:  # levels of indentation, nested parentheses
         problems.add("CG118", source.span(line, col, line, col + 1), f"this is nested too deeply: {error.msg}", _SPLIT)
+        return
+    if error.msg.startswith("Exceeds the limit"):  # of digits
+        fault = "this number is too long: CLICK's largest integers have 32 bits"
+        problems.add("CG113", source.span(line, col, end_line, end_col), fault, _LARGEST)
         return
     problems.add(
         "CG101",
