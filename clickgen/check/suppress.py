@@ -17,7 +17,7 @@ from clickgen.diagnostics import Diagnostic, Diagnostics, Edit, Fix, did_you_mea
 from clickgen.source import SourceFile, Span
 
 _DIRECTIVE = re.compile(
-    r"#\s*(?P<name>clickgen)(?P<colon>\s*:)?\s*(?P<word>[\w-]*)\s*(?:\[(?P<codes>[^\]]*)\])?", re.IGNORECASE
+    r"#\s*(?P<name>clickgen)(?P<colon>\s*:)?\s*(?P<word>[\w-]*)\s*(?:\[(?P<codes>[^\]#]*)\])?", re.IGNORECASE
 )
 _WORDS = ("ignore", "file-ignore")
 _UNUSED = "CG525"
@@ -49,13 +49,45 @@ def silenced(
     """The findings that are left, and those that a comment silences."""
     left: list[Diagnostic] = []
     gone: list[Diagnostic] = []
-    directives = list(directives)
+    near = _Index(directives)
     for finding in findings:
-        by = [directive for directive in directives if directive.silences(finding)]
+        by = [directive for directive in near(finding) if directive.silences(finding)]
         for directive in by:
             directive.used.add(finding.code)
         (gone if by else left).append(finding)
     return left, gone
+
+
+class _Index:
+    """Directives by file, code and line, so that each finding looks at those near it."""
+
+    def __init__(self, directives: Iterable[Directive]) -> None:
+        self._wide: dict[tuple[str, str], list[Directive]] = {}
+        """Those that speak of many lines."""
+        self._narrow: dict[tuple[str, str], dict[int, list[Directive]]] = {}
+        for directive in directives:
+            for code in directive.codes:
+                key = directive.span.path, code
+                if directive.last - directive.first >= _MANY_LINES:
+                    self._wide.setdefault(key, []).append(directive)
+                    continue
+                lines = self._narrow.setdefault(key, {})
+                for line in range(directive.first, directive.last + 1):
+                    lines.setdefault(line, []).append(directive)
+
+    def __call__(self, finding: Diagnostic) -> list[Directive]:
+        """Every directive that may silence this finding, each once."""
+        if finding.span is None:
+            return []
+        key = finding.span.path, finding.code
+        lines = self._narrow.get(key, {})
+        own = range(finding.span.line, finding.span.end_line + 1)
+        near = own if len(own) < len(lines) else lines
+        found = [*self._wide.get(key, ()), *(one for line in near for one in lines.get(line, ()))]
+        return list({id(one): one for one in found}.values())
+
+
+_MANY_LINES = 50
 
 
 def read_directives(source: SourceFile, problems: Diagnostics) -> list[Directive]:
@@ -67,7 +99,7 @@ def read_directives(source: SourceFile, problems: Diagnostics) -> list[Directive
         tree = ast.parse(source.text)
     except (SyntaxError, tokenize.TokenError):
         return []
-    statements = {node.lineno: _extent(node) for node in ast.walk(tree) if isinstance(node, ast.stmt)}
+    statements = _Statements(tree)
     code_lines = {token.start[0] for token in tokens if token.type not in _BLANK}
     found: list[Directive] = []
     for token in tokens:
@@ -93,6 +125,23 @@ def _is_well_written(match: re.Match[str]) -> bool:
 _BLANK = (tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER)
 
 
+class _Statements:
+    """The statements of a file, by line."""
+
+    def __init__(self, tree: ast.Module) -> None:
+        self.heads: dict[int, tuple[int, int]] = {}
+        """What a comment after code on a line speaks of, where that is more than the line: decorators and their def."""
+        self.starts: dict[int, tuple[int, int]] = {}
+        """What a comment above a line speaks of; between a decorator and its routine that is the routine."""
+        extents = {node.lineno: _extent(node) for node in ast.walk(tree) if isinstance(node, ast.stmt)}
+        for line, extent in extents.items():
+            if line == extent[1]:
+                for each in range(extent[0], line + 1):
+                    self.heads[each] = max(extent, self.heads.get(each, extent))
+            for each in (line, extent[0]):
+                self.starts[each] = max(extent, self.starts.get(each, extent), key=lambda one: one[1])
+
+
 def _extent(node: ast.stmt) -> tuple[int, int]:
     """The lines that a comment above a statement speaks of: a whole rung, but of a routine only its head."""
     if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
@@ -105,7 +154,7 @@ def _read(
     span: Span,
     match: re.Match[str],
     stands_alone: bool,
-    statements: dict[int, tuple[int, int]],
+    statements: _Statements,
     problems: Diagnostics,
 ) -> Iterator[Directive]:
     word, listed = match["word"], match["codes"]
@@ -132,15 +181,12 @@ def _read(
     if word == "file-ignore":
         yield Directive(span, codes, 1, len(source.lines))
     elif not stands_alone:
-        heads = [extent for line, extent in statements.items() if extent[0] <= span.line <= line == extent[1]]
-        yield Directive(span, codes, *max(heads, default=(span.line, span.line)))
+        yield Directive(span, codes, *statements.heads.get(span.line, (span.line, span.line)))
     else:
         below = span.line + 1
         while source.line(below).lstrip().startswith("#"):
             below += 1
-        # Between a decorator and its routine a comment speaks of the routine.
-        starts = [extent for line, extent in statements.items() if below in (line, extent[0])]
-        yield Directive(span, codes, *max(starts, key=lambda extent: extent[1], default=(span.line, span.line)))
+        yield Directive(span, codes, *statements.starts.get(below, (span.line, span.line)))
 
 
 # -- writing them ----------------------------------------------------------------------------------------------------

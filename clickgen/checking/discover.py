@@ -108,7 +108,7 @@ class _File:
 
     @cached_property
     def _code(self) -> str:
-        return _TEXTS.sub("", self._text)
+        return _code_of(self._text)
 
     @cached_property
     def is_program(self) -> bool:
@@ -322,12 +322,30 @@ def _steps(pattern: str, root: str) -> tuple[str, ...]:
 
 
 def _meets(names: tuple[str, ...], steps: tuple[str, ...]) -> bool:
-    """True when the steps lead to the path or to a folder above it. A pattern without a name leads nowhere."""
-    if steps[:1] == ("**",):
-        return len(steps) == 1 or any(_meets(names[start:], steps[1:]) for start in range(len(names)))
-    if not (names and steps and fnmatch(names[0], steps[0])):
-        return False
-    return len(steps) == 1 or _meets(names[1:], steps[1:])
+    """True when the steps lead to the path or to a folder above it. A pattern without a name leads nowhere.
+
+    Each name is compared with the steps that can be reached there, each once: no pattern makes it try more.
+    """
+    while len(steps) > 1 and steps[-1] == "**":
+        steps = steps[:-1]
+    reached = {0} if steps else set()
+    for name in names:
+        reached = {beyond for step in reached for beyond in _beyond(steps, step, name)}
+        if len(steps) in reached:
+            return True
+    return False
+
+
+def _beyond(steps: tuple[str, ...], step: int, name: str) -> Iterator[int]:
+    """The steps that can follow when a name has come to ``step``; ``**`` takes any number of names."""
+    while steps[step] == "**":
+        yield step
+        step += 1
+        if step == len(steps):
+            yield step
+            return
+    if fnmatch(name, steps[step]):
+        yield step + 1
 
 
 # -- which files are programs -----------------------------------------------------------------------------------------
@@ -346,17 +364,25 @@ _OWN_WORDS = BANK_WORDS | CALL_WORDS | {"sub"}
 _BUILTINS = {"set"}
 """What every Python program may call."""
 
+_ESCAPED = re.compile(r"\\[^\n]")
 _TEXTS = re.compile(
     r"""(?=["'#<=>|])(?:"""
-    r'"""(?:\\.|[^\\])*?"""'
-    r"|'''(?:\\.|[^\\])*?'''"
-    r'|"(?:\\.|[^"\\\n])*"'
-    r"|'(?:\\.|[^'\\\n])*'"
+    r'"""[^"]*+(?:"(?!"")[^"]*+)*+"""'
+    r"|'''[^']*+(?:'(?!'')[^']*+)*+'''"
+    r'|"[^"\n]*+"'
+    r"|'[^'\n]*+'"
     r"|#[^\n]*"
     r"|^(?:<{7}|={7}|>{7}|\|{7})(?: [^\n]*)?$)",
     re.MULTILINE | re.DOTALL,
 )
-"""What is no code: texts in quotes, comments, the marks of a merge."""
+"""Everything that is not code: texts in quotes, comments, the marks of a merge. See ``_code_of``."""
+
+
+def _code_of(text: str) -> str:
+    """The code in a text. An escaped quote ends no text; without those, no look for an end is ever repeated."""
+    return _TEXTS.sub("", _ESCAPED.sub("__", text) if "\\" in text else text)
+
+
 _NAME = re.compile(r"([A-Za-z_@.]\w*)([\w.]*)[ \t]*([\[(]?)")
 """A name, what hangs on it with dots, and the bracket behind. One behind a dot or an @ is no name of its own."""
 _MAKING = re.compile(r"(?:def|class|import)[ \t]+(\w+)")
@@ -378,7 +404,7 @@ def is_program(text: str) -> bool:
     clickgen's when it uses one of them, ``c.Auto``, ``y[1]`` or ``out(...)``, and nowhere makes a name like it. That
     holds however broken the rest is.
     """
-    return _is_program(_TEXTS.sub("", text))
+    return _is_program(_code_of(text))
 
 
 def _is_program(code: str) -> bool:
@@ -420,7 +446,7 @@ def _is_made_of_rungs(code: str) -> bool:
 # -- what stands in a file --------------------------------------------------------------------------------------------
 
 _MAIN = re.compile(r"^(?:async[ \t]+)?def[ \t]+main\b", re.MULTILINE)
-_IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+\.?[ \t]*(\w+)[ \t]+import\b|import[ \t]+([\w., \t]+))", re.MULTILINE)
+_IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+(?:\.[ \t]*)?(\w+)[ \t]+import\b|import[ \t]+([\w., \t]+))", re.MULTILINE)
 
 
 def _siblings(text: str, path: str) -> Iterator[str]:

@@ -139,7 +139,8 @@ def _look(request: Request, found: Sequence[Target], overlay: Mapping[str, bytes
     # A file of several programs has its findings once.
     findings = list(dict.fromkeys(finding for cached in judged.values() for finding in cached.findings))
     left, about = _heard(request, findings, checked, judged, overlay)
-    shown = [finding for finding in (*left, *about) if not _is_ignored_there(finding, request.config)]
+    ignored = _Ignored(request.config)
+    shown = [finding for finding in (*left, *about) if not ignored(finding)]
     outcome = Outcome(tuple(sorted(shown, key=lambda finding: finding.sort_key)), checked, overlay=dict(overlay))
     if request.baseline is None:
         return outcome
@@ -169,7 +170,8 @@ def _heard(
             sources.append(source)
             directives += read_directives(source, problems)
     # What the settings silence needs no comment either.
-    waiting = [finding for finding in findings if not _is_ignored_there(finding, request.config)]
+    ignored = _Ignored(request.config)
+    waiting = [finding for finding in findings if not ignored(finding)]
     left, _ = silenced(waiting, directives)
     whole = wholly_judged([source.path for source in sources], judged, request.config, overlay)
     for source in sources:
@@ -189,15 +191,22 @@ def _bytes(path: str, overlay: Mapping[str, bytes]) -> bytes:
     return Path(path).read_bytes() if data is None else data
 
 
-def _is_ignored_there(finding: Diagnostic, config: Config) -> bool:
-    """True for a warning that the settings silence in its file."""
-    if finding.span is None or finding.is_error or not config.check.per_file_ignores:
-        return False
-    path = finding.span.path
-    return any(
-        finding.code.startswith(codes) and matches(pattern, path, config.root)
-        for pattern, codes in config.check.per_file_ignores
-    )
+class _Ignored:
+    """Which warnings the settings silence in their files; each file meets each pattern once."""
+
+    def __init__(self, config: Config) -> None:
+        self._root = config.root
+        self._patterns = config.check.per_file_ignores
+        self._codes: dict[str, tuple[str, ...]] = {}
+
+    def __call__(self, finding: Diagnostic) -> bool:
+        if finding.span is None or finding.is_error or not self._patterns:
+            return False
+        path = finding.span.path
+        if path not in self._codes:
+            met = (codes for pattern, codes in self._patterns if matches(pattern, path, self._root))
+            self._codes[path] = tuple({code: None for codes in met for code in codes})
+        return finding.code.startswith(self._codes[path])
 
 
 def _judged_codes(request: Request, path: str, judged: Mapping[Target, Cached]) -> list[str]:

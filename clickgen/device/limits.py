@@ -36,6 +36,8 @@ _STYLES = (
     (re.compile(r"(?<!\w)_(.+?)_(?!\w)", re.DOTALL), "i"),
 )
 """Marks that become bold, underlined or italic text in turn, and RTF's word for each."""
+_STYLED_MAX = 2 * COMMENT_BYTES_MAX
+"""The characters in which marks are looked for."""
 _LINE_BREAK = 5
 """The bytes of a line break in RTF."""
 
@@ -45,7 +47,8 @@ def comment_bytes(comment: str) -> int:
     text = "".join(map(_down_converted, comment.translate(_SUBSTITUTES)))
     for character in "\\{}":
         text = text.replace(character, "\\" + character)
-    for pattern, word in _STYLES:
+    # Marks only make a comment longer, and looking for them in one that is far too long could take for ever.
+    for pattern, word in _STYLES if len(text) <= _STYLED_MAX else ():
         text = pattern.sub(rf"{{\\{word} \1}}", text)
     return len(text) + (_LINE_BREAK - 1) * text.count("\n")
 
@@ -66,7 +69,7 @@ def _down_converted(character: str) -> str:
 def styled_part(comment: str) -> str:
     """The first stretch of a comment that CLICK would show bold, underlined or italic; "" when there is none."""
     for pattern, _ in _STYLES:
-        match = pattern.search(comment)
+        match = pattern.search(comment[:_STYLED_MAX])
         if match:
             return match.group()
     return ""

@@ -10,7 +10,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import accumulate
+from itertools import accumulate, takewhile
 
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import END, NEXT, NOP, RETURN
@@ -184,9 +184,14 @@ class _RungSplit:
 
     def _fitting(self, part: _Part) -> Iterator[_Part]:
         """A part in as few pieces as fit CLICK's rows, each as long as can be."""
-        while len(part) > 1 and not _draws(self._rung_of(part)):
+        while len(part) > 1:
+            # Each output takes its rows, whatever the conditions are: more steps than these cannot fit.
+            rows = accumulate(step.action.height for step in part)
+            most = max(sum(1 for _ in takewhile(lambda used: used <= MAX_ROWS, rows)), 1)
+            if most == len(part) and _draws(self._rung_of(part)):
+                break
             # Fitting is monotone: find the longest beginning that fits; one step alone is reduced later.
-            count = bisect_left(range(2, len(part)), True, key=lambda n: not _draws(self._rung_of(part[:n]))) + 1
+            count = bisect_left(range(2, most + 1), True, key=lambda n: not _draws(self._rung_of(part[:n]))) + 1
             yield part[:count]
             part = part[count:]
         yield part

@@ -21,7 +21,8 @@ from clickgen.source import EmbeddedText, SourceFile, Span
 from clickgen.syntax.context import Context
 from clickgen.syntax.read import read_file
 
-_IN_FORMULA = re.compile(r"""\w+\s*(?:\.\s*(?P<plain>\w+)|\[\s*(?:"(?P<double>[^"\n]*)"|'(?P<single>[^'\n]*)'))""")
+_LAST_WORD = re.compile(r"(?<!\w)\w+$")
+_IN_FORMULA = re.compile(r"""\w++\s*+(?:\.\s*(?P<plain>\w+)|\[\s*(?:"(?P<double>[^"\n]*)"|'(?P<single>[^'\n]*)'))""")
 _ESCAPE = re.compile(r"\\(?:[0-7]{1,3}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|N\{[^}]*\}|.)")
 
 
@@ -72,7 +73,7 @@ class FileNames:
             text = self._context.embedded(node.slice)
             return Place(_stretches(text, 0, len(text.value)), False, False)
         _, _, _, line, end, _ = named.span
-        word = re.search(r"\w+$", self.source.line(line)[: end - 1])
+        word = _LAST_WORD.search(self.source.line(line)[: end - 1])
         assert word is not None
         return Place((self.source.span(line, word.start() + 1, line, end),), True, False)
 

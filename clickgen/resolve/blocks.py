@@ -57,8 +57,10 @@ class Mark(NamedTuple):
     word: str
 
 
-_MARK = re.compile(r"(?=<(?P<word>[^>]*)>)")
-_COLOR = re.compile(r"""\s+bg=["']([^"']+)["']""")
+_MARK_MAX = 200
+"""The longest mark that is looked for: a comment has room for 128 characters (click-facts, section 2)."""
+_MARK = re.compile(rf"(?=<(?P<word>[^>]{{0,{_MARK_MAX}}})>)")
+_COLOR = re.compile(r"""(?<!\s)\s+bg=["']([^"']{1,200})["']""")
 
 
 def mark_in(comment: str) -> Mark | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import warnings
+from collections.abc import Callable, Iterator
 
 from clickgen.diagnostics import Diagnostics
 from clickgen.source import FORM_FEED, SourceFile, Span
@@ -81,22 +82,27 @@ def parse_tree(source: SourceFile, problems: Diagnostics) -> ast.Module | None:
     return None if _report_huge(source, tree, problems) else tree
 
 
+def soundness(source: SourceFile) -> Callable[[ast.Module], bool]:
+    """Tells of a part of the file whether every walk can go down its tree, and every number in it can be shown."""
+    may_be_endless = _LONG_NUMBER.search(source.text) is not None
+    return lambda tree: _too_deep(tree) is None and not (may_be_endless and any(_endless_numbers(tree)))
+
+
 def _report_huge(source: SourceFile, tree: ast.Module, problems: Diagnostics) -> bool:
     """Report every integer that no register can hold and no message can show; True when there is one."""
-    if not _LONG_NUMBER.search(source.text):
-        return False
-    found = False
+    numbers = list(_endless_numbers(tree)) if _LONG_NUMBER.search(source.text) else []
+    for node, bits in numbers:
+        start, end = (source.column(node.lineno, offset) for offset in (node.col_offset, node.end_col_offset or 0))
+        fault = f"this number has {bits} bits; CLICK's largest integers have 32"
+        problems.add("CG113", source.span(node.lineno, start, node.lineno, end), fault, _LARGEST)
+    return bool(numbers)
+
+
+def _endless_numbers(tree: ast.Module) -> Iterator[tuple[ast.Constant, int]]:
+    """The integers that are too large, and how many bits they have."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Constant) and type(node.value) is int and node.value.bit_length() > _BITS_MAX:
-            found = True
-            start, end = (source.column(node.lineno, offset) for offset in (node.col_offset, node.end_col_offset or 0))
-            problems.add(
-                "CG113",
-                source.span(node.lineno, start, node.lineno, end),
-                f"this number has {node.value.bit_length()} bits; CLICK's largest integers have 32",
-                _LARGEST,
-            )
-    return found
+            yield node, node.value.bit_length()
 
 
 def _syntax_problem(source: SourceFile, error: SyntaxError, problems: Diagnostics) -> None:

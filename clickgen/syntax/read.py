@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from clickgen.diagnostics import Diagnostics, did_you_mean
@@ -14,13 +14,15 @@ from clickgen.ir.imports import Import
 from clickgen.ir.operands import Cell, Constant, Integer, Named, Range
 from clickgen.ir.program import Action, BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
 from clickgen.source import SourceFile, Span
+from clickgen.syntax import pieces
 from clickgen.syntax.calls import read_call
 from clickgen.syntax.chains import Arm, as_ifs, without_opposite
 from clickgen.syntax.comments import rung_comment
 from clickgen.syntax.conditions import read_condition
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import read_constant, read_operand, shorten
-from clickgen.syntax.parse import parse_tree
+from clickgen.syntax.parse import parse_tree, soundness
+from clickgen.syntax.pieces import Broken, RoutineNode, Statement, statements_in_pieces, statements_of
 from clickgen.wording import quoted
 
 _DSL_MODULE = "clickgen.dsl"
@@ -36,14 +38,21 @@ class FileContent:
 
 def read_file(source: SourceFile, problems: Diagnostics) -> FileContent | None:
     """Read one program file; None when it is not Python. Everything else that is wrong is in ``problems``."""
+    if len(source.lines) > 2 * pieces.LINES:
+        before = len(problems.found)
+        try:
+            return _read_statements(Context(source, problems), statements_in_pieces(source, soundness(source)))
+        except Broken:
+            del problems.found[before:]
     tree = parse_tree(source, problems)
-    if tree is None:
-        return None
-    context = Context(source, problems)
+    return None if tree is None else _read_statements(Context(source, problems), statements_of(tree))
+
+
+def _read_statements(context: Context, statements: Iterator[Statement]) -> FileContent:
     items: list[Routine | Declaration | BlockDeclaration | Import | None] = []
-    for node in tree.body:
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
-            items.append(_read_routine(context, node))
+    for node, body in statements:
+        if isinstance(node, RoutineNode):
+            items.append(_read_routine(context, node, body))
         elif isinstance(node, ast.Expr) and _is_call_of(node.value, "nickname"):
             assert isinstance(node.value, ast.Call)
             items.append(_read_declaration(context, node.value))
@@ -56,7 +65,7 @@ def read_file(source: SourceFile, problems: Diagnostics) -> FileContent | None:
                 "only imports, nickname(...), def main(): and @sub routines stand at the top level",
                 "move logic into a rung of main or of a subroutine",
             )
-    return FileContent(source.path, tuple(item for item in items if item is not None))
+    return FileContent(context.source.path, tuple(item for item in items if item is not None))
 
 
 def _is_call_of(node: ast.expr, name: str) -> bool:
@@ -100,7 +109,7 @@ def _alias_span(context: Context, alias: ast.alias) -> Span:
 # -- routines ---------------------------------------------------------------------------------------------------------
 
 
-def _read_routine(context: Context, node: ast.FunctionDef | ast.AsyncFunctionDef) -> Routine:
+def _read_routine(context: Context, node: RoutineNode, body: Iterable[ast.stmt]) -> Routine:
     source = context.source
     # From def to the end of the name, for which ast has no place.
     start = source.column(node.lineno, node.col_offset)
@@ -127,7 +136,7 @@ def _read_routine(context: Context, node: ast.FunctionDef | ast.AsyncFunctionDef
             )
     title = _read_title(context, mark) if isinstance(mark, ast.Call) and is_titled and node.name != "main" else None
     before = len(problems.found)
-    rungs = _read_rungs(context, node.body, node.lineno)
+    rungs = _read_rungs(context, body, node.lineno)
     is_whole = len(problems.found) == before
     if title is None:
         return Routine(node.name, rungs, span, node.name == "main", is_whole)
@@ -159,7 +168,7 @@ def _read_title(context: Context, mark: ast.Call) -> Word | None:
 
 
 def _read_rungs(
-    context: Context, nodes: Sequence[ast.stmt], header: int, holder: str = "a routine"
+    context: Context, nodes: Iterable[ast.stmt], header: int, holder: str = "a routine"
 ) -> tuple[Rung, ...]:
     """The rungs of a block; ``header`` is the last line of what holds it."""
     rungs: list[Rung] = []

@@ -23,21 +23,38 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             # A branch of a dead rung is found with the rung.
             if site.above and are_exclusive(*site.above):
                 continue
-            found = _never(site.condition, site.above, False)
+            found = _never(site.condition, site.above, False, _Patience())
         else:
             found = _never_alone(site.condition, False)
         for part, beside, is_leg in found:
             _report(facts, problems, site, part, beside, is_leg)
 
 
+_PARTS_MAX = 1_000
+"""No condition that a person wrote has so many parts; of more the rule finds what the first ones say."""
+
 _Found = tuple[Condition, tuple[Condition, ...], bool]
 """A part that is never true, what is in series with it, and whether it is one of several alternatives."""
 
 
-def _never(part: Condition, beside: tuple[Condition, ...], is_leg: bool) -> Iterator[_Found]:
+class _Patience:
+    """How many parts of one condition are still looked at: alternatives inside each other double at every level."""
+
+    def __init__(self) -> None:
+        self._left = _PARTS_MAX
+
+    @property
+    def is_over(self) -> bool:
+        self._left -= 1
+        return self._left < 0
+
+
+def _never(part: Condition, beside: tuple[Condition, ...], is_leg: bool, patience: _Patience) -> Iterator[_Found]:
     """The innermost parts that are never true beside these others."""
+    if patience.is_over:
+        return
     if isinstance(part, All):
-        inside = [found for term in part.terms for found in _never(term, beside, is_leg)]
+        inside = [found for term in part.terms for found in _never(term, beside, is_leg, patience)]
         if inside:
             yield from inside
         elif are_exclusive(*beside, part):
@@ -48,13 +65,13 @@ def _never(part: Condition, beside: tuple[Condition, ...], is_leg: bool) -> Iter
                     others = (other for other in part.terms if other is not term)
                     near = _near(term, (*beside, *others))
                     if near:
-                        yield from _never(term, near, is_leg)
+                        yield from _never(term, near, is_leg, patience)
     elif isinstance(part, Any):
         if beside and are_exclusive(*beside, part) and can_hold(part):
             yield part, beside, is_leg
         else:
             for term in part.terms:
-                yield from _never(term, beside, is_leg or len(part.terms) > 1)
+                yield from _never(term, beside, is_leg or len(part.terms) > 1, patience)
     elif isinstance(part, Compare) and decided(part) is False:
         yield part, (), is_leg
     else:
