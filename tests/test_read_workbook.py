@@ -8,14 +8,13 @@ import io
 import os
 import random
 import re
-import time
 import tracemalloc
 import warnings
 import zipfile
 from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import openpyxl
 import pytest
@@ -101,13 +100,26 @@ def listed(*rows: Iterable[Any]) -> bytes:
     return workbook(IO=[TITLE, *rows])
 
 
-def unreadable(data: bytes, limit: float = 10) -> str:
-    """Why these bytes cannot be read, said within some seconds."""
-    start = time.process_time()
-    with pytest.raises(TableUnreadable) as caught:
-        judged(data)
-    assert time.process_time() - start < limit
-    message = str(caught.value)
+T = TypeVar("T")
+
+
+def little(work: Callable[[], T], calls: int = 4_000_000) -> T:
+    """What the work gives, which may take so many calls of functions: what a file could make endless is cut off."""
+    found: list[T] = []
+    count = calls_in(lambda: found.append(work()))
+    assert count < calls
+    return found[0]
+
+
+def unreadable(data: bytes) -> str:
+    """Why these bytes cannot be read, said with little work."""
+
+    def refused() -> str:
+        with pytest.raises(TableUnreadable) as caught:
+            judged(data)
+        return str(caught.value)
+
+    message = little(refused)
     assert message.startswith("io.xlsx ")
     assert message.isprintable()
     assert len(message) < 500
@@ -649,7 +661,7 @@ def test_openpyxl_reads_xml_with_defusedxml() -> None:
     ],
 )
 def test_other_files(data: bytes, why: str) -> None:
-    assert why in unreadable(data, limit=1)
+    assert why in unreadable(data)
 
 
 @pytest.mark.parametrize(
@@ -665,13 +677,13 @@ def test_other_archives(name: str, why: str) -> None:
     file = io.BytesIO()
     with zipfile.ZipFile(file, "w") as archive:
         archive.writestr(name, "<Types xmlns='http://schemas.openxmlformats.org/package/2006/content-types'/>")
-    assert why in unreadable(file.getvalue(), limit=1)
+    assert why in unreadable(file.getvalue())
 
 
 @pytest.mark.parametrize("name", ["[Content_Types].xml", "xl/workbook.xml", "xl/_rels/workbook.xml.rels", SHEET])
 @pytest.mark.parametrize("part", [None, "", "<", "<a/>", b"\xff\xfe<\0", "<a>&b;</a>", "\x01"], ids=repr)
 def test_a_part_that_is_missing_or_wrong(name: str, part: str | bytes | None) -> None:
-    unreadable(repacked(listed(("X001", "S")), {name: part}), limit=1)
+    unreadable(repacked(listed(("X001", "S")), {name: part}))
 
 
 @pytest.mark.parametrize("kind", ["<!DOCTYPE a [{}]>", "<!-- {} -->", "<?a {}?>"])
@@ -681,7 +693,7 @@ def test_entities_never_expand(name: str, kind: str) -> None:
         f'<!ENTITY a{n + 1} "{f"&a{n};" * 10}">' for n in range(10)
     )  # fmt: skip
     xml = '<?xml version="1.0"?>' + kind.format(entities) + f"<sst {MAIN}><si><t>&a9;</t></si></sst>"
-    assert f"{name}, what no spreadsheet program writes" in unreadable(repacked(listed(), {name: xml}), limit=1)
+    assert f"{name}, what no spreadsheet program writes" in unreadable(repacked(listed(), {name: xml}))
 
 
 def test_a_zip_bomb() -> None:
@@ -689,7 +701,7 @@ def test_a_zip_bomb() -> None:
     assert len(bomb) < 2**20
     tracemalloc.start()
     try:
-        assert "unpacks to more than 64 MB" in unreadable(bomb, limit=5)
+        assert "unpacks to more than 64 MB" in unreadable(bomb)
         assert tracemalloc.get_traced_memory()[1] < 300 * 2**20
     finally:
         tracemalloc.stop()
@@ -706,7 +718,7 @@ def test_an_archive_that_lies_about_the_size_of_a_part() -> None:
     data = bytearray(repacked(listed(("X001", "S")), {"xl/worksheets/more.xml": b"<" * (100 * 2**20)}))
     at = data.rindex(b"PK\x01\x02", 0, data.rindex(b"xl/worksheets/more.xml"))
     data[at + 24 : at + 28] = (100).to_bytes(4, "little")
-    unreadable(bytes(data), limit=3)
+    unreadable(bytes(data))
 
 
 @pytest.mark.parametrize(
@@ -737,9 +749,7 @@ def test_a_million_cells_that_are_only_formatted_cost_little(width: int, empty: 
         f'<c r="{chr(65 + n)}1" t="inlineStr"><is><t>{title}</t></is></c>' for n, title in enumerate(TITLE)
     )
     xml = f'<worksheet {MAIN}><sheetData><row r="1">{titles}</row>{START}{rows}</sheetData></worksheet>'
-    start = time.process_time()
-    assert [row.nickname for row in rows_of(repacked(listed(), {SHEET: xml}))] == ["S"]
-    assert time.process_time() - start < 6  # 2 s on an idle machine
+    assert [row.nickname for row in little(lambda: rows_of(repacked(listed(), {SHEET: xml})))] == ["S"]
 
 
 def test_blank_cells_that_do_not_say_where_they_stand_keep_their_place() -> None:
@@ -758,15 +768,13 @@ def test_a_pipe_and_a_device(tmp_path: Path) -> None:
 
 
 def test_one_endless_tag() -> None:
-    assert "endless tags" in unreadable(with_sheet('<row a="' + "x>" * 10_000_000 + '"/>'), limit=3)
+    assert "endless tags" in unreadable(with_sheet('<row a="' + "x>" * 10_000_000 + '"/>'))
 
 
 def test_huge_dimensions_and_far_cells() -> None:
     far = '<row r="1048576"><c r="XFD1048576"><v>1</v></c></row>'
     xml = with_sheet(START + '<row r="3">' + '<c s="0"/>' * 16_384 + "</row>" + far)
-    start = time.process_time()
-    assert [row.nickname for row in rows_of(xml)] == ["S"]
-    assert time.process_time() - start < 3
+    assert [row.nickname for row in little(lambda: rows_of(xml))] == ["S"]
     with zipfile.ZipFile(io.BytesIO(xml)) as archive:
         sheet = archive.read(SHEET).decode()
     sheet = sheet.replace("<sheetData>", '<dimension ref="A1:XFD1048576"/><sheetData>')
@@ -793,13 +801,11 @@ def test_a_huge_sheet_without_a_list_does_no_harm() -> None:
     log = "".join(f'<row r="{number}"><c><v>{number}</v></c></row>' for number in range(1, 400_000))
     data = workbook(Log=[("Time",)], IO=[TITLE, ("X001", "S")])
     data = repacked(data, {SHEET: f'<worksheet {MAIN}><dimension ref="A1"/><sheetData>{log}</sheetData></worksheet>'})
-    start = time.process_time()
-    assert len(rows_of(data)) == 1
-    assert time.process_time() - start < 3
+    assert len(little(lambda: rows_of(data))) == 1
 
 
 def test_too_many_sheets() -> None:
-    assert "has 101 sheets" in unreadable(workbook(**{f"S{number}": [("a",)] for number in range(101)}), limit=5)
+    assert "has 101 sheets" in unreadable(workbook(**{f"S{number}": [("a",)] for number in range(101)}))
 
 
 def test_an_archive_in_another_packing_and_one_with_a_part_twice() -> None:
@@ -812,12 +818,12 @@ def test_an_archive_in_another_packing_and_one_with_a_part_twice() -> None:
 
 
 def test_rows_out_of_order_are_not_left_out_silently() -> None:
-    assert "rows are out of order" in unreadable(with_sheet('<row r="3"><c><v>1</v></c></row>' + START), limit=1)
+    assert "rows are out of order" in unreadable(with_sheet('<row r="3"><c><v>1</v></c></row>' + START))
 
 
 def test_a_strict_workbook() -> None:
     sheet = '<worksheet xmlns="http://purl.oclc.org/ooxml/spreadsheetml/main"/>'
-    assert "is a Strict Open XML workbook" in unreadable(repacked(listed(), {SHEET: sheet}), limit=1)
+    assert "is a Strict Open XML workbook" in unreadable(repacked(listed(), {SHEET: sheet}))
 
 
 def test_shared_texts_formatted_in_parts() -> None:
@@ -847,7 +853,7 @@ def test_shared_texts_formatted_in_parts() -> None:
     ],
 )
 def test_cells_of_wrong_types(cell: str) -> None:
-    assert "is no sound workbook" in unreadable(with_sheet(f'<row r="2">{cell}</row>'), limit=1)
+    assert "is no sound workbook" in unreadable(with_sheet(f'<row r="2">{cell}</row>'))
 
 
 def test_odd_cells_that_can_be_read() -> None:
@@ -860,10 +866,11 @@ def test_odd_cells_that_can_be_read() -> None:
 
 
 def survives(data: bytes) -> None:
-    start = time.process_time()
-    with contextlib.suppress(TableUnreadable):
-        read_workbook(Path("nowhere.xlsx"), "io.xlsx", Diagnostics(), data)
-    assert time.process_time() - start < 1
+    def read() -> None:
+        with contextlib.suppress(TableUnreadable):
+            read_workbook(Path("nowhere.xlsx"), "io.xlsx", Diagnostics(), data)
+
+    little(read)
 
 
 def broken_by(chance: random.Random, data: bytes) -> bytes:

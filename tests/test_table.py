@@ -7,7 +7,6 @@ import io
 import math
 import os
 import struct
-import time
 from itertools import accumulate
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from judges.work import calls_in
 from pyclickplc import read_csv
 from pyclickplc.validation import validate_initial_value
 
@@ -337,9 +337,10 @@ def test_everything_is_said_at_once_and_reading_goes_on(file: Path) -> None:
 @pytest.mark.parametrize("row", ['C1,BIT,"A",0,No,""', "nonsense", 'C2,BIT,"open,0,No,""', 'C1,INT,"A",0,Maybe,""'])
 def test_a_table_with_endless_problems_is_not_read_to_its_end(file: Path, row: str) -> None:
     rows = ['C1,BIT,"A",0,No,""', *[row] * 150_000]
-    start = time.perf_counter()
-    _, problems = judged(file, "\n".join([HEADER, *rows]))
-    assert time.perf_counter() - start < 4  # 0.5 s on an idle machine
+    found: list[tuple[Diagnostic, ...]] = []
+    work = calls_in(lambda: found.append(judged(file, "\n".join([HEADER, *rows]))[1]))
+    assert work < 600_000
+    [problems] = found
     assert len(problems) == 1_000
     assert [problem for problem in problems if "and more" in problem.message] == [problems[-1]]
     assert problems[-1].message.endswith("; and more: nothing below is read")
@@ -354,7 +355,7 @@ def test_no_content_is_too_strange(tmp_path: Path, content: bytes) -> None:
         read_table(tmp_path / "raw.csv", "raw.csv", Diagnostics())
 
 
-def test_a_large_table_reads_fast(file: Path) -> None:
+def test_a_large_table_is_read_row_by_row(file: Path) -> None:
     rows = [
         format_row(default_row(Address(bank.name, number), f"{bank.name} nickname {number}", "what it is for"))
         for bank in BANKS.values()
@@ -362,13 +363,10 @@ def test_a_large_table_reads_fast(file: Path) -> None:
         for number in bank.numbers()
     ][:10_000]
     file.write_text("\n".join([HEADER, *rows]))
-    best = math.inf
-    for _ in range(3):
-        start = time.perf_counter()
-        table = read_table(file, "nicknames.csv", Diagnostics())
-        best = min(best, time.perf_counter() - start)
-    assert len(table.rows) == 10_000
-    assert best < 0.5  # 0.06 s on an idle machine; the margin is for a busy one
+    tables: list[AddressTable] = []
+    work = calls_in(lambda: tables.append(read_table(file, "nicknames.csv", Diagnostics())))
+    assert len(tables[0].rows) == 10_000
+    assert work < 80 * 10_000
 
 
 # -- tables made up by hypothesis -------------------------------------------------------------------------------------

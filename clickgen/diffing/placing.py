@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from clickgen.comparing.outputs import touched_by
 from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Address
-from clickgen.diagnostics import Diagnostics
+from clickgen.diagnostics import CouldNotRun, Diagnostics
 from clickgen.ladder.grid import DrawnRung, read_ladder
 from clickgen.lower.effects import Cells, reads
 from clickgen.pipeline import BuildResult, build
@@ -27,17 +27,25 @@ def placed_alike(result: BuildResult, settings: Settings, shared: Sequence[Row],
     """The build again, with these shared names where the other side has them, as far as nothing else is there.
 
     ``theirs`` are all the names that got their addresses on the other side alone; no other name gets one of these.
+    Raises CouldNotRun where a bank has no room to keep the names of both sides apart: at one address they would look
+    like one name.
     """
-    apart = replace(settings, reserved=(*settings.reserved, *(row.address for row in theirs)))
-    free = build(str(result.program), settings=apart)
-    if not free.ok:
-        return result
-    taken = {*_taken(free), *settings.reserved}
+    taken = {*_taken(result), *settings.reserved}
     rows = [row for row in shared if _with_twin(row.address).isdisjoint(taken)]
-    table = _with_rows(free, rows)
-    alike = replace(apart, overlay={**settings.overlay, os.path.realpath(result.table_path): table.to_bytes()})
+    table = _with_rows(result, rows)
+    alike = replace(
+        settings,
+        reserved=(*settings.reserved, *(row.address for row in theirs)),
+        overlay={**settings.overlay, os.path.realpath(result.table_path): table.to_bytes()},
+    )
     found = build(str(result.program), settings=alike)
-    return found if found.ok else free
+    full = next((problem for problem in found.diagnostics if problem.code == "CG208"), None)
+    if full is not None:
+        raise CouldNotRun(
+            f"{result.program} cannot be compared by its names ({full.message}); give both programs their address "
+            "tables with clickgen nicknames sync, and compare again"
+        )
+    return found if found.ok else result
 
 
 def _with_rows(result: BuildResult, rows: Iterable[Row]) -> AddressTable:
@@ -49,7 +57,7 @@ def _with_rows(result: BuildResult, rows: Iterable[Row]) -> AddressTable:
 
 def _taken(result: BuildResult) -> set[Address]:
     """What the program itself or its table says of addresses; not what the build chose for names."""
-    chosen = {row.address for row in result.placed_rows}
+    chosen = {twin for row in result.placed_rows for twin in _with_twin(row.address)}
     found = Cells({row.address for row in result.rows if row.address not in chosen} | result.needed)
     for name, text in result.files.items():
         if name.endswith(".csv") and name != TABLE_NAME:

@@ -8,9 +8,10 @@ is for, the rung number aside, so that a rung inserted before it moves nothing.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import dataclass, replace
 
-from clickgen.device.banks import Address
+from clickgen.device.banks import BANKS, Address
 from clickgen.device.nicknames import COMMENT_MAX
 from clickgen.diagnostics import Diagnostics
 from clickgen.ir.operands import Cell, Operand
@@ -55,11 +56,18 @@ class Scratch:
 
     def __init__(self) -> None:
         self.uses: list[ScratchUse] = []
+        self._taken: Counter[str] = Counter()
+
+    @property
+    def is_over(self) -> bool:
+        """True when a bank has not enough addresses for what was taken: ``assign`` will say so."""
+        return any(count > BANKS[bank].last for bank, count in self._taken.items())
 
     def take(self, bank: str, reason: str, span: Span) -> Cell:
         """A cell of ``bank`` for one use."""
         placeholder = Address(bank, -1 - len(self.uses))
         reason = reason if len(reason) <= COMMENT_MAX else reason[: COMMENT_MAX - 3] + "..."
+        self._taken[bank] += 1
         self.uses.append(ScratchUse(placeholder, reason, span))
         return Cell(placeholder, span)
 

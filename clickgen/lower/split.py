@@ -136,6 +136,8 @@ class _RoutineLowering:
 
     def lower(self, rungs: Sequence[Rung]) -> None:
         for rung in rungs:
+            if self.scratch.is_over:
+                return  # The program has no address for more: nothing of it is drawn.
             _RungSplit(self, rung).run()
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right, insort
 from collections.abc import Iterable
 from dataclasses import replace
-from itertools import combinations
+from itertools import takewhile
 from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
@@ -25,6 +26,7 @@ def declare_blocks(
     reader = _Blocks(table, marks, declared, problems)
     for declaration in declarations:
         reader.read(declaration)
+    reader.hand_over()
     _warn_of_marks(marks, reader.named, table, problems)
     _warn_of_overlaps({**marks.blocks, **reader.own}.values(), problems)
     return reader.blocks
@@ -47,6 +49,14 @@ class _Blocks:
         self.blocks = dict(marks.blocks)
         self.rows: dict[Address, Row] = {row.address: row for row in declared.rows}
         self.own: dict[str, Block] = {}
+        self._places: dict[str, list[tuple[int, str]]] = {}
+        """Where own blocks begin, by bank and in order, with their lowercase names: no two of them meet."""
+        self._given = {row.address: row for row in table.base}
+        self._marks_at: dict[Address, list[int]] = {}
+        self._marks_of: dict[tuple[str, str], list[int]] = {}
+        for index, (row, mark) in enumerate(marks.rows):
+            self._marks_at.setdefault(row.address, []).append(index)
+            self._marks_of.setdefault((row.address.bank, mark.name.lower()), []).append(index)
         self.named: set[str] = set()
         """The lowercase names of all declarations, the wrong ones among them."""
 
@@ -68,9 +78,14 @@ class _Blocks:
                 self._know(block)
             return
         self.blocks[lower] = self.own[lower] = block
+        insort(self._places.setdefault(block.bank, []), (block.first, lower))
         self._set_up(declaration, block)
         self._mark(declaration, block)
-        self.declared.rows = [row for row in self.rows.values() if self._is_news(row)]
+
+    def hand_over(self) -> None:
+        """Give the rows that say something new to ``declared``."""
+        if self.own:
+            self.declared.rows = [row for row in self.rows.values() if self._is_news(row)]
 
     def _know(self, block: Block) -> None:
         """A wrong block is known all the same, so that its members have no problem of their own."""
@@ -98,7 +113,7 @@ class _Blocks:
             return _Fault(f"{dotted} cannot be {block}", f"write {block.bank.lower()}.{block.name}")
         if BANKS[block.bank].settings_fixed:
             return _Fault(f"{block.bank} has no blocks: CLICK takes no comments there", "write the range itself")
-        other = self.own.get(lower) or next((other for other in self.own.values() if other.meets(block)), None)
+        other = self.own.get(lower) or self._met(block)
         if other is not None:
             message = f"{block.name} and the block {other.name}, {other}, meet"
             return _Fault(message, "give each its own name and addresses", _label(other))
@@ -113,10 +128,19 @@ class _Blocks:
             return _Fault(f"{block.name} is the nickname of one address in {place}", "give the block another name")
         return self._mark_in_the_way(block)
 
+    def _met(self, block: Block) -> Block | None:
+        """The first own block that has an address in common with this one."""
+        places = self._places.get(block.bank, [])
+        at = bisect_right(places, (block.first, "\uffff"))
+        near = (self.own[lower] for _, lower in places[max(at - 1, 0) : at + 1])
+        return next((other for other in near if other.meets(block)), None)
+
     def _mark_in_the_way(self, block: Block) -> _Fault | None:
         """A mark of another block where this one begins or ends, or one of this name where neither is."""
         first, last = block.addresses()[0], block.addresses()[-1]
-        for row, mark in self.marks.rows:
+        named = self._marks_of.get((block.bank, block.name.lower()), ())
+        for index in sorted({*self._marks_at.get(first, ()), *self._marks_at.get(last, ()), *named}):
+            row, mark = self.marks.rows[index]
             due = (row.address == first, row.address == last)
             is_same = mark.name.lower() == block.name.lower() and row.address.bank == block.bank
             if (is_same or any(due)) and not (is_same and due == (mark.opens, mark.closes)):
@@ -144,7 +168,7 @@ class _Blocks:
         if first != last:
             row = self._row(last)
             rows.append(replace(row, comment=marked(row.comment, block.name, False, True)))
-        given = {row.address: row for row in self.table.base}
+        given = self._given
         if all(row.address not in given or row.comment == given[row.address].comment for row in rows):
             for row in rows:
                 self._keep(declaration, row)
@@ -213,7 +237,8 @@ def _half(address: Address, mark: Mark) -> tuple[str, str]:
 
 def _warn_of_overlaps(blocks: Iterable[Block], problems: Diagnostics) -> None:
     in_order = sorted(blocks, key=lambda block: (block.bank, block.first))
-    for one, other in combinations(in_order, 2):
-        if one.meets(other) and not (one.lies_in(other) or other.lies_in(one)):
-            message = f"the blocks {one.name}, {one}, and {other.name}, {other}, overlap"
-            problems.add("CG606", other.span, message, "end one where the other begins", _label(one))
+    for index, one in enumerate(in_order):
+        for other in takewhile(one.meets, map(in_order.__getitem__, range(index + 1, len(in_order)))):
+            if not (one.lies_in(other) or other.lies_in(one)):
+                message = f"the blocks {one.name}, {one}, and {other.name}, {other}, overlap"
+                problems.add("CG606", other.span, message, "end one where the other begins", _label(one))

@@ -23,7 +23,8 @@ _ALWAYS_ACTIVE = (OUT, RECEIVE, *drums.SPECS)
 """What writes its outputs also while its rung is off, or in its own time."""
 
 _PAIRS_MAX = 1000
-"""Where so many pairs exclude each other, the rest is taken to do so too."""
+"""Where so many pairs of drivers exclude each other, the rest is taken to do so too; so many pairs of routines are
+looked at, which is every pair of 45."""
 
 _Drivers = list[Placed]
 """All that one routine does to one output."""
@@ -44,7 +45,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 def _judge(facts: Facts, problems: Diagnostics, output: Address, drivers: list[_Drivers]) -> None:
     working = [[placed for placed in own if not _is_start_up(facts, placed)] for own in drivers]
-    meeting = [pair for pair in combinations(filter(None, working), 2) if _meet(facts, *pair)]
+    pairs = islice(combinations(filter(None, working), 2), _PAIRS_MAX)
+    meeting = [pair for pair in pairs if _meet(facts, *pair)]
     together = [own for own in working if any(own is one for pair in meeting for one in pair)]
     if together:
         _report(facts, problems, output, together)

@@ -1,0 +1,132 @@
+"""Work grows with its input: counted in calls of functions, so that a busy machine changes nothing."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from judges.work import calls_in
+
+import clickgen
+from clickgen.checking.discover import is_program, matches
+from clickgen.checking.run import Request
+from clickgen.checking.run import run as run_check
+from clickgen.cli import main
+from clickgen.config import find_config
+from clickgen.device.limits import comment_bytes, styled_part
+from clickgen.resolve.blocks import mark_in
+
+END = "    if True:\n        end()\n"
+RUNGS = {
+    "outputs of one rung": lambda n: "    if x[1]:\n" + "".join(f"        copy({i}, ds[{i + 1}])\n" for i in range(n)),
+    "branches of one rung": lambda n: (
+        "    if x[1]:\n" + "".join(f"        if c[{i + 1}]:\n            copy({i}, ds[{i + 1}])\n" for i in range(n))
+    ),
+    "rungs on one coil": lambda n: "".join(f"    if c[{i + 1}]:\n        out(y[1])\n" for i in range(n)),
+    "silenced findings": lambda n: "".join(
+        f"    if c[{i + 1}]:\n        out(y[1])  # clickgen: ignore[CG501]\n" for i in range(n)
+    ),
+}
+ALTERNATING = "".join(f"{'all' if i % 2 else 'any'}(c.{'AB'[i % 2]}, " for i in range(25)) + "c.Z" + ")" * 25
+
+
+def judged(text: str, folder: Path) -> int:
+    (folder / "p.py").write_text(text, "utf-8")
+    (folder / "clickgen.toml").write_text('[check.per-file-ignores]\n"**/q*.py" = ["CG5"]\n', "utf-8")
+    request = Request(find_config(folder), paths=(str(folder / "p.py"),), use_cache=False)
+    return calls_in(lambda: run_check(request))
+
+
+@pytest.mark.parametrize("name", RUNGS)
+def test_the_work_of_a_check_grows_with_the_program(name: str, tmp_path: Path) -> None:
+    judged("def main():\n" + RUNGS[name](10) + END, tmp_path)
+    small, large = (judged("def main():\n" + RUNGS[name](n) + END, tmp_path) for n in (100, 200))
+    assert large < 2.4 * small
+
+
+def subroutines_on_one_coil(n: int) -> str:
+    calls = "".join(f"    if x[1]:\n        call(s{i})\n" for i in range(n))
+    subs = (
+        f"@sub\ndef s{i}():\n    if c[{i + 1}]:\n        out(y[1])\n    if True:\n        return\n" for i in range(n)
+    )
+    return "def main():\n" + calls + END + "".join(subs)
+
+
+def test_subroutines_on_one_coil_are_not_all_compared_with_each_other(tmp_path: Path) -> None:
+    small, large = (judged(subroutines_on_one_coil(n), tmp_path) for n in (100, 200))
+    assert large < 2.4 * small
+
+
+def declared_blocks(n: int) -> str:
+    blocks = "".join(f"nickname(ds.B{i}, ds[{2 * i + 1}:{2 * i + 3}])\n" for i in range(n))
+    return blocks + "def main():\n    if x[1]:\n        copy(1, ds.B1[0])\n" + END
+
+
+def test_blocks_are_not_all_compared_with_each_other(tmp_path: Path) -> None:
+    small, large = (judged(declared_blocks(n), tmp_path) for n in (200, 400))
+    assert large < 2.4 * small
+
+
+def test_alternatives_inside_each_other_do_not_double(tmp_path: Path) -> None:
+    work = judged(f"def main():\n    if {ALTERNATING}:\n        out(y[1])\n{END}", tmp_path)
+    assert work < 1_000_000
+
+
+def test_patterns_with_many_stars_are_quick() -> None:
+    path = "/r/" + "a/" * 60 + "b"
+    many = "/r/" + "**/a/" * 20 + "c"
+    assert calls_in(lambda: matches(many, path, "/r")) < 50_000
+    assert not matches(many, path, "/r")
+    assert matches("/r/" + "**/a/" * 20 + "b", path, "/r")
+    assert matches("**/**/b/**", path, "/r")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "'\\" * 50_000,
+        '"\\' * 50_000,
+        '\\"""' * 50_000,
+        "from" + " " * 100_000,
+        "'" * 99_999,
+        '"""' * 33_333,
+        "<" * 100_000,
+    ],
+    ids=["quote", "double", "triple", "import", "quotes", "triples", "marks"],
+)
+def test_a_long_line_is_no_long_look(text: str) -> None:
+    """Each of these took minutes: the end of a text was looked for again at every quote."""
+    assert not is_program(text)
+
+
+def test_marks_and_styles_are_looked_for_in_what_can_hold_them() -> None:
+    assert mark_in("<" * 100_000 + "Recipe>") is not None
+    assert mark_in("<" * 100_000) is None
+    assert styled_part(" __a" * 50_000) == ""
+    assert comment_bytes(" __a" * 50_000) == 200_000
+
+
+def test_scratch_cells_that_cannot_be_placed_are_not_drawn(tmp_path: Path) -> None:
+    """Each of these rungs takes 66 scratch bits; after two thousand the bank is full, and the rest is not drawn."""
+    rungs = "    if nc(c[1:2001]):\n        set(y[1])\n"
+    few, many = (judged("def main():\n" + rungs * n + END, tmp_path) for n in (40, 120))
+    assert many < 2 * few
+    problems = clickgen.build(tmp_path / "p.py").diagnostics
+    assert [problem.code for problem in problems] == ["CG208"]
+
+
+def test_names_that_have_no_room_apart_are_not_compared(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """At one address two names would look like one."""
+    monkeypatch.chdir(tmp_path)
+    names = [f"A{i}" for i in range(1001)]
+    others = [f"B{i}" for i in range(1001)]
+    for folder, own in (("a", names), ("b", others), ("moved", [*names[1:], names[0]])):
+        Path(folder).mkdir()
+        rungs = "".join(f"    if x[1]:\n        set(c.{name})\n" for name in own)
+        Path(folder, "p.py").write_text("def main():\n" + rungs + END, "utf-8")
+    assert main(["diff", "a/p.py", "b/p.py"]) == 2
+    assert "b/p.py cannot be compared by its names" in capsys.readouterr().err.replace("\\", "/")
+    assert main(["diff", "a/p.py", "moved/p.py"]) == 1
+    assert "rung 1 moved to rung 1001" in capsys.readouterr().out
