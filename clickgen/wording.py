@@ -12,3 +12,11 @@ def quoted(text: str) -> str:
     """A text in quotes, double ones where it can be: ``"Auto Mode"``."""
     shown = repr(text)
     return shown if '"' in text else f'"{shown[1:-1]}"'
+
+
+def no_opposite(shown: str, is_negated: bool = False) -> str:
+    """The way out for what has no opposite; ``is_negated`` where a ``not`` asks for it, not an else."""
+    nothing, then = "nothing", "test the bit"
+    if is_negated:
+        nothing, then = "nothing in the language", "write nc(...) of that bit"
+    return f"{nothing} is the opposite of {shown}: put it on a bit with out(...) in a rung before, and {then}"

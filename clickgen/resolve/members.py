@@ -10,6 +10,7 @@ from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.formula.printer import source_reference
 from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Operand, Range, Section, Single
 from clickgen.ir.program import Operands, Program, Value
+from clickgen.ir.proposals import Proposal
 from clickgen.ir.walk import Rewriter
 from clickgen.resolve.blocks import Block, unclosed_block
 from clickgen.resolve.table import AddressTable
@@ -24,6 +25,11 @@ def without_members(
     the bare name is the nickname's.
     """
     return _Members(blocks, table, problems).program(program)
+
+
+def proposal_without_members(proposal: Proposal, blocks: Mapping[str, Block], table: AddressTable) -> Proposal:
+    """The same for a proposal, which is no part of the program: what is wrong with its members is not reported."""
+    return _Members(blocks, table, Diagnostics()).proposal(proposal)
 
 
 _SUM = "SUM(ds[1:11]) adds up DS1 to DS10; or name a block"

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.ir.imports import Import
 from clickgen.ir.program import BlockDeclaration, Declaration, Offer, Program, Routine
+from clickgen.ir.proposals import Proposal
 from clickgen.source import SourceFile, Span
 from clickgen.syntax.parse import decode
 from clickgen.syntax.read import FileContent, read_file
@@ -41,6 +42,8 @@ def read_program(
         tuple(files.blocks),
         frozenset(misimported),
         files.offered(content),
+        tuple(files.proposals),
+        files.is_declared,
     )
     return program, tuple(files.sources)
 
@@ -54,6 +57,8 @@ class _Files:
     sources: list[SourceFile]
     declarations: list[Declaration] = field(default_factory=list)
     blocks: list[BlockDeclaration] = field(default_factory=list)
+    proposals: list[Proposal] = field(default_factory=list)
+    is_declared: bool = True
     _contents: dict[str, FileContent | None] = field(default_factory=dict)
     _open: list[str] = field(default_factory=list)
 
@@ -61,6 +66,8 @@ class _Files:
         """Take in a file and, before it, what it imports."""
         key = _key(path)
         self._contents[key] = content
+        self.proposals += content.proposals
+        self.is_declared &= content.is_declared
         self._open.append(key)
         for item in content.items:
             if isinstance(item, Import) and item.module:
@@ -108,16 +115,18 @@ class _Files:
         try:
             data = self.read_bytes(path)
         except OSError as error:
+            self.is_declared = False
             missing = isinstance(error, FileNotFoundError)
             fault = f"there is no file {path}" if missing else f"{path} cannot be read: {error.strerror or error}"
             self.problems.add("CG121", span, fault, self._hint(path) if missing else "make it a readable file")
             return
         source = decode(path, data, self.problems)
-        if source is None:
-            return
-        self.sources.append(source)
-        content = read_file(source, self.problems)
-        if content is not None:
+        if source is not None:
+            self.sources.append(source)
+        content = read_file(source, self.problems) if source is not None else None
+        if content is None:
+            self.is_declared = False
+        else:
             self.enter(path, content)
 
     def _hint(self, path: str) -> str:
