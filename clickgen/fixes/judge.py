@@ -13,7 +13,7 @@ from clickgen.diagnostics import Diagnostic, Diagnostics, Fix
 from clickgen.fixes.hazards import Hazards
 from clickgen.fixes.proof import stand_alone
 from clickgen.ir.conditions import Compare, Contact
-from clickgen.ir.operands import Cell, Immediate, Named, Operand, Pointer, Range, Section
+from clickgen.ir.operands import Cell, Immediate, Named, Operand, Pointer, Range, Section, form_of
 from clickgen.ir.proposals import Proposal
 from clickgen.ir.walk import condition_operands, rung_operands
 from clickgen.resolve.resolve import Resolved
@@ -22,6 +22,7 @@ from clickgen.wording import no_opposite
 
 _CONDITIONS = ("CG104", "CG105", "CG106", "CG107")
 """Errors in conditions: the instructions beside them are read."""
+_OTHERS_FIRST = "correct the other problems first, which may hide what it is"
 
 
 def judge_proposals(
@@ -65,17 +66,16 @@ class _Judge:
             if _is_block(said, leaf):
                 return problem._replace(help=no_opposite(shown, is_negated), fix=None)
             if self._may_be_block(leaf):
-                help = f"{shown} may be a block, and nothing is the opposite of one: {self._first}"
-                return problem._replace(help=help, fix=None)
+                why = f"{shown} may be a block, and nothing is the opposite of one"
+                return problem._replace(help=f"{why}: {_OTHERS_FIRST}", fix=None)
         if not written.edits:
             return problem
         rests_on_names = bool(resolved.turned or resolved.arms)
         fix = Fix(written.edits, self._is_safe(resolved), rests_on_names)
-        return problem._replace(help=written.help or problem.help, fix=fix)
-
-    @property
-    def _first(self) -> str:
-        return "first correct the other errors, which may hide what it is"
+        help = written.help or problem.help
+        if is_negated and any(map(_is_float, resolved.turned)):
+            help += "; neither may hold while a DF register holds no number (NaN)"
+        return problem._replace(help=help, fix=fix)
 
     def _text(self, span: Span) -> str:
         source = self._sources[span.path]
@@ -114,7 +114,7 @@ class _Judge:
         """
         if isinstance(leaf, Contact):
             return isinstance(_bit(leaf), Cell) and self._is_known(leaf.operand)
-        return all(self._is_known(side) and getattr(side, "bank", "") != "DF" for side in (leaf.left, leaf.right))
+        return not _is_float(leaf) and self._is_known(leaf.left) and self._is_known(leaf.right)
 
     def _is_known(self, operand: Operand) -> bool:
         """True for what is an address for sure, or a constant."""
@@ -130,6 +130,10 @@ class _Judge:
 def _hides_instruction(problem: Diagnostic) -> bool:
     """True for an error behind which an instruction may stand that nobody has read."""
     return problem.is_error and problem.code.startswith("CG1") and problem.code not in _CONDITIONS
+
+
+def _is_float(leaf: Contact | Compare) -> bool:
+    return any(form_of(operand) == "DF" for operand in condition_operands(leaf))
 
 
 def _bit(leaf: Contact) -> Named | Cell | Range:

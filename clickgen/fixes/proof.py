@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from clickgen.ir.conditions import All, Any, Compare, Condition, Contact
 from clickgen.ir.logic import are_exclusive, implies, terms_of
-from clickgen.ir.operands import Named, Single
+from clickgen.ir.operands import Named, Single, form_of
 from clickgen.ir.proposals import Alternative
 
 
@@ -49,14 +49,10 @@ def _opaque(condition: Condition) -> Condition:
     """
     if isinstance(condition, All | Any):
         return type(condition)(tuple(map(_opaque, condition.terms)), condition.span)
-    if isinstance(condition, Compare) and "DF" in (_bank(condition.left), _bank(condition.right)):
+    if isinstance(condition, Compare) and "DF" in (form_of(condition.left), form_of(condition.right)):
         text = f"{_shown(condition.left)} {condition.op} {_shown(condition.right)}"
         return Contact(Named("C", text, condition.span, 0), condition.span)
     return condition
-
-
-def _bank(side: Single) -> str:
-    return getattr(side, "bank", "")
 
 
 def _shown(side: Single) -> str:
