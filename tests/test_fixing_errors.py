@@ -584,6 +584,11 @@ def two():
     assert_builds(after.encode(), tmp_path)
 
 
+def test_no_ending_goes_behind_a_line_that_goes_on(tmp_path: Path) -> None:
+    [problem] = found(b"def main():\n    if c.A: set(c.B) \\\n\n", "CG403", tmp_path)
+    assert problem.fix is None
+
+
 def test_an_empty_routine_gets_no_ending(tmp_path: Path) -> None:
     [problem] = found(b"def main():\n    pass\n", "CG403", tmp_path)
     assert problem.fix is None

@@ -95,7 +95,9 @@ def shape(condition: Condition) -> object:
         return tuple(_bits(condition))
     if isinstance(condition, Compare):
         left, op, right = _side(condition.left), condition.op, _side(condition.right)
-        return (left, op, right) if isinstance(condition.left, _REGISTERS) else (right, MIRRORED[op], left)
+        # With its sides exchanged a comparison says the same of numbers, which a DF register may not hold.
+        as_written = isinstance(condition.left, _REGISTERS) or form_of(condition.right) == "DF"
+        return (left, op, right) if as_written else (right, MIRRORED[op], left)
     if isinstance(condition, All | Any):
         terms = tuple(map(shape, condition.terms))
         return terms[0] if len(terms) == 1 else (type(condition), terms)
