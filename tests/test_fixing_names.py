@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -22,7 +23,9 @@ DS109,INT,"",0,Yes,"</Recipe>"
 ALARMS = 'C1,BIT,"",0,No,"<Door alarms>"\nC2,BIT,"Door",0,No,""\nC4,BIT,"",0,No,"</Door alarms>"\n'
 
 
-def problems(folder: Path, data: bytes, table: str = "", is_part: bool = False, **files: str) -> list[Diagnostic]:
+def problems(
+    folder: Path, data: bytes, table: str = "", files: Mapping[str, str] = {}, is_part: bool = False
+) -> list[Diagnostic]:
     """The problems with else, and, or and not of a program beside a table and other files."""
     (folder / "prog.py").write_bytes(data)
     for name, text in files.items():
@@ -33,9 +36,11 @@ def problems(folder: Path, data: bytes, table: str = "", is_part: bool = False, 
     return [problem for problem in found if problem.code in ("CG104", "CG105")]
 
 
-def verdicts(folder: Path, data: bytes, table: str = "", is_part: bool = False, **files: str) -> list[bool | None]:
+def verdicts(
+    folder: Path, data: bytes, table: str = "", files: Mapping[str, str] = {}, is_part: bool = False
+) -> list[bool | None]:
     """Whether the fix of each is safe; None where there is none."""
-    found = problems(folder, data, table, is_part, **files)
+    found = problems(folder, data, table, files, is_part)
     return [problem.fix and problem.fix.is_safe for problem in found]
 
 
@@ -128,15 +133,15 @@ def test_where_something_hides_what_a_name_is_no_fix_is_safe(name: str, tmp_path
         rung("c.A and not c.Bits"),
         body(chain("if c.Bits: set(y[1])", "else: set(y[2])")),
     ):
-        [problem] = problems(tmp_path, first + data, table, **files)
+        [problem] = problems(tmp_path, first + data, table, files)
         assert problem.fix is None
         assert "nc(" not in problem.help.replace("nc(...)", "")
     arms = chain("if ds.A == 0: copy(1, ds.B)", "else: set(y[1])")
-    assert verdicts(tmp_path, first + body(arms), table, **files) == [False]
-    assert verdicts(tmp_path, first + rung("not ds.A"), table, **files) == [False]
+    assert verdicts(tmp_path, first + body(arms), table, files) == [False]
+    assert verdicts(tmp_path, first + rung("not ds.A"), table, files) == [False]
     # What needs no name, or turns nothing round, is as safe as ever.
     for text in ("c.A and c.Bits", "not c[500]", "not ds[4000] == 5", "not x[1].immediate"):
-        assert verdicts(tmp_path, first + rung(text), table, **files) == [True]
+        assert verdicts(tmp_path, first + rung(text), table, files) == [True]
 
 
 def test_a_declaration_in_a_rung_hides_what_a_name_is(tmp_path: Path) -> None:
@@ -194,11 +199,15 @@ def test_what_other_devices_send_arrives_in_its_own_time(
     for test in tests:
         arms = chain(f"if {test}: set(y[1])", "else: set(y[2])")
         called = "    if True:\n        call(talk)\n"
-        assert verdicts(tmp_path, b"from other import talk\n" + body(called + arms), other=sub(action)) == [is_safe]
+        assert verdicts(tmp_path, b"from other import talk\n" + body(called + arms), files={"other": sub(action)}) == [
+            is_safe
+        ]
         assert verdicts(tmp_path, sub(action).encode() + body(called + arms)) == [is_safe]
         # Branches look in one moment.
         branches = "    if x[8]:\n" + chain(f"if {test}: set(y[1])", "else: set(y[2])", line="        ")
-        assert verdicts(tmp_path, b"from other import talk\n" + body(called + branches), other=sub(action)) == [True]
+        assert verdicts(
+            tmp_path, b"from other import talk\n" + body(called + branches), files={"other": sub(action)}
+        ) == [True]
 
 
 def test_a_message_in_an_arm_that_is_no_part_of_the_program_counts(tmp_path: Path) -> None:
@@ -212,10 +221,12 @@ def test_a_subroutine_does_what_its_file_says(tmp_path: Path) -> None:
     for action, is_safe in (("set(c[2])", True), ("set(c[1])", False), ("copy(c[3], c[ds.I])", False)):
         for imported in (True, False):
             first = "from other import talk\n" if imported else sub(action)
-            assert verdicts(tmp_path, first.encode() + body(arms), other=sub(action)) == [is_safe]
+            assert verdicts(tmp_path, first.encode() + body(arms), files={"other": sub(action)}) == [is_safe]
     # Of what cannot be read, or is not there, nobody knows what it does.
-    assert verdicts(tmp_path, b"from other import talk\n" + body(arms), other=sub("sett(c[9])")) == [False]
-    assert verdicts(tmp_path, b"from other import talk\n" + body(arms), other=sub("set(c[9])", "walk")) == [False]
+    assert verdicts(tmp_path, b"from other import talk\n" + body(arms), files={"other": sub("sett(c[9])")}) == [False]
+    assert verdicts(tmp_path, b"from other import talk\n" + body(arms), files={"other": sub("set(c[9])", "walk")}) == [
+        False
+    ]
     assert verdicts(tmp_path, body(arms)) == [False]
 
 

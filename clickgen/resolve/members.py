@@ -8,6 +8,7 @@ from dataclasses import replace
 from clickgen.device.banks import BANKS, Address
 from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.formula.printer import source_reference
+from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Operand, Range, Section, Single
 from clickgen.ir.program import Operands, Program, Value
 from clickgen.ir.proposals import Proposal
@@ -60,6 +61,12 @@ class _Members(Rewriter):
         if isinstance(operand, Immediate) and isinstance(operand.target, Named):
             return Immediate(self._found(operand.target), operand.span)
         return super().operand(operand)
+
+    def contact(self, contact: Contact) -> Contact:
+        """An edge belongs to one bit."""
+        if contact.edge and isinstance(contact.operand, Named):
+            return replace(contact, operand=self.cell(contact.operand))
+        return super().contact(contact)
 
     def value(self, value: Value) -> Value:
         if not isinstance(value, Operands):
