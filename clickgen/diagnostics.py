@@ -35,6 +35,8 @@ class Fix(NamedTuple):
 
     edits: tuple[Edit, ...]
     is_safe: bool = True
+    rests_on_names: bool = False
+    """True when it is safe by what names stand for: every program that the file belongs to has to agree."""
 
 
 class Diagnostic(NamedTuple):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -21,6 +20,7 @@ from clickgen.emit.listing import listing
 from clickgen.emit.nickname_csv import nickname_csv
 from clickgen.emit.sourcemap import source_map
 from clickgen.emit.write import put_in_place
+from clickgen.fixes.judge import judge_proposals
 from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Program
 from clickgen.lower.place import PlaceScratch
@@ -334,20 +334,12 @@ def _resolve(state: _Build) -> None:
     if state.program is not None:
         settings = state.settings
         state.resolved = resolve(state.program, state.table, settings.frozen, state.problems, settings.reserved)
-        state.problems.found = [_doubting_blocks(problem, state.resolved.blocks) for problem in state.problems.found]
 
 
-def _doubting_blocks(problem: Diagnostic, blocks: Mapping[str, Block]) -> Diagnostic:
-    """A problem whose fix speaks of a block is not mended by itself.
-
-    The opposite of a bit is nc(...), which of a block says that none of its bits is on; and what is a block, other
-    files and the table may say.
-    """
-    fix = problem.fix
-    if fix is None or not blocks:
-        return problem
-    words = {word.lower() for edit in fix.edits for word in re.findall(r"\w+", edit.text)}
-    return problem if words.isdisjoint(blocks) else problem._replace(fix=fix._replace(is_safe=False))
+def _judge_fixes(state: _Build) -> None:
+    if state.program is not None and state.resolved is not None:
+        is_part = state.settings.is_part
+        judge_proposals(state.program.proposals, state.resolved, state.sources, state.problems, is_part)
 
 
 def _check(state: _Build) -> None:
@@ -469,6 +461,7 @@ STAGES: _Stages = (
     (_read_source, False),
     (_read_table, False),
     (_resolve, False),
+    (_judge_fixes, False),
     (_check, False),
     (_lower, True),
     (_place_scratch, True),
@@ -480,5 +473,5 @@ STAGES: _Stages = (
 CHECKS: _Stages = (*(stage for stage in STAGES if stage[0] is not _emit), (_lint, True))
 """The stages of a check: it makes no files."""
 
-NAMES: _Stages = tuple(stage for stage in STAGES if stage[0] in (_read_source, _read_table, _resolve))
+NAMES: _Stages = tuple(stage for stage in STAGES if stage[0] in (_read_source, _read_table, _resolve, _judge_fixes))
 """The stages that find out the names of a program."""

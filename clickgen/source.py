@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cached_property
+from itertools import accumulate
 from typing import NamedTuple
 
 FORM_FEED = re.compile(r"(?m)^[ \t]*\f")
@@ -63,6 +64,11 @@ class SourceFile:
     def lines(self) -> list[str]:
         # Only \n ends a line for Python's parser; form feeds and Unicode separators do not.
         return self.text.split("\n")
+
+    @cached_property
+    def starts(self) -> list[int]:
+        """Where each line begins in the text, counted from 0."""
+        return [0, *accumulate(len(line) + 1 for line in self.lines)]
 
     @cached_property
     def is_ascii(self) -> bool:

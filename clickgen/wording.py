@@ -17,3 +17,11 @@ def quoted(text: str) -> str:
 def as_utf8(text: str) -> str:
     """Text that UTF-8 can hold: the bytes of a file name that is no text become escapes such as ``\\udcff``."""
     return text.encode(errors="backslashreplace").decode()
+
+
+def no_opposite(shown: str, is_negated: bool = False) -> str:
+    """The way out for what has no opposite; ``is_negated`` where a ``not`` asks for it, not an else."""
+    nothing, then = "nothing", "test the bit"
+    if is_negated:
+        nothing, then = "nothing in the language", "write nc(...) of that bit"
+    return f"{nothing} is the opposite of {shown}: put it on a bit with out(...) in a rung before, and {then}"

@@ -21,12 +21,13 @@ from hypothesis.errors import HypothesisWarning
 from strategies.given import TABLE, Given
 from test_import_properties import IMPORT
 from test_meaning_properties import MEANING
+from test_mending_properties import MENDING
 from test_power_properties import POWER
 from test_robustness import ROBUSTNESS
 
 Check = Callable[[Any], None]
 Property = tuple[st.SearchStrategy[Any], Check]
-PROPERTIES: dict[str, Property] = {**POWER, **MEANING, **IMPORT, **ROBUSTNESS}
+PROPERTIES: dict[str, Property] = {**POWER, **MEANING, **MENDING, **IMPORT, **ROBUSTNESS}
 
 
 def one_round(strategy: st.SearchStrategy[Any], check: Check, number: int, examples: int) -> tuple[str, int]:

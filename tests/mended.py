@@ -42,6 +42,15 @@ def rung(condition: str) -> bytes:
     return f"def main():\n    if {condition}:\n        set(c.Q)\n    if True:\n        end()\n".encode()
 
 
+def body(text: str) -> bytes:
+    return f"def main():\n{text}\n    if True:\n        end()\n".encode()
+
+
+def chain(*arms: str, line: str = "    ") -> str:
+    """Arms such as ``if c.A: set(c.B)``, each on two lines."""
+    return "\n".join(f"{line}{head}:\n{line}    {action}" for head, _, action in (arm.partition(": ") for arm in arms))
+
+
 # -- meaning ----------------------------------------------------------------------------------------------------------
 
 NAMES = "ABCD"

@@ -19,6 +19,7 @@ ROAD = (
     "settings",
     "check",
     "lower",
+    "fixes",
     "emit",
     "ladder",
     "comparing",

@@ -134,6 +134,16 @@ def test_what_is_no_member_is_told(rung: str, code: str, words: str, tmp_path: P
     assert problems[0].help
 
 
+@pytest.mark.parametrize("edge", ["re(c.Valves)", "fe(c.Valves)", "all(c[1], re(c.Valves[0:2]))"])
+def test_an_edge_belongs_to_one_bit(edge: str, tmp_path: Path) -> None:
+    text = (
+        f"nickname(c.Valves, c[10:13])\n\ndef main():\n    if {edge}:\n        out(y[1])\n    if True:\n        end()\n"
+    )
+    (problem,) = build(tmp_path, text).diagnostics
+    assert problem.code == "CG214"
+    assert "is a block of" in problem.message
+
+
 def test_a_misspelled_block_has_a_suggestion(tmp_path: Path) -> None:
     (problem,) = build(tmp_path, program("copy(ds.Recip[1], ds[1])")).diagnostics
     assert problem.help == "did you mean Recipe?"

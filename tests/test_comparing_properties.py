@@ -25,7 +25,7 @@ from judges.power import (
     power_sets,
     situations,
 )
-from strategies.conditions import Always, BitRange, Condition, Contact, Group
+from strategies.conditions import Always, BitRange, Condition, Contact, Group, Logic
 from strategies.meaning import meaning_programs
 from strategies.one_rung import power_programs
 from strategies.programs import Act, Branch, Item, Program, Rung
@@ -266,6 +266,7 @@ def ways(condition: Condition) -> list[frozenset[str]]:
         return [frozenset()]
     if isinstance(condition, BitRange):
         return ways(Group("all", condition.contacts))
+    assert not isinstance(condition, Logic)
     if not isinstance(condition, Group):
         is_negated = isinstance(condition, Contact) and condition.form == "nc"
         return [frozenset([f"~{condition.leaf}" if is_negated else condition.leaf])]

@@ -187,3 +187,43 @@ def test_a_slice_that_is_not_plain_is_not_made_longer(tmp_path: Path) -> None:
     assert problem.fix is None
     [problem] = found(rung("c.A").replace(b"set(c.Q)", b"copy_pack(c[ 1 : 16 ], dh.W)"), "CG519", tmp_path)
     assert problem.fix == Fix((Edit(Span(str(tmp_path / "prog.py"), 3, 26, 3, 28), "17"),), is_safe=False)
+
+
+def test_a_slice_over_two_lines_is_not_made_longer(tmp_path: Path) -> None:
+    before = rung("c.A").replace(b"set(c.Q)", b"copy_pack(c[1:\n            16], dh.W)")
+    [problem] = found(before, "CG519", tmp_path)
+    assert problem.fix is None
+
+
+@pytest.mark.parametrize(
+    ("condition", "after"),
+    [
+        ("any(c.A, c.Row)", "any(c.A, c.Row[0], c.Row[1], c.Row[2])"),
+        ("any(nc( c.Row ), c.A)", "any(nc(c.Row[0]), nc(c.Row[1]), nc(c.Row[2]), c.A)"),
+        ("any(c.A, c.Row[1:3])", "any(c.A, c[12], c[13])"),
+        ("any(c.A, x[1:3].immediate)", "any(c.A, x[1].immediate, x[2].immediate)"),
+        ("any(c.A, nc(  # none\n        c[1:3]))", ""),
+    ],
+)
+def test_a_range_becomes_its_bits(condition: str, after: str, tmp_path: Path) -> None:
+    declared = b"nickname(c.Row, c[11:14])\n\n\n"
+    if not after:
+        [problem] = found(declared + rung(condition), "CG526", tmp_path)
+        assert problem.fix is None
+        return
+    assert fixed(declared + rung(condition), "CG526", tmp_path) == declared + rung(after)
+    assert_builds(declared + rung(after), tmp_path)
+
+
+def test_a_comparison_of_floating_point_is_repeated_only_word_for_word(tmp_path: Path) -> None:
+    assert fixed(rung("all(df.V > 5, c.A, df.V > 5)"), "CG509", tmp_path) == rung("all(df.V > 5, c.A)")
+    [problem] = found(rung("all(df.V > 5, c.A, 5 < df.V)"), "CG509", tmp_path)
+    assert problem.fix is None
+
+
+def test_two_words_for_one_address_are_so_in_one_program(tmp_path: Path) -> None:
+    declared = b"nickname(c.A, c[7])\n\n\n"
+    for condition, rests in (("all(c.A, c[7])", True), ("all(c.A, c.B, c.A)", False), ("any(ds.V, ds.V != 0)", False)):
+        [problem] = found(declared + rung(condition), "CG509", tmp_path)
+        assert problem.fix
+        assert problem.fix.rests_on_names is rests

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -65,6 +67,9 @@ all(ds[1] >= 5, ds[1] <= 5)
 all(ds[1] != 5, ds[1] != 6, ds[1] > 4, ds[1] < 8)
 all(ds[1] > 4.5, ds[1] < 5.5)
 all(df[1] > 4, df[1] < 5)
+any(df[1] < 3, df[1] >= 3)
+any(df[1] < df[2], df[1] >= df[2])
+all(df[1] != 3, df[1] != df[1])
 all(5 < ds[1], 7 > ds[1])
 all(dh[1] == 0x00FF, dh[2] == "00FEh")
 all(dh[1] > 0xFFFE, dh[1] != 0)
@@ -127,7 +132,8 @@ any(ds[1] <= 5, ds[1] > 5)
 any(ds[1] == 1, ds[1] != 1)
 any(ds[1] < 3, ds[1] > 2)
 any(ds[1] < 3.5, ds[1] > 3.2)
-any(df[1] < 3, df[1] >= 3)
+any(df[1] == 3, df[1] != 3)
+any(df[1] == df[2], df[1] != df[2])
 any(ds[1] < ds[2], ds[1] >= ds[2])
 ds[1] == ds[1]
 ds[1] >= -32768
@@ -167,6 +173,8 @@ x[1] -> x[1].immediate
 x[1].immediate -> x[1].immediate
 ds[1] > 4 -> ds[1] > 5
 df[1] > 4 -> df[1] >= 5
+df[1] != 4 -> any(df[1] < 4, df[1] > 4)
+df[1] != df[2] -> any(df[1] < df[2], df[1] > df[2])
 ds[1] <= ds[2] -> ds[1] == ds[2]
 True -> c[1]
 """.strip().split("\n")
@@ -318,7 +326,7 @@ class Term:
     """A condition as text, and whether it holds in a state."""
 
     text: str
-    holds: Callable[[State], bool]
+    holds: Callable[[Any], bool]
 
 
 def _level(bit: int, word: str) -> Term:
@@ -399,6 +407,45 @@ def test_it_agrees_with_trying_every_state(one: Term, other: Term) -> None:
     assert always_holds(first) is all(truth for truth, _ in truths)
     assert are_exclusive(first, second) is not any(both == (True, True) for both in truths)
     assert implies(first, second) is not any(both == (True, False) for both in truths)
+
+
+@dataclass(frozen=True)
+class Floats:
+    """Two floating-point registers."""
+
+    registers: tuple[float, ...]
+
+
+_HALVES = (*(number / 2 for number in range(-2, 9)), math.nan)
+FLOATS = tuple(map(Floats, product(_HALVES, repeat=2)))
+"""Around and between the constants 0 to 3, and no number: of that Python says what IEEE 754 says."""
+
+
+def _floats(term: Term) -> tuple[Condition, list[bool]]:
+    """A condition of DF registers, and what it is in every state."""
+    return read(term.text.replace("ds[", "df[")), [term.holds(state) for state in FLOATS]
+
+
+@settings(deadline=None)
+@given(_nested(constants), _nested(constants))
+def test_it_agrees_with_trying_every_number_and_none(one: Term, other: Term) -> None:
+    (first, here), (second, there) = map(_floats, (one, other))
+    both = list(zip(here, there, strict=True))
+    assert can_hold(first) is any(here)
+    assert always_holds(first) is all(here)
+    assert are_exclusive(first, second) is not any(truths == (True, True) for truths in both)
+    assert implies(first, second) is not any(truths == (True, False) for truths in both)
+
+
+@settings(deadline=None)
+@given(_nested(constants | relations), _nested(constants | relations))
+def test_it_never_denies_a_state_of_floating_point(one: Term, other: Term) -> None:
+    (first, here), (second, there) = map(_floats, (one, other))
+    both = list(zip(here, there, strict=True))
+    assert can_hold(first) or not any(here)
+    assert not always_holds(first) or all(here)
+    assert not are_exclusive(first, second) or (True, True) not in both
+    assert not implies(first, second) or (True, False) not in both
 
 
 @settings(deadline=None)

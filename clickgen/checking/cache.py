@@ -123,7 +123,7 @@ def _entry(finding: Diagnostic) -> list[object]:
         finding.span,
         finding.help,
         [[label.span, label.text] for label in finding.labels],
-        [[[edit.span, edit.text] for edit in fix.edits], fix.is_safe] if fix else None,
+        [[[edit.span, edit.text] for edit in fix.edits], fix.is_safe, fix.rests_on_names] if fix else None,
     ]
 
 
@@ -145,7 +145,7 @@ def _fix(entry: object) -> Fix | None:
     if not isinstance(entry, list):
         return None
     edits: Iterable[list[object]] = entry[0]
-    return Fix(tuple(Edit(_sure(_span(place)), str(text)) for place, text in edits), entry[1] is True)
+    return Fix(tuple(Edit(_sure(_span(place)), str(text)) for place, text in edits), entry[1] is True, entry[2] is True)
 
 
 def _span(entry: object) -> Span | None:

@@ -77,10 +77,25 @@ def wholly_judged(
 
     A part that no program imports is never among them: some other file will bring what it lacks.
     """
+    done, programs = _programs_of(paths, judged, config, overlay)
+    return {path for path, needed in programs.items() if needed and needed <= done}
+
+
+def partly_judged(
+    paths: Iterable[str], judged: Iterable[Target], config: Config, overlay: Mapping[str, bytes] | None = None
+) -> set[str]:
+    """Those of these files that belong to a program which was not judged."""
+    done, programs = _programs_of(paths, judged, config, overlay)
+    return {path for path, needed in programs.items() if not needed <= done}
+
+
+def _programs_of(
+    paths: Iterable[str], judged: Iterable[Target], config: Config, overlay: Mapping[str, bytes] | None
+) -> tuple[set[str], dict[str, set[str]]]:
+    """The programs that were judged, and those that each of these files belongs to, by their real paths."""
     repository = _Repository(config, (), overlay or {})
     done = {os.path.realpath(target.path) for target in judged if not target.is_part}
-    programs = {path: {os.path.realpath(program) for program in repository.programs_with(path)} for path in paths}
-    return {path for path, needed in programs.items() if needed and needed <= done}
+    return done, {path: {os.path.realpath(program) for program in repository.programs_with(path)} for path in paths}
 
 
 def _each_once(targets: Iterable[Target]) -> list[Target]:

@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from clickgen.check.select import Selection
+from clickgen.checking.agree import agreed
 from clickgen.checking.cache import FOLDER, Cache, Cached
-from clickgen.checking.discover import Target, discover, matches, wholly_judged
+from clickgen.checking.discover import Target, discover, matches, partly_judged, wholly_judged
 from clickgen.checking.judge import Judge
 from clickgen.codes import CODES
 from clickgen.config import Config
@@ -136,8 +137,7 @@ def _look(request: Request, found: Sequence[Target], overlay: Mapping[str, bytes
     )
     judged = judge(found)
     checked = tuple(sorted({path for cached in judged.values() for path in cached.sources}))
-    # A file of several programs has its findings once.
-    findings = list(dict.fromkeys(finding for cached in judged.values() for finding in cached.findings))
+    findings = agreed(judged, lambda paths: partly_judged(paths, judged, request.config, overlay))
     left, about = _heard(request, findings, checked, judged, overlay)
     ignored = _Ignored(request.config)
     shown = [finding for finding in (*left, *about) if not ignored(finding)]

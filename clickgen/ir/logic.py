@@ -1,7 +1,9 @@
 """Reasoning about conditions: can it ever hold, does it always, do two exclude each other.
 
 What cannot be decided counts as possible: a rule may stay silent, never accuse wrongly. Names need no address: any two
-may be of the same one, and a name of bits may be the name of a block.
+may be of the same one, and a name of bits may be the name of a block. A DF register may hold no number (NaN). No source
+says how CLICK compares that; here it goes by IEEE 754, where of all comparisons only ``!=`` holds then. So neither of
+two opposite comparisons has to hold. What must not rest on this, a safe fix, does not ask about floating point here.
 """
 
 from __future__ import annotations
@@ -93,7 +95,9 @@ def shape(condition: Condition) -> object:
         return tuple(_bits(condition))
     if isinstance(condition, Compare):
         left, op, right = _side(condition.left), condition.op, _side(condition.right)
-        return (left, op, right) if isinstance(condition.left, _REGISTERS) else (right, MIRRORED[op], left)
+        # With its sides exchanged a comparison says the same of numbers, which a DF register may not hold.
+        as_written = isinstance(condition.left, _REGISTERS) or form_of(condition.right) == "DF"
+        return (left, op, right) if as_written else (right, MIRRORED[op], left)
     if isinstance(condition, All | Any):
         terms = tuple(map(shape, condition.terms))
         return terms[0] if len(terms) == 1 else (type(condition), terms)
@@ -175,8 +179,8 @@ def _key(operand: Named | Cell) -> object:
 
 # -- numbers ----------------------------------------------------------------------------------------------------------
 
-_RELATIONS = {"==": "=", "!=": "<>", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
-"""The ways in which two registers can stand to each other, as characters."""
+_RELATIONS = {"==": "=", "!=": "<>?", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
+"""The ways in which two registers can stand to each other, as characters: ``?`` when one holds no number."""
 _COMPARE: Mapping[str, Callable[[Number, Number], bool]] = {
     "==": operator.eq,
     "!=": operator.ne,
@@ -206,18 +210,24 @@ def _as_compared(value: Number, is_whole: bool) -> Number | None:
 
 @dataclass(frozen=True)
 class _Interval:
-    """The values that a register may have: from ``low`` to ``high``, both included, but for ``holes``."""
+    """The values that a register may have: from ``low`` to ``high``, both included, but for ``holes``.
+
+    With ``may_be_nan`` it may also hold no number; then there need be no values.
+    """
 
     low: Number = -math.inf
     high: Number = math.inf
     holes: frozenset[Number] = frozenset()
     is_whole: bool = False
+    may_be_nan: bool = False
 
-    def with_bound(self, op: str, constant: Number) -> _Interval | None:
-        """What is left when the register must compare so with a constant; None when nothing is."""
+    def with_bound(self, op: str, constant: Number, wanted: bool = True) -> _Interval | None:
+        """What is left when the register must compare so with a constant, or must not; None when nothing is."""
         value = _as_compared(constant, self.is_whole)
         if value is None:
             return self
+        may_be_nan = self.may_be_nan and (op == "!=") is wanted
+        op = op if wanted else OPPOSITE[op]
         low, high, holes = self.low, self.high, self.holes
         if op in ("==", ">="):
             low = max(low, value)
@@ -236,9 +246,9 @@ class _Interval:
                 low += 1
             while high in holes and low <= high:
                 high -= 1
-        changed = _Interval(low, high, holes, self.is_whole)
+        changed = _Interval(low, high, holes, self.is_whole, may_be_nan)
         empty = low > high or (low == high and low in holes)
-        return None if empty else changed
+        return None if empty and not may_be_nan else changed
 
 
 @dataclass(frozen=True)
@@ -255,29 +265,29 @@ class _State:
         return _State({**self.bits, **bits}, self.numbers, self.relations)
 
     def with_comparison(self, compare: Compare, wanted: bool) -> _State | None:
-        op = compare.op if wanted else OPPOSITE[compare.op]
-        left, right = compare.left, compare.right
+        op, left, right = compare.op, compare.left, compare.right
         left_value, right_value = _constant(left), _constant(right)
         if left_value is not None and right_value is not None:
-            return self if _COMPARE[op](left_value, right_value) else None
+            return self if _COMPARE[op](left_value, right_value) is wanted else None
         if left_value is not None:
             left, op, right_value = right, MIRRORED[op], left_value
         if not isinstance(left, _REGISTERS):
             return self
         if right_value is not None:
             key = _key(left)
-            interval = self.numbers.get(key, _domain(left.bank)).with_bound(op, right_value)
+            interval = self.numbers.get(key, _domain(left.bank)).with_bound(op, right_value, wanted)
             return None if interval is None else _State(self.bits, {**self.numbers, key: interval}, self.relations)
-        return self._related(left, op, right) if isinstance(right, _REGISTERS) else self
+        return self._related(left, op, right, wanted) if isinstance(right, _REGISTERS) else self
 
-    def _related(self, left: Named | Cell, op: str, right: Named | Cell) -> _State | None:
+    def _related(self, left: Named | Cell, op: str, right: Named | Cell, wanted: bool) -> _State | None:
         one, other = str(_key(left)), str(_key(right))
         if one == other:
             # Of a floating-point register that holds no number nobody knows how CLICK compares it with itself.
-            return self if "=" in _RELATIONS[op] or left.bank == "DF" else None
+            return self if ("=" in _RELATIONS[op]) is wanted or left.bank == "DF" else None
         if one > other:
             one, other, op = other, one, MIRRORED[op]
-        kept = "".join(sign for sign in self.relations.get((one, other), "<=>") if sign in _RELATIONS[op])
+        known = self.relations.get((one, other), "<=>?" if "DF" in (left.bank, right.bank) else "<=>")
+        kept = "".join(sign for sign in known if (sign in _RELATIONS[op]) is wanted)
         return _State(self.bits, self.numbers, {**self.relations, (one, other): kept}) if kept else None
 
 
@@ -298,7 +308,7 @@ def decided(compare: Compare) -> bool | None:
 def _decided(bank: str, op: str, value: Number) -> bool | None:
     if _domain(bank).with_bound(op, value) is None:
         return False
-    return True if _domain(bank).with_bound(OPPOSITE[op], value) is None else None
+    return True if _domain(bank).with_bound(op, value, wanted=False) is None else None
 
 
 @cache
@@ -308,7 +318,7 @@ def _domain(bank: str) -> _Interval:
         return _Interval(*INTEGER_RANGES[kind], is_whole=True)
     if kind in (Kind.HEX, Kind.TEXT):
         return _Interval(0, 0xFFFF, is_whole=True)
-    return _Interval()
+    return _Interval(may_be_nan=True)
 
 
 def value_of(compare: Compare) -> str:

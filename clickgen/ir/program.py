@@ -15,6 +15,7 @@ from clickgen.source import SourceFile, Span
 
 if TYPE_CHECKING:
     from clickgen.formula.nodes import Formula
+    from clickgen.ir.proposals import Proposal
 
 
 @dataclass(frozen=True, slots=True)
@@ -228,6 +229,10 @@ class Program:
     """Functions that an import should bring and does not: they have their problem there."""
     offered: Mapping[str, Offer] = field(default_factory=dict)
     """Subroutines that could be imported, by their functions."""
+    proposals: tuple[Proposal, ...] = ()
+    """The fixes that the text of all its files suggests."""
+    is_declared: bool = True
+    """False when a file or a declaration could not be read: then any name may have a meaning that nobody sees."""
 
     @property
     def main(self) -> Routine | None:

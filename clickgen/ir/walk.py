@@ -11,6 +11,7 @@ from clickgen.formula.refs import map_refs
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Named, Operand, Pointer, Range, Single
 from clickgen.ir.program import Action, Branch, FormulaText, Item, KeptToken, Loop, Operands, Program, Rung, Value
+from clickgen.ir.proposals import Alternative, Proposal
 
 # -- walking ----------------------------------------------------------------------------------------------------------
 
@@ -120,8 +121,19 @@ class Rewriter:
         return Action(action.spec, {name: self.value(value) for name, value in action.args.items()}, action.span)
 
     def program(self, program: Program) -> Program:
+        """The program with its routines rebuilt; its proposals are no part of it."""
         routines = tuple(replace(routine, rungs=self.rungs(routine.rungs)) for routine in program.routines)
         return replace(program, routines=routines)
+
+    def proposal(self, proposal: Proposal) -> Proposal:
+        arms = tuple(
+            Alternative(self.condition(arm.test), self.condition(arm.alone), self.items(arm.items))
+            for arm in proposal.arms
+        )
+        return replace(proposal, turned=tuple(map(self.leaf, proposal.turned)), arms=arms)
+
+    def leaf(self, leaf: Contact | Compare) -> Contact | Compare:
+        return self.contact(leaf) if isinstance(leaf, Contact) else self.compare(leaf)
 
     def rungs(self, rungs: tuple[Rung, ...]) -> tuple[Rung, ...]:
         return tuple(

@@ -8,8 +8,10 @@ from dataclasses import replace
 from clickgen.device.banks import BANKS, Address
 from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.formula.printer import source_reference
+from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Operand, Range, Section, Single
 from clickgen.ir.program import Operands, Program, Value
+from clickgen.ir.proposals import Proposal
 from clickgen.ir.walk import Rewriter
 from clickgen.resolve.blocks import Block, unclosed_block
 from clickgen.resolve.table import AddressTable
@@ -24,6 +26,11 @@ def without_members(
     the bare name is the nickname's.
     """
     return _Members(blocks, table, problems).program(program)
+
+
+def proposal_without_members(proposal: Proposal, blocks: Mapping[str, Block], table: AddressTable) -> Proposal:
+    """The same for a proposal, which is no part of the program: what is wrong with its members is not reported."""
+    return _Members(blocks, table, Diagnostics()).proposal(proposal)
 
 
 _SUM = "SUM(ds[1:11]) adds up DS1 to DS10; or name a block"
@@ -54,6 +61,12 @@ class _Members(Rewriter):
         if isinstance(operand, Immediate) and isinstance(operand.target, Named):
             return Immediate(self._found(operand.target), operand.span)
         return super().operand(operand)
+
+    def contact(self, contact: Contact) -> Contact:
+        """An edge belongs to one bit."""
+        if contact.edge and isinstance(contact.operand, Named):
+            return replace(contact, operand=self.cell(contact.operand))
+        return super().contact(contact)
 
     def value(self, value: Value) -> Value:
         if not isinstance(value, Operands):

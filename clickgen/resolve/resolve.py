@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from copy import copy
+from dataclasses import dataclass, replace
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import nickname_fault
@@ -13,7 +14,8 @@ from clickgen.formula.printer import source_reference
 from clickgen.instructions.spec import Access
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Constant, Immediate, Named, Operand, Range
-from clickgen.ir.program import Action, Program, Value, Word, actions_in, rungs_in
+from clickgen.ir.program import Action, Program, Routine, Value, Word, actions_in, rungs_in
+from clickgen.ir.proposals import Proposal
 from clickgen.ir.reach import reaching
 from clickgen.ir.walk import Rewriter, program_operands
 from clickgen.resolve.allocate import Allocator
@@ -21,7 +23,7 @@ from clickgen.resolve.blocks import Block
 from clickgen.resolve.constants import kind_of, stored, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
 from clickgen.resolve.declare_blocks import declare_blocks
-from clickgen.resolve.members import without_members
+from clickgen.resolve.members import proposal_without_members, without_members
 from clickgen.resolve.rows import Row, is_scratch, looks_like_scratch
 from clickgen.resolve.table import AddressTable
 from clickgen.wording import counted
@@ -40,6 +42,12 @@ class Resolved:
     table: AddressTable
     blocks: Mapping[str, Block]
     """By their lowercase names."""
+    proposals: tuple[Proposal, ...] = ()
+    """Those of the program, in the same order, with addresses where they are known."""
+    chosen: frozenset[Address] = frozenset()
+    """The addresses of names, proposals included, that nothing declares: clickgen chose or would choose them."""
+    is_declared: bool = True
+    """False when something that could declare a name was not understood: then such a name may mean anything."""
 
 
 def resolve(
@@ -54,21 +62,48 @@ def resolve(
     ``reserved`` addresses are given to no name. Names with a problem stay in the tree, so that the rules after this
     judge all the rest.
     """
+    before = _faults(problems)
     declared = declare(program.declarations, table, problems)
     blocks = declare_blocks(program.blocks, table, declared, problems)
+    # Every problem of the table may hide a row or a block, the warnings among them.
+    is_declared = program.is_declared and _faults(problems) == before and not _doubts_table(problems)
     operands = list(program_operands(program))
     if blocks or any(name.part is not None for name in _names_in(operands)):
         program = without_members(program, blocks, table, problems)
         operands = list(program_operands(program))
+    proposals = [proposal_without_members(proposal, blocks, table) for proposal in program.proposals]
+    proposed = replace(program, routines=tuple(Routine("", tuple(one.rungs()), one.span, False) for one in proposals))
     resolver = _Resolver(table, declared, frozen, problems, reserved)
     marked = (address for block in blocks.values() for address in block.addresses())
     resolver.allocator.take((*resolver.reserved, *marked, *_addresses(operands)))
+    resolver.allocator.take(_addresses(program_operands(proposed)))
     resolver.name(program, list(_named(operands)))
     functions = {routine.function: routine.name for routine in program.subroutines}
     resolved = _Names(resolver.addresses, functions).program(program)
     _guard_scratch(resolved, table, problems)
     rows = (*declared.rows, *resolver.allocated)
-    return Resolved(resolved, rows, tuple(resolver.allocated), resolver.allocator, table, blocks)
+    beside = resolver.beside()
+    beside.name(proposed, list(_named(program_operands(proposed))))
+    names = _Names(beside.addresses, functions)
+    return Resolved(
+        resolved,
+        rows,
+        tuple(resolver.allocated),
+        resolver.allocator,
+        table,
+        blocks,
+        tuple(map(names.proposal, proposals)),
+        frozenset(row.address for row in (*resolver.allocated, *beside.allocated)),
+        is_declared,
+    )
+
+
+def _faults(problems: Diagnostics) -> int:
+    return sum(problem.is_error for problem in problems.found)
+
+
+def _doubts_table(problems: Diagnostics) -> bool:
+    return any(problem.code.startswith("CG6") for problem in problems.found)
 
 
 def _guard_scratch(program: Program, table: AddressTable, problems: Diagnostics) -> None:
@@ -129,6 +164,13 @@ class _Resolver:
         self.allocator = Allocator((*table.by_address, *declared.addresses))
         self.owned: set[tuple[str, str]] = set()
         """(bank, lowercase name) of what an instruction keeps for itself, such as a drum's accumulator."""
+
+    def beside(self) -> _Resolver:
+        """One that goes on from here for what is no part of the program: nothing is said or kept of its names."""
+        other = copy(self)
+        other.problems, other.allocated = Diagnostics(), []
+        other.meanings, other.addresses = dict(self.meanings), dict(self.addresses)
+        return other
 
     # -- names --------------------------------------------------------------------------------------------------------
 

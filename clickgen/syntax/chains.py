@@ -7,14 +7,14 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple, TypeGuard
 
-from clickgen.diagnostics import Edit, Fix
-from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Any, Compare, Condition, Contact
+from clickgen.diagnostics import Edit
+from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.logic import are_exclusive, can_hold, decided, implies, looked_at, terms_of
 from clickgen.ir.program import Item
+from clickgen.ir.proposals import Alternative, Proposal
 from clickgen.ir.walk import condition_operands, leaves
 from clickgen.source import Span
 from clickgen.syntax.context import Context
-from clickgen.syntax.hazards import is_undone, may_look_again
 from clickgen.syntax.opposites import opposite
 
 
@@ -28,36 +28,48 @@ class Arm(NamedTuple):
     items: tuple[Item, ...]
 
 
-def as_ifs(context: Context, arms: Sequence[Arm], is_branch: bool, is_known: bool) -> Fix | None:
-    """The fix that gives every elif and the else a condition of its own; None where that cannot be written.
+def propose(
+    context: Context, code: str, span: Span, arms: Sequence[Arm], is_branch: bool, is_read: bool
+) -> tuple[Proposal, Span | None]:
+    """The fix that gives every elif and the else a condition of its own; without edits where that cannot be written.
 
-    CLICK looks at the conditions of branches before any action. A rung of its own looks after the actions of those
-    before it. ``is_known`` is False where some of the arms could not be read, so that nobody knows what they do.
+    With it comes the place of something that a later arm would have to turn round, and that has no opposite. CLICK
+    looks at the conditions of branches before any action. A rung of its own looks after the actions of those before
+    it. ``is_read`` is False where some of the arms could not be read, so that nobody knows what they do.
     """
-    tests = [arm.condition for arm in arms if _asks_something(arm.condition)]
-    if len(tests) < len(arms):
-        return None
+    series = [arms[0].condition or Always(arms[0].word)]
     edits: list[Edit] = []
-    series: list[list[Condition]] = []
-    for index, arm in enumerate(arms[1:], 1):
-        terms = _standing_alone(context, tests[index], tests[:index])
+    turned: dict[int, Contact | Compare] = {}
+    tests = [arm.condition for arm in arms if _asks_something(arm.condition)]
+    for index, arm in enumerate(arms[1:], 1) if len(tests) == len(arms) else ():
+        terms = _standing_alone(tests[index], tests[:index], turned)
         own = _edits(context, arm, tests[index], terms) if terms else None
-        if terms is None or own is None:
-            return None
+        if not terms or own is None:
+            break
         edits += own
-        series.append(terms)
-    bodies = [arm.items for arm in arms]
-    is_safe = is_known and not is_undone(context, bodies)
-    return Fix(tuple(edits), is_safe and (is_branch or may_look_again(context, bodies, series)))
+        series.append(terms[0] if len(terms) == 1 else All(tuple(terms), terms[0].span))
+    is_written = len(series) == len(arms)
+    if not is_written:
+        # Only what the problem says is judged: of all that comes before, a later arm means the opposite.
+        edits = []
+        turned = {id(leaf): leaf for arm in arms[:-1] if arm.condition for leaf in leaves(arm.condition)}
+    proposal = Proposal(
+        code,
+        span,
+        tuple(edits),
+        "",
+        tuple(turned.values()),
+        tuple(_alternative(arm, series[index] if is_written else None) for index, arm in enumerate(arms)),
+        is_branch,
+        is_read,
+    )
+    missing = None if is_written else next((leaf.span for leaf in turned.values() if opposite(leaf) is None), None)
+    return proposal, missing
 
 
-def without_opposite(context: Context, arms: Sequence[Arm]) -> Span | None:
-    """Where something stands that a later arm would have to turn round, and that has no opposite."""
-    for arm in arms[:-1]:
-        for leaf in leaves(arm.condition) if arm.condition else ():
-            if opposite(context, leaf) is None:
-                return leaf.span
-    return None
+def _alternative(arm: Arm, alone: Condition | None) -> Alternative:
+    test = arm.condition or Always(arm.word)
+    return Alternative(test, alone or test, arm.items)
 
 
 # -- what must hold for an arm ----------------------------------------------------------------------------------------
@@ -70,15 +82,21 @@ def _asks_something(test: Condition | None) -> TypeGuard[Condition]:
     return all(decided(leaf) is None for leaf in leaves(test) if isinstance(leaf, Compare))
 
 
-def _standing_alone(context: Context, own: Condition, earlier: Sequence[Condition]) -> list[Condition] | None:
-    """What must hold for an arm by itself, in series; None where the language cannot say it, or the arm never runs."""
+def _standing_alone(
+    own: Condition, earlier: Sequence[Condition], turned: dict[int, Contact | Compare]
+) -> list[Condition] | None:
+    """What must hold for an arm by itself, in series; None where the language cannot say it, or the arm never runs.
+
+    Every contact and comparison that is turned round goes into ``turned``.
+    """
     others: list[Condition] = []
     for test in earlier:
         if are_exclusive(test, own):
             continue
-        other = opposite(context, test)
+        other = opposite(test)
         if other is None:
             return None
+        turned.update((id(leaf), leaf) for leaf in leaves(test))
         others.append(other)
     return _without_idle(terms_of(*others, own))
 

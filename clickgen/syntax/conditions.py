@@ -6,13 +6,15 @@ import ast
 import warnings
 
 from clickgen.device.banks import BANKS, Kind
-from clickgen.diagnostics import Diagnostic, Diagnostics, Fix, did_you_mean
+from clickgen.diagnostics import Diagnostic, Diagnostics, did_you_mean
 from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real
+from clickgen.ir.proposals import Proposal
 from clickgen.source import SourceFile
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import address_hint, looks_like_address, read_address, read_operand, shorten
-from clickgen.syntax.rewrite import has_opposite, in_language, python_logic, terms_in
+from clickgen.syntax.rewrite import Rewritten, has_opposite, in_language, python_logic, terms_in
+from clickgen.wording import no_opposite
 
 COMPARISONS: dict[type[ast.cmpop], str] = {
     ast.Eq: "==",
@@ -55,9 +57,11 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
         return _read_function(context, node, node.func.id)
     logic = python_logic(node)
     if logic:
-        text, fix = _rewritten(context, node) or ("", None)
-        help = f"write {_on_one_line(text)}" if text else _in_the_way(context, node)
-        context.problem("CG105", node, f"{logic[0]} is not part of the language", help, fix)
+        rewritten = _rewritten(context, node)
+        help = _WAY_OUT if rewritten else _in_the_way(context, node)
+        context.problem("CG105", node, f"{logic[0]} is not part of the language", help)
+        if rewritten:
+            context.proposals.append(_proposal(context, node, rewritten))
     elif isinstance(node, ast.Call):
         name = node.func.id if isinstance(node.func, ast.Name) else ""
         context.problem("CG107", node, "this call is not a condition", did_you_mean(name, FUNCTIONS) or _WAY_OUT)
@@ -73,13 +77,24 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
     return None
 
 
-def _rewritten(context: Context, node: ast.expr) -> tuple[str, Fix] | None:
-    """An expression in the language and the fix that writes it so; None where that would be no condition."""
+def _rewritten(context: Context, node: ast.expr) -> Rewritten | None:
+    """An expression in the language; None where that would be no condition."""
     rewritten = in_language(context, node)
-    if rewritten is None:
-        return None
-    text, edit = rewritten
-    return (text, Fix((edit,))) if _fault_of(context, text) is None else None
+    return rewritten if rewritten and _fault_of(context, rewritten.text) is None else None
+
+
+def _proposal(context: Context, node: ast.expr, rewritten: Rewritten) -> Proposal:
+    """The fix that writes an expression in the language, with all that it turns round."""
+    trial = Context(context.source, Diagnostics())
+    turned = [_read_term(trial, term) for term in rewritten.turned]
+    return Proposal(
+        "CG105",
+        context.span(node),
+        (rewritten.edit,),
+        f"write {_on_one_line(rewritten.text)}",
+        tuple(term for term in turned if isinstance(term, Contact | Compare)),
+        is_read=None not in turned,
+    )
 
 
 def _fault_of(context: Context, text: str) -> Diagnostic | None:
@@ -115,8 +130,7 @@ def _in_the_way(context: Context, node: ast.expr) -> str:
             both = _compared_too(context, function, compared, term)
             return f"{shown} has no place in it: {f'compare it as well, {both}' if both else fault.help}"
         if not wanted and not has_opposite(context, term):
-            way = "put it on a bit with out(...) in a rung before, and write nc(...) of that bit"
-            return f"nothing in the language is the opposite of {shown}: {way}"
+            return no_opposite(shown, is_negated=True)
         compared = term if isinstance(term, ast.Compare) else None
     return f"in series write all(...), in parallel any(...); {_WAY_OUT}"
 

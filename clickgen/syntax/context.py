@@ -5,9 +5,10 @@ from __future__ import annotations
 import ast
 import io
 import tokenize
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from clickgen.diagnostics import Diagnostics, Fix
+from clickgen.diagnostics import Diagnostics
+from clickgen.ir.proposals import Proposal
 from clickgen.source import EmbeddedText, SourceFile, Span, embedded_text
 
 Located = ast.expr | ast.stmt | ast.keyword | ast.arg
@@ -17,6 +18,8 @@ Located = ast.expr | ast.stmt | ast.keyword | ast.arg
 class Context:
     source: SourceFile
     problems: Diagnostics
+    proposals: list[Proposal] = field(default_factory=list)
+    """The fixes of these problems, each still to be judged."""
 
     def span(self, node: Located) -> Span:
         """Where a node stands."""
@@ -55,5 +58,5 @@ class Context:
                 parts.append((token.string, span.line + row - 1, col + first))
         return embedded_text(self.source, parts, value)
 
-    def problem(self, code: str, node: Located, message: str, help: str = "", fix: Fix | None = None) -> None:
-        self.problems.add(code, self.span(node), message, help, fix=fix)
+    def problem(self, code: str, node: Located, message: str, help: str = "") -> None:
+        self.problems.add(code, self.span(node), message, help)

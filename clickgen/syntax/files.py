@@ -11,6 +11,7 @@ from typing import NamedTuple
 from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.ir.imports import Import
 from clickgen.ir.program import BlockDeclaration, Declaration, Offer, Program, Routine
+from clickgen.ir.proposals import Proposal
 from clickgen.source import SourceFile, Span
 from clickgen.syntax.parse import decode
 from clickgen.syntax.read import FileContent, read_file
@@ -42,6 +43,8 @@ def read_program(
         tuple(files.blocks),
         frozenset(misimported),
         files.offered(content),
+        tuple(files.proposals),
+        files.is_declared,
     )
     return program, tuple(files.sources)
 
@@ -66,6 +69,8 @@ class _Files:
     sources: list[SourceFile]
     declarations: list[Declaration] = field(default_factory=list)
     blocks: list[BlockDeclaration] = field(default_factory=list)
+    proposals: list[Proposal] = field(default_factory=list)
+    is_declared: bool = True
     _contents: dict[str, FileContent | None] = field(default_factory=dict)
     _open: dict[str, None] = field(default_factory=dict)
     """The files from the program to the one being taken in, in this order."""
@@ -89,6 +94,8 @@ class _Files:
     def _visit(self, content: FileContent) -> _Visit:
         key = _key(content.path)
         self._contents[key] = content
+        self.proposals += content.proposals
+        self.is_declared &= content.is_declared
         self._open[key] = None
         return _Visit(content, (item for item in content.items if isinstance(item, Import) and item.module))
 
@@ -136,15 +143,17 @@ class _Files:
         try:
             data = self.read_bytes(path)
         except OSError as error:
+            self.is_declared = False
             missing = isinstance(error, FileNotFoundError)
             fault = f"there is no file {path}" if missing else f"{path} cannot be read: {error.strerror or error}"
             self.problems.add("CG121", span, fault, self._hint(path) if missing else "make it a readable file")
             return None
         source = decode(path, data, self.problems)
-        if source is None:
-            return None
-        self.sources.append(source)
-        return read_file(source, self.problems)
+        if source is not None:
+            self.sources.append(source)
+        content = read_file(source, self.problems) if source is not None else None
+        self.is_declared &= content is not None
+        return content
 
     def _hint(self, path: str) -> str:
         name = os.path.basename(path)

@@ -1,18 +1,19 @@
-"""Conditions turned round: what has an opposite that the language can say, and that opposite."""
+"""The opposite of a condition, where the language can say it."""
 
 from __future__ import annotations
 
-import re
-
 from clickgen.ir.conditions import OPPOSITE, All, Any, Compare, Condition, Contact
-from clickgen.ir.operands import Cell, Named
-from clickgen.syntax.context import Context
+from clickgen.ir.operands import Cell, Named, Section
 
 
-def opposite(context: Context, condition: Condition) -> Condition | None:
-    """The opposite, where the language has a word for it; an immediate contact may differ when it is read again."""
+def opposite(condition: Condition) -> Condition | None:
+    """The opposite; None for what has none: an edge, a range, an immediate contact that would be read again.
+
+    A name counts as one bit and a register as a number. That is a proposal: whether the name is one of a block, and
+    whether the register may hold no number, is judged when names are addresses.
+    """
     if isinstance(condition, All | Any):
-        terms = [opposite(context, term) for term in condition.terms]
+        terms = [opposite(term) for term in condition.terms]
         kept = tuple(term for term in terms if term is not None)
         if len(kept) < len(terms):
             return None
@@ -22,18 +23,6 @@ def opposite(context: Context, condition: Condition) -> Condition | None:
     if not isinstance(condition, Contact) or condition.edge:
         return None
     bit = condition.operand
-    if isinstance(bit, Cell) or (isinstance(bit, Named) and (isinstance(bit.part, int) or not is_block(context, bit))):
+    if isinstance(bit, Cell) or (isinstance(bit, Named) and not isinstance(bit.part, Section)):
         return Contact(bit, condition.span, not condition.negated)
     return None
-
-
-def is_block(context: Context, named: Named) -> bool:
-    """True for a block and what is in it, as far as this file says so."""
-    return named.part is not None or names_block(context, named.bank, named.name)
-
-
-def names_block(context: Context, bank: str, name: str) -> bool:
-    """True where the file declares this as the name of a range: of that nothing is the opposite."""
-    word = re.escape(name)
-    declared = rf"""nickname\s*\(\s*{bank}\s*(\.\s*{word}\b|\[\s*["']{word}["']\s*\])\s*,\s*\w+\s*\[[^]\n]*:"""
-    return re.search(declared, context.source.text, re.IGNORECASE) is not None

@@ -6,24 +6,25 @@ import ast
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from clickgen.diagnostics import Diagnostics, did_you_mean
+from clickgen.diagnostics import Diagnostic, Diagnostics, did_you_mean
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.imports import Import
 from clickgen.ir.operands import Cell, Constant, Integer, Named, Range
 from clickgen.ir.program import Action, BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
+from clickgen.ir.proposals import Proposal
 from clickgen.source import SourceFile, Span
 from clickgen.syntax import pieces
 from clickgen.syntax.calls import read_call
-from clickgen.syntax.chains import Arm, as_ifs, without_opposite
+from clickgen.syntax.chains import Arm, propose
 from clickgen.syntax.comments import rung_comment
 from clickgen.syntax.conditions import read_condition
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import read_constant, read_operand, shorten
 from clickgen.syntax.parse import parse_tree, soundness
 from clickgen.syntax.pieces import Broken, RoutineNode, Statement, statements_in_pieces, statements_of
-from clickgen.wording import quoted
+from clickgen.wording import no_opposite, quoted
 
 _DSL_MODULE = "clickgen.dsl"
 
@@ -34,6 +35,10 @@ class FileContent:
 
     path: str
     items: tuple[Routine | Declaration | BlockDeclaration | Import, ...]
+    proposals: tuple[Proposal, ...] = ()
+    """The fixes of what is wrong in its routines."""
+    is_declared: bool = True
+    """False when what it declares or imports could not be read."""
 
 
 def read_file(source: SourceFile, problems: Diagnostics) -> FileContent | None:
@@ -50,10 +55,15 @@ def read_file(source: SourceFile, problems: Diagnostics) -> FileContent | None:
 
 def _read_statements(context: Context, statements: Iterator[Statement]) -> FileContent:
     items: list[Routine | Declaration | BlockDeclaration | Import | None] = []
+    is_declared = True
+    problems = context.problems
     for node, body in statements:
+        before = len(problems.found)
         if isinstance(node, RoutineNode):
             items.append(_read_routine(context, node, body))
-        elif isinstance(node, ast.Expr) and _is_call_of(node.value, "nickname"):
+            is_declared &= not any(_hides_declaration(context.source, problem) for problem in problems.found[before:])
+            continue
+        if isinstance(node, ast.Expr) and _is_call_of(node.value, "nickname"):
             assert isinstance(node.value, ast.Call)
             items.append(_read_declaration(context, node.value))
         elif isinstance(node, ast.Import | ast.ImportFrom):
@@ -65,7 +75,19 @@ def _read_statements(context: Context, statements: Iterator[Statement]) -> FileC
                 "only imports, nickname(...), def main(): and @sub routines stand at the top level",
                 "move logic into a rung of main or of a subroutine",
             )
-    return FileContent(context.source.path, tuple(item for item in items if item is not None))
+        is_declared &= len(problems.found) == before
+    kept = tuple(item for item in items if item is not None)
+    return FileContent(context.source.path, kept, tuple(context.proposals), is_declared)
+
+
+def _hides_declaration(source: SourceFile, problem: Diagnostic) -> bool:
+    """True for a nickname(...) in a routine, where it declares nothing until somebody moves it."""
+    span = problem.span
+    return (
+        problem.code in ("CG103", "CG112")
+        and span is not None
+        and source.line(span.line)[span.col - 1 :].startswith("nickname")
+    )
 
 
 def _is_call_of(node: ast.expr, name: str) -> bool:
@@ -200,17 +222,14 @@ def _read_if(context: Context, node: ast.If, is_branch: bool) -> tuple[Condition
     span = _else_span(context, node)
     if span is not None:
         arms = [Arm(context.span(node), node.test, condition, items), *_read_arms(context, node)]
-        is_known = not any(problem.is_error for problem in context.problems.found[before:])
+        is_read = not any(problem.is_error for problem in context.problems.found[before:])
         word = context.source.line(span.line)[span.col - 1 : span.end_col - 1]
-        fix = as_ifs(context, arms, is_branch, is_known)
-        help = "write a rung of its own with the opposite condition: nc(...) or the opposite comparison"
-        place = without_opposite(context, arms) if fix is None else None
+        proposal, place = propose(context, "CG104", span, arms, is_branch, is_read)
+        help = "write a rung of its own with the opposite condition: nc(...) of a bit, or the opposite comparison"
         if place is not None:
-            shown = shorten(context.source.line(place.line)[place.col - 1 :][: place.end_col - place.col])
-            help = (
-                f"nothing is the opposite of {shown}: put it on a bit with out(...) in a rung before, and test the bit"
-            )
-        context.problems.add("CG104", span, f"a rung has no {word}", help, fix=fix)
+            help = no_opposite(shorten(context.source.line(place.line)[place.col - 1 :][: place.end_col - place.col]))
+        context.problems.add("CG104", span, f"a rung has no {word}", help)
+        context.proposals.append(proposal)
     return condition, items
 
 

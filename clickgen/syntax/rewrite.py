@@ -6,7 +6,7 @@ import ast
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import accumulate
+from typing import NamedTuple
 
 from clickgen.device.banks import Kind
 from clickgen.diagnostics import Edit
@@ -14,7 +14,6 @@ from clickgen.ir.conditions import OPPOSITE
 from clickgen.source import Span
 from clickgen.syntax.context import Context
 from clickgen.syntax.operands import BANK_NAMES
-from clickgen.syntax.opposites import names_block
 
 _SWAPPED = {"all": "any", "any": "all"}
 _SIGN = re.compile("|".join(sorted(OPPOSITE, key=len, reverse=True)))
@@ -34,8 +33,18 @@ def python_logic(node: ast.expr) -> tuple[str, str, list[ast.expr]] | None:
     return None
 
 
-def in_language(context: Context, node: ast.expr) -> tuple[str, Edit] | None:
-    """An expression in the language, and the edit that puts it there; None where that is not plain."""
+class Rewritten(NamedTuple):
+    """An expression in the language."""
+
+    text: str
+    edit: Edit
+    """The edit that puts it there."""
+    turned: tuple[ast.expr, ...]
+    """The single conditions of which the text has the opposite, as they stand."""
+
+
+def in_language(context: Context, node: ast.expr) -> Rewritten | None:
+    """An expression in the language; None where that is not plain."""
     return _Rewriter(context).rewritten(node)
 
 
@@ -76,9 +85,10 @@ class _Rewriter:
     def __init__(self, context: Context) -> None:
         self._context = context
         self._text = context.source.text
-        self._starts = [0, *accumulate(len(line) + 1 for line in context.source.lines)]
+        self._starts = context.source.starts
+        self._turned: list[ast.expr] = []
 
-    def rewritten(self, node: ast.expr) -> tuple[str, Edit] | None:
+    def rewritten(self, node: ast.expr) -> Rewritten | None:
         start, end = self._extent(node)
         piece = self.piece(node, wanted=True)
         if piece is None:
@@ -86,11 +96,12 @@ class _Rewriter:
         span = self._context.span(node)
         bracket = self._bracket_around(start, end) if piece.function else None
         if bracket is None:
-            return piece.whole, Edit(span, piece.whole)
+            return Rewritten(piece.whole, Edit(span, piece.whole), tuple(self._turned))
         # Parentheses around the expression become those of the function.
         line = self._text.count("\n", 0, bracket)
         place = Span(span.path, line + 1, bracket - self._starts[line] + 1, span.end_line, span.end_col)
-        return piece.whole, Edit(place, piece.function + self._text[bracket:start] + piece.text)
+        edit = Edit(place, piece.function + self._text[bracket:start] + piece.text)
+        return Rewritten(piece.whole, edit, tuple(self._turned))
 
     def piece(self, node: ast.expr, wanted: bool) -> _Piece | None:
         """The expression, or its opposite where it is not wanted; None where the language has no such thing."""
@@ -131,15 +142,15 @@ class _Rewriter:
         return _Piece(before + piece.text + behind)
 
     def opposite(self, node: ast.expr) -> _Piece | None:
-        """The opposite of a single condition."""
+        """The opposite of a single condition. A name counts as one bit: nobody knows here what it stands for."""
+        self._turned.append(node)
         text = self._text[slice(*self._extent(node))]
         if isinstance(node, ast.Compare):
             return self._opposite_comparison(node)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "nc":
             bit = node.args[0] if len(node.args) == 1 and not node.keywords else None
-            is_single = bit and _is_single(bit) and not names_block(self._context, _bank_of(bit), _name_of(bit))
-            return _Piece(self._text[slice(*self._extent(bit))]) if bit and is_single else None
-        if not _is_single(node) or names_block(self._context, _bank_of(node), _name_of(node)):
+            return _Piece(self._text[slice(*self._extent(bit))]) if bit and _is_single(bit) else None
+        if not _is_single(node):
             return None
         bank = BANK_NAMES[_bank_of(node)]
         if bank.is_bit:
@@ -232,10 +243,3 @@ def _bank_of(node: ast.expr) -> str:
     while isinstance(node, ast.Attribute | ast.Subscript):
         node = node.value
     return node.id if isinstance(node, ast.Name) else ""
-
-
-def _name_of(node: ast.expr) -> str:
-    """The nickname that an address without an index is written with."""
-    if isinstance(node, ast.Attribute):
-        return _name_of(node.value) if node.attr == "immediate" else node.attr
-    return str(node.slice.value) if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant) else ""

@@ -172,7 +172,12 @@ class LadderForm:
 
 def check_meaning(program: Program, inputs_move: bool = False, seeds: int = SEEDS) -> None:
     """Source and ladder leave the same memory and show the same power to each box, scan by scan."""
-    routines = drawings(ladder_files(program.texts))
+    check_same(program, ladder_files(program.texts), inputs_move, seeds)
+
+
+def check_same(program: Program, files: Mapping[str, str], inputs_move: bool = False, seeds: int = SEEDS) -> None:
+    """A source and the ladder of these files leave the same memory and show the same power to each box."""
+    routines = drawings(files)
     for edges_by_bit in (False, True):
         for seed in range(seeds):
             source = SourceForm(program, Machine(seed, edges_by_bit, inputs_move))

@@ -82,18 +82,33 @@ class Group:
 
 
 @dataclass(frozen=True)
+class Logic:
+    """What the language does not have: conditions under one of Python's own operators."""
+
+    operator: str
+    terms: tuple[Condition, ...]
+
+    @property
+    def text(self) -> str:
+        texts = [f"({term.text})" if isinstance(term, Logic | Compare) else term.text for term in self.terms]
+        if self.operator in ("not", "~"):
+            return f"{self.operator}{' ' * (self.operator == 'not')}{texts[0]}"
+        return f" {self.operator} ".join(texts)
+
+
+@dataclass(frozen=True)
 class Always:
     text: str = "True"
 
 
-Condition = Contact | BitRange | Compare | Group | Always
+Condition = Contact | BitRange | Compare | Group | Logic | Always
 Leaf = Contact | Compare
 ALWAYS = Always()
 
 
 def leaves(condition: Condition) -> Iterator[Leaf]:
     """Every contact and comparison in source order, ranges taken apart."""
-    if isinstance(condition, Group):
+    if isinstance(condition, Group | Logic):
         for term in condition.terms:
             yield from leaves(term)
     elif isinstance(condition, BitRange):
@@ -113,6 +128,10 @@ def solve(condition: Condition, sets: Mapping[str, int], full: int) -> int:
             one = solve(term, sets, full)
             found = found & one if series else found | one
         return found
+    if isinstance(condition, Logic):
+        if condition.operator in ("not", "~"):
+            return full & ~solve(condition.terms[0], sets, full)
+        return solve(Group("all" if condition.operator in ("and", "&") else "any", condition.terms), sets, full)
     if isinstance(condition, BitRange):
         return solve(Group("all", condition.contacts), sets, full)
     negated = isinstance(condition, Contact) and condition.form == "nc"
@@ -125,6 +144,8 @@ def size(condition: Condition) -> tuple[int, int]:
         sizes = [size(term) for term in condition.terms]
         widths, heights = [one[0] for one in sizes], [one[1] for one in sizes]
         return (sum(widths), max(heights)) if condition.word == "all" else (max(widths), sum(heights))
+    if isinstance(condition, Logic):
+        return size(Group("all" if condition.operator in ("and", "&") else "any", condition.terms))
     if isinstance(condition, BitRange):
         return len(condition.contacts), 1
     return (0, 0) if isinstance(condition, Always) else (1, 1)
@@ -132,7 +153,7 @@ def size(condition: Condition) -> tuple[int, int]:
 
 def flat(condition: Condition) -> Condition:
     """The same leaves in series, without legs."""
-    if isinstance(condition, Group):
+    if isinstance(condition, Group | Logic):
         return Group("all", tuple(flat(term) for term in condition.terms))
     return condition
 

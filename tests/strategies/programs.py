@@ -106,9 +106,19 @@ class Act:
 
 
 @dataclass(frozen=True)
+class Arm:
+    """An elif of a rung or a branch; without a condition its else."""
+
+    condition: Condition | None
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True)
 class Branch:
     condition: Condition
     items: tuple[Item, ...]
+    others: tuple[Arm, ...] = ()
+    """What the language does not have."""
 
 
 @dataclass(frozen=True)
@@ -127,6 +137,8 @@ Item = Act | Branch | Loop
 class Rung:
     condition: Condition
     items: tuple[Item, ...]
+    others: tuple[Arm, ...] = ()
+    """What the language does not have."""
 
 
 PROGRAM = "prog.py"
@@ -182,6 +194,7 @@ def _rung_lines(rungs: Sequence[Rung], depth: int) -> Iterator[str]:
     for rung in rungs:
         yield "    " * depth + f"if {rung.condition.text}:"
         yield from _item_lines(rung.items, depth + 1)
+        yield from _arm_lines(rung.others, depth)
         last = rung.items[-1] if rung.items else None
         if isinstance(last, Loop) and last.is_open:
             yield from _rung_lines(last.body, depth)
@@ -196,9 +209,16 @@ def _item_lines(items: Sequence[Item], depth: int) -> Iterator[str]:
         elif isinstance(item, Branch):
             yield f"{indent}if {item.condition.text}:"
             yield from _item_lines(item.items, depth + 1)
+            yield from _arm_lines(item.others, depth)
         else:
             yield f"{indent}for _ in range({item.count}):"
             yield from [indent + "    pass"] if item.is_open else _rung_lines(item.body, depth + 1)
+
+
+def _arm_lines(arms: Sequence[Arm], depth: int) -> Iterator[str]:
+    for arm in arms:
+        yield "    " * depth + (f"elif {arm.condition.text}:" if arm.condition else "else:")
+        yield from _item_lines(arm.items, depth + 1)
 
 
 class Numbers:

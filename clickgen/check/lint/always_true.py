@@ -54,7 +54,8 @@ A test that is always true lets through what it seems to hold back. The classic 
 `any(...)`: of two different numbers the register always differs from one. Write `all(ds.Mode != 1, ds.Mode != 2)`.
 
 Where the rung is meant to be unconditional, `if True:` says so, and so does the contact that is always on, `sc[1]`; the
-rule says nothing of them.
+rule says nothing of them. It also says nothing of `any(df.Level < 10, df.Level >= 10)`: a DF register can hold no
+number (NaN), for example when words from another device are packed into it, and then neither comparison has to be true.
 """,
     wrong=(
         Wrong(
@@ -90,6 +91,10 @@ if any(sc[1], c.Test):
     out(y.Lamp)
 if sc._Always_ON:
     out(y.Fan)
+""",
+        """
+if any(df.Level < 10, df.Level >= 10):
+    out(y.SensorAlive)
 """,
         """
 if any(ds.Level < 10, ds.Level > 90, c.Test):

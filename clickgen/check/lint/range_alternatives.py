@@ -20,13 +20,15 @@ _BITS_MAX = 16
 def check(facts: Facts, problems: Diagnostics) -> None:
     for condition in facts.conditions:
         for contact in _alternatives(condition, False):
-            bits = _bits(contact)
+            bits = _bits(facts, contact)
             if len(bits) > 1:
                 state = "off, not that one of them is" if contact.negated else "on, not that one of them is"
                 every = "both" if len(bits) == 2 else f"all {len(bits)}"
                 each = f"{bits[0]}, {bits[1]}" + ("" if len(bits) == 2 else ", ...")
-                fix = Fix((Edit(contact.span, ", ".join(bits)),), is_safe=False) if len(bits) <= _BITS_MAX else None
                 text = facts.text(contact.span)
+                # A comment between the brackets would be lost.
+                is_plain = len(bits) <= _BITS_MAX and "\n" not in text
+                fix = Fix((Edit(contact.span, ", ".join(bits)),), is_safe=False) if is_plain else None
                 problems.add(
                     CODE,
                     contact.span,
@@ -45,15 +47,22 @@ def _alternatives(condition: Condition, is_alternative: bool) -> Iterator[Contac
         yield condition
 
 
-def _bits(contact: Contact) -> list[str]:
+def _bits(facts: Facts, contact: Contact) -> list[str]:
     """The contacts that a range stands for, as a program writes them; none for what is no range."""
     operand = contact.operand
     target = operand.target if isinstance(operand, Immediate) else operand
     if not isinstance(target, Range):
         return []
     end = ".immediate" if isinstance(operand, Immediate) else ""
-    bits = [f"{BANKS[target.bank].dsl}[{address.number}]{end}" for address in target.addresses()]
+    bits = [f"{bit}{end}" for bit in _members(facts.text(target.span), target)]
     return [f"nc({bit})" for bit in bits] if contact.negated else bits
+
+
+def _members(text: str, bits: Range) -> list[str]:
+    """Each bit of a range: by its number, or as a member of the block that the text names as a whole."""
+    if "[" not in text and "." in text:
+        return [f"{text}[{index}]" for index in range(len(bits))]
+    return [f"{BANKS[bits.bank].dsl}[{address.number}]" for address in bits.addresses()]
 
 
 RULE = Rule(
@@ -64,8 +73,9 @@ A range as a contact means every bit of it in series: `c[1:5]` is on when C1, C2
 when all of them are off. Inside `any(...)` it reads as if one bit were enough, as in Python, and a horn that should
 sound with any of four alarms waits for all four.
 
-Where one bit is to be enough, name them one by one; the fix does it for up to sixteen. Where all of them are meant, put
-`all(...)` around the range, and the rule is quiet.
+Where one bit is to be enough, name them one by one; the fix does it for up to sixteen. It is never safe, for it changes
+when the condition is on: with any of the bits instead of with all of them. Where all of them are meant, put `all(...)`
+around the range, and the rule is quiet.
 """,
     wrong=(
         Wrong(

@@ -21,7 +21,8 @@ from clickgen.ir.logic import (
     shape,
     terms_of,
 )
-from clickgen.ir.walk import leaves
+from clickgen.ir.operands import Cell, Immediate, Range
+from clickgen.ir.walk import condition_operands, leaves
 from clickgen.source import Span
 
 CODE = "CG509"
@@ -91,7 +92,7 @@ class _Judge:
                 f"{' and '.join(named)} {verb} twice in {wiring}: the second time changes nothing",
                 "leave it out, or name the address that was meant",
                 tuple(Label(first.span, "the first time") for _, first in again),
-                _removal(self._facts, part, {id(term) for term, _ in again}),
+                _removal(self._facts, part, again),
             )
         return list(seen.values())
 
@@ -141,12 +142,23 @@ def _has_edge(condition: Condition) -> bool:
 # -- the fix ----------------------------------------------------------------------------------------------------------
 
 
-def _removal(facts: Facts, part: Condition, gone: set[int]) -> Fix | None:
-    """Take these terms out of a series or a parallel; None where more than terms and commas would go."""
+def _removal(facts: Facts, part: Condition, again: list[_Pair]) -> Fix | None:
+    """Take terms that say an earlier one again out of a series or a parallel; None where more would go."""
+    gone = {id(term) for term, _ in again}
     lines = range(part.span.line, part.span.end_line + 1)
     has_comment = len(lines) > 1 and any("#" in facts.sources[part.span.path].line(line) for line in lines)
     cuts = None if has_comment or not isinstance(part, All | Any) else _cuts(facts, part, gone)
-    return None if cuts is None else Fix(tuple(Edit(cut, "") for cut in cuts))
+    if cuts is None:
+        return None
+    # Two words for one address are so by the table of this program.
+    rests_on_names = any(_words(facts, term) != _words(facts, first) for term, first in again)
+    return Fix(tuple(Edit(cut, "") for cut in cuts), rests_on_names=rests_on_names)
+
+
+def _words(facts: Facts, term: Condition) -> set[str]:
+    """How a term writes its addresses."""
+    operands = (operand for operand in condition_operands(term) if isinstance(operand, Cell | Range | Immediate))
+    return {"".join(facts.text(operand.span).split()) for operand in operands}
 
 
 def _cuts(facts: Facts, part: All | Any, gone: set[int]) -> list[Span] | None:

@@ -56,7 +56,8 @@ def _has_neighbour(facts: Facts, bits: Range) -> bool:
 
 
 def _fix(facts: Facts, bits: Range) -> Fix | None:
-    match = re.fullmatch(r".*:\s*([1-9][0-9]*)\s*\]", facts.text(bits.span))
+    # On one line: then the number stands where its text says.
+    match = re.fullmatch(r"[^\n]*:[^\S\n]*([1-9][0-9]*)[^\S\n]*\]", facts.text(bits.span))
     if match is None or int(match[1]) != bits.last + 1:
         return None
     path, line, col, *_ = bits.span
@@ -73,6 +74,9 @@ the highest bit of the word then stays 0 without a word from CLICK.
 
 The rule speaks of 15 and 31 bits that go into a word or come out of one. It is quiet where another slice adjoins this
 one without a gap, and where the bank has no next address.
+
+The fix makes the slice one address longer. It is not safe: the instruction then moves one bit more, and where fifteen
+bits were meant, that bit belongs to something else.
 """,
     wrong=(
         Wrong(

@@ -123,6 +123,10 @@ instead; with `all(td.Cycle >= 500, td.Cycle < 600)` for a window. A timer does 
 Equality with 0 (the timer is at rest), with 32767 (it counts no further) and with a copy of the value is fine. So are
 timers in seconds and longer units: they keep each value for many scans. Counters count one by one, and equality meets
 every value, where it is asked in every scan: in a subroutine that is called now and then the counter may have gone on.
+
+The fix writes `>=` for `==`. It is not safe: the condition then stays on from that value until the timer is reset,
+while `==` is on for a scan at most. What must happen once needs an edge: drive a bit with `td.Cycle >= 500` and ask
+`re(...)` of it.
 """,
     wrong=(
         Wrong(

@@ -50,11 +50,13 @@ def _is_reached(placed: Placed, closed: set[int]) -> bool:
 
 
 def _added(facts: Facts, routine: Routine, action: str) -> Fix | None:
-    """A last rung with this action; None in a routine without rungs, and in a file whose text is not at hand."""
+    """A last rung with this action; None in a routine without rungs, and where it does not fit below the last one."""
     source = facts.sources.get(routine.span.path, facts.program.source)
     if not routine.rungs or source.path != routine.span.path:
         return None
     last = routine.rungs[-1].span
+    if source.line(last.end_line).endswith("\\"):
+        return None  # Python would read the new rung as the rest of that line.
     indent = source.line(last.line)[: last.col - 1]
     # A blank line goes in front where the rungs before have one between them.
     between = range(routine.rungs[-2].span.end_line + 1, last.line) if len(routine.rungs) > 1 else ()

@@ -1,0 +1,1 @@
+"""Whether a fix is safe: judged on the resolved program, where names are addresses."""

@@ -1,0 +1,154 @@
+"""Whether rungs or branches in the place of elif and else do the same, although they all look and all run.
+
+A rung of its own looks after the actions of those before it. An output whose rung or branch is off is turned off.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import combinations, pairwise
+
+from clickgen.device.banks import VALUE_BANK, Address
+from clickgen.instructions import communication, copies, maths
+from clickgen.instructions.coils import RESET, SET
+from clickgen.instructions.control import CALL, END, FOR, NEXT, NOP, RETURN
+from clickgen.instructions.raw import NOT_IMPORTED, RAW
+from clickgen.instructions.timers import RTOF
+from clickgen.ir.conditions import Condition
+from clickgen.ir.operands import Cell, Named, form_of
+from clickgen.ir.program import Action, Branch, Item, Loop, Program, actions_in, rungs_in
+from clickgen.ir.proposals import Alternative, Proposal
+from clickgen.ir.walk import action_operands, condition_operands
+from clickgen.lower.effects import Cells, Effects, has_edge, is_volatile, reads
+from clickgen.lower.expand import OffDelays
+
+_MOVING = ("T", "TD", "SC", "SD")
+"""Banks that may change between two rungs although no instruction there writes them."""
+_KEPT = (RAW, NOT_IMPORTED)
+"""Nobody knows what these do, nor when."""
+_LEAVING = (END, RETURN, NEXT)
+_QUIET = (SET, RESET, NOP, CALL, *_LEAVING, *copies.SPECS, *maths.SPECS)
+"""Instructions that change nothing while their condition does not hold."""
+
+
+class Hazards:
+    """What the actions of a resolved program change, and what changes by itself.
+
+    ``is_whole`` is False when there may be instructions that nobody has read. Arms that the program has no room for
+    are in ``proposals``.
+    """
+
+    def __init__(self, program: Program, proposals: Iterable[Proposal], is_whole: bool) -> None:
+        self._routines = {routine.name: routine for routine in program.routines}
+        arms = [arm for proposal in proposals for arm in proposal.arms]
+        rungs = [rung for routine in program.routines for rung in rungs_in(routine.rungs)]
+        actions = [
+            action
+            for items in (*(rung.items for rung in rungs), *(arm.items for arm in arms))
+            for action in _all_actions(items)
+        ]
+        delays = OffDelays(lambda bank, _, span: Cell(Address(bank, 0), span))
+        for action in actions:
+            if action.spec is RTOF and isinstance(action.args.get("timer"), Cell):
+                delays.add(action)
+        self._effects = Effects(program.routines, delays)
+        self._arriving = self._arriving_in(actions) if is_whole else None
+
+    def may_undo(self, arms: Sequence[Alternative]) -> bool:
+        """True when an arm that does not run may undo what an earlier one did: out turns its bit off then."""
+        for earlier, later in combinations(arms, 2):
+            loud = [action for action in _all_actions(later.items) if action.spec not in _QUIET]
+            if loud:
+                done, undone = self._written(earlier.items), self._written_by(loud)
+                if done is None or undone is None or done.meets(undone):
+                    return True
+        return False
+
+    def may_look_again(self, arms: Sequence[Alternative]) -> bool:
+        """True when what each later arm asks is the same before and after the actions of the arms before it."""
+        if self._arriving is None:
+            return False
+        written = Cells()
+        for earlier, later in pairwise(arms):
+            done = self._written(earlier.items)
+            if done is None or any(action.spec in _LEAVING for action in _all_actions(earlier.items)):
+                return False
+            written.update(done)
+            looked_at = _with_values(reads(later.alone))
+            if _is_unsteady(later.alone) or looked_at.meets(self._arriving):
+                return False
+            for condition in _conditions(later.items):
+                looked_at.update(_with_values(reads(condition)))
+            if looked_at.meets(written):
+                return False
+        return True
+
+    def _written(self, items: tuple[Item, ...]) -> Cells | None:
+        return self._written_by(_all_actions(items))
+
+    def _written_by(self, actions: Iterable[Action]) -> Cells | None:
+        """The cells that these actions may change; None when that is not known."""
+        cells = Cells()
+        for action in actions:
+            if action.spec is FOR or action.spec in _KEPT or not _is_resolved(action):
+                return None
+            if action.spec is CALL:
+                routine = self._routines.get(action.word("subroutine"))
+                if routine is None or not routine.is_whole:
+                    return None
+                called = [inner for rung in rungs_in(routine.rungs) for inner in actions_in(rung.items)]
+                if not all(map(_is_resolved, called)):
+                    return None
+            cells.update(self._effects.writes(action))
+        return cells
+
+    def _arriving_in(self, actions: Iterable[Action]) -> Cells | None:
+        """What other devices bring, in their own time: data, and how a message fared. None when that is not known."""
+        cells = Cells()
+        for action in actions:
+            if action.spec in _KEPT:
+                return None
+            if action.spec in communication.SPECS:
+                if not _is_resolved(action):
+                    return None
+                cells.update(self._effects.writes(action))
+        return cells
+
+
+def _all_actions(items: tuple[Item, ...]) -> Iterator[Action]:
+    """Every action, those in the bodies of loops included."""
+    for item in items:
+        if isinstance(item, Branch):
+            yield from _all_actions(item.items)
+        elif isinstance(item, Loop):
+            yield item.action
+            for rung in item.body or ():
+                yield from _all_actions(rung.items)
+        else:
+            yield item
+
+
+def _is_resolved(action: Action) -> bool:
+    return not any(isinstance(operand, Named) for operand in action_operands(action))
+
+
+def _is_unsteady(condition: Condition) -> bool:
+    """True when it may be another thing later in the scan, or when looking at it twice is not looking once."""
+    is_moving = any(form_of(operand) in _MOVING for operand in condition_operands(condition))
+    return is_moving or has_edge(condition) or is_volatile(condition)
+
+
+def _conditions(items: Iterable[Item]) -> Iterator[Condition]:
+    """The conditions of branches and pins."""
+    for item in items:
+        if isinstance(item, Branch):
+            yield item.condition
+            yield from _conditions(item.items)
+        elif not isinstance(item, Loop):
+            yield from (pin for param in item.spec.pins if (pin := item.pin(param.name)) is not None)
+
+
+def _with_values(cells: Cells) -> Cells:
+    """With each bit of a timer or counter the current value that decides it (click-facts, section 8)."""
+    values = {Address(VALUE_BANK[cell.bank], cell.number) for cell in cells.addresses if cell.bank in VALUE_BANK}
+    return Cells(cells.addresses | values, set(cells.banks))

@@ -1,0 +1,93 @@
+"""What ``check --fix`` makes of a program does what the person meant, scan by scan (``judges.mending``)."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, note, settings
+from judges.mending import check_mended
+from strategies.conditions import BitRange, Compare, Condition, Contact, Group, Logic
+from strategies.mending import Mending, mendings
+from strategies.programs import Act, Arm, Branch, Item, Program, Rung
+
+
+@given(mendings())
+@settings(max_examples=60, deadline=None, print_blob=True)
+def test_safe_fixes_keep_the_meaning(mending: Mending) -> None:
+    note(mending.text)
+    check_mended(mending)
+
+
+C1, C2, X1 = Contact("C1"), Contact("C2"), Contact("X001")
+STEP = Compare("DS1==1", "ds[1] == 1")
+
+
+def _out(number: int) -> Act:
+    return Act(f"out(c[{number}])", f"out(C{number})")
+
+
+def _copy(value: int, number: int) -> Act:
+    return Act(f"copy({value}, ds[{number}])", f"copy({value},DS{number})", 2)
+
+
+def _else(test: Condition, one: Item, other: Item) -> Rung:
+    return Rung(test, (one,), (Arm(None, (other,)),))
+
+
+FILL = Act("copy_fill(1, ds[1:4])", "fill(1,DS1..DS3)", 2)
+CALL = Act("call(other)", 'call("other")')
+MENDED: dict[str, tuple[Rung | Program, tuple[tuple[str, str], ...]]] = {
+    "an else": (_else(C1, _out(2), _out(3)), ()),
+    "an else of a step": (_else(STEP, _copy(5, 2), _copy(7, 3)), ()),
+    "an else behind a block beside it": (_else(STEP, _copy(5, 2), _copy(7, 3)), (("ds[1]", "ds.Row[0]"),)),
+    "an else of a bit of a block": (_else(C1, _out(5), _out(6)), (("c[1]", "c.Bits[0]"),)),
+    "and, or, not": (
+        Rung(Logic("or", (Logic("and", (C1, X1)), Logic("not", (Logic("and", (C2, STEP)),)))), (_out(5),)),
+        (("c[2]", "c.Bits[1]"),),
+    ),
+    "terms said twice": (Rung(Group("all", (C1, X1, C1, Group("any", (C2, X1, C2)))), (_out(5),)), ()),
+    "an else of a branch": (Rung(X1, (Branch(C1, (_out(1),), (Arm(C2, (_out(5),)), Arm(None, (_out(6),)))),)), ()),
+    "an else behind a call": (
+        Program((_else(C1, CALL, _out(5)),), (("other", (Rung(X1, (_out(6),)),)),), ("parts",)),
+        (),
+    ),
+}
+"""Programs that safe fixes mend."""
+
+
+@pytest.mark.parametrize("name", MENDED)
+def test_what_is_sure_is_mended(name: str) -> None:
+    made, words = MENDED[name]
+    assert check_mended(Mending(made if isinstance(made, Program) else Program((made,)), words))
+
+
+LEFT: dict[str, tuple[Rung | Program, tuple[tuple[str, str], ...]]] = {
+    "an else behind a block over what it asks": (
+        _else(STEP, FILL, _out(5)),
+        (("ds[1]", "ds.Step"), ("ds[1:4]", "ds.Row")),
+    ),
+    "an else of a block": (_else(BitRange("C", 1, 3), _out(5), _out(6)), (("c[1:4]", "c.Bits"),)),
+    "not of a block": (Rung(Logic("not", (BitRange("C", 1, 3),)), (_out(5),)), (("c[1:4]", "c.Bits"),)),
+    "an else behind a call that writes what it asks": (
+        Program((_else(C1, CALL, _out(5)),), (("other", (Rung(X1, (_out(1),)),)),), ("parts",)),
+        (),
+    ),
+    "an else of a counter": (
+        _else(Contact("CT13"), Act("copy(0, ctd[13])", "copy(0,CTD13)", 2), _out(5)),
+        (("ctd[13]", "ctd.Count"),),
+    ),
+}
+"""Programs that a person has to mend."""
+
+
+@pytest.mark.parametrize("name", LEFT)
+def test_what_is_not_sure_is_left(name: str) -> None:
+    made, words = LEFT[name]
+    assert not check_mended(Mending(made if isinstance(made, Program) else Program((made,)), words))
+
+
+def _check(mending: Mending) -> None:
+    check_mended(mending)
+
+
+MENDING = {"mending": (mendings(), _check)}
+"""Each property with its examples, for ``fuzz.py``."""
