@@ -139,6 +139,8 @@ CODES: dict[str, Code] = {
     "CG525": Code(_W, "a suppression suppresses nothing"),
     "CG526": Code(_W, "a range in any(...) means all of its bits"),
     "CG527": Code(_W, "a subroutine with timers or edges may run twice in a scan"),
+    "CG550": Code(_W, "the initial value of a retentive address is masked"),
+    "CG551": Code(_W, "a Modbus number means a coil here and another register in a manual"),
     # -- the address table ----------------------------------------------------------------------------------------
     "CG601": Code(_E, "a row of the address table is malformed"),
     "CG602": Code(_E, "the address table gives a nickname or an address twice"),

@@ -21,6 +21,7 @@ from clickgen.resolve.blocks import Block
 from clickgen.resolve.constants import kind_of, stored, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
 from clickgen.resolve.declare_blocks import declare_blocks
+from clickgen.resolve.masked import warn_of_masked
 from clickgen.resolve.members import without_members
 from clickgen.resolve.rows import Row, is_scratch, looks_like_scratch
 from clickgen.resolve.table import AddressTable
@@ -68,6 +69,7 @@ def resolve(
     resolved = _Names(resolver.addresses, functions).program(program)
     _guard_scratch(resolved, table, problems)
     rows = (*declared.rows, *resolver.allocated)
+    warn_of_masked(program, rows, table, problems)
     return Resolved(resolved, rows, tuple(resolver.allocated), resolver.allocator, table, blocks)
 
 

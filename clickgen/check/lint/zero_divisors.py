@@ -61,8 +61,8 @@ def _zero(facts: Facts, placed: Placed, divisor: Node) -> tuple[str, str]:
     said = "nothing but 0" if writes else "nothing"
     return (
         f", unless a panel or another device writes {facts.shown(cell.address)}: the program writes {said} there",
-        f"correct the name, declare a value with nickname(..., initial=...), test {_shown(facts, cell)} != 0, or "
-        f"write # clickgen: ignore[{CODE}] where a panel or another device writes it",
+        f"correct the name, declare a value with nickname(..., initial=..., retentive=False), test "
+        f"{_shown(facts, cell)} != 0, or write # clickgen: ignore[{CODE}] where a panel or another device writes it",
     )
 
 
