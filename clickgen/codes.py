@@ -141,6 +141,13 @@ CODES: dict[str, Code] = {
     "CG527": Code(_W, "a subroutine with timers or edges may run twice in a scan"),
     "CG550": Code(_W, "the initial value of a retentive address is masked"),
     "CG551": Code(_W, "a Modbus number means a coil here and another register in a manual"),
+    "CG552": Code(_W, "the clock has no such value"),
+    "CG553": Code(_W, "a formula has no result"),
+    "CG554": Code(_W, "a pointer is still 0 when it is used"),
+    "CG555": Code(_W, "a pointer can walk over cells of other names"),
+    "CG556": Code(_W, "a step is never left"),
+    "CG557": Code(_W, "a value that is to be kept is cleared in the first scan"),
+    "CG558": Code(_W, "a shift is longer than the word"),
     # -- the address table ----------------------------------------------------------------------------------------
     "CG601": Code(_E, "a row of the address table is malformed"),
     "CG602": Code(_E, "the address table gives a nickname or an address twice"),

@@ -87,10 +87,9 @@ def _six_digits(remote: Remote) -> str:
             f"from 1 is ModbusAddress(address={number})"
         )
     name, number = manual
-    bits = ", and goes into bits" if name in BIT_TYPES else ""
-    return (
-        f"CLICK has six digits: {remote.number} of a manual, {TYPE_WORDS[name]}, is ModbusAddress(address={number}){bits}"
-    )
+    into = ", and goes into bits" if name in BIT_TYPES else ""
+    meant = f"{remote.number} of a manual, {TYPE_WORDS[name]}"
+    return f"CLICK has six digits: {meant}, is ModbusAddress(address={number}){into}"
 
 
 def _check_manual(remote: Remote, problems: Diagnostics) -> None:
