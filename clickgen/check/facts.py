@@ -79,6 +79,8 @@ class Facts:
     program: Program
     sources: Mapping[str, SourceFile] = field(default_factory=dict)
     rows: Mapping[Address, Row] = field(default_factory=dict)
+    placed: frozenset[Address] = frozenset()
+    """The addresses that clickgen chose for a name, in this build or before."""
 
     def shown(self, address: Address) -> str:
         """An address with its nickname, for a message: ``C5 (Motor)``."""

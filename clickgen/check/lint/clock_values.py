@@ -111,10 +111,10 @@ RULE = Rule(
     CODE,
     check,
     """
-The registers of the clock hold hours from 0 to 23, minutes and seconds from 0 to 59, months from 1 to 12, days from 1 to
-31, and weekdays from 1, which is Sunday, to 7. A comparison with another number is never true, or always, so that a
-schedule does not run at all or never ends. Where the program sets the clock to such a number, SC54 and SC56 are there to
-say that CLICK did not take the date or the time.
+The registers of the clock hold hours from 0 to 23, minutes and seconds from 0 to 59, months from 1 to 12, days from 1
+to 31, and weekdays from 1, which is Sunday, to 7. A comparison with another number is never true, or always, so that a
+schedule does not run at all or never ends. Where the program sets the clock to such a number, SC54 and SC56 are there
+to say that CLICK did not take the date or the time.
 
 A register that only copies of the clock write is looked at as the clock. A bound at the end of the range is left alone:
 `all(sd[24] >= 22, sd[24] < 24)` is a window of time.

@@ -145,10 +145,11 @@ RULE = Rule(
 A sequence whose step register gets a number that no transition asks for stands still there, and the machine with it,
 until somebody presses stop. It is mostly a transition that was never written, or one that compares with a wrong number.
 
-A register counts as one of steps when at least two rungs ask for a step with `==` and write another. A way out is every
-write that may run in the step: one that asks for it or for a range of steps, a calculated step, or one that does not ask
-at all, such as the edge of a start or reset button. What the first scan writes is none, nor is what holds the register
-at one number whatever the step is: at that of a fault, or at 0 while a guard or automatic mode is missing (`nc(...)`).
+A register counts as one of steps when at least two rungs ask for a step with `==` and write another. A way out is
+every write that may run in the step: one that asks for it or for a range of steps, a calculated step, or one that does
+not ask at all, such as the edge of a start or reset button. What the first scan writes is none, nor is what holds the
+register at one number whatever the step is: at that of a fault, or at 0 while a guard or automatic mode is missing
+(`nc(...)`).
 """,
     wrong=(
         Wrong(
