@@ -46,6 +46,7 @@ GOLDEN: dict[str, dict[str, tuple[int, ...]]] = {
     "event_drum": {"CG521": (40,)},
     "ladder_tokens": {"CG502": (234, 237, 240), "CG503": (383, 386, 389), "CG513": (97,)},
     "loop_body": {"CG502": (28,)},
+    "nested_ifs": {"CG556": (46,)},
     "nickname_options": {"CG550": (4, 8, 9, 10, 11)},
     "pin_conditions": {"CG513": (9, 12)},
     "quoted_names": {"CG510": (16,)},

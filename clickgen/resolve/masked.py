@@ -26,7 +26,8 @@ def warn_of_masked(program: Program, rows: Iterable[Row], table: AddressTable, p
     if not masked:
         return
     declared: set[Address] = set()
-    for declaration in (*program.declarations, *program.blocks):
+    declarations: tuple[Declaration | BlockDeclaration, ...] = (*program.declarations, *program.blocks)
+    for declaration in declarations:
         if declaration.initial is None:
             continue
         found = [address for address in _addresses(declaration) if address in masked]

@@ -6,15 +6,16 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from clickgen.check.copied import put_in
 from clickgen.check.facts import Facts
-from clickgen.check.formulas import Calculation, calculations, holds_only_zero, place_of, shown_register
+from clickgen.check.formulas import Calculation, calculations, place_of
 from clickgen.check.rule import Rule, Wrong
 from clickgen.diagnostics import Diagnostics
 from clickgen.formula.nodes import Binary, Call, Node, walk
 from clickgen.formula.values import register_of, value_of
 from clickgen.ir.conditions import Compare, Condition
 from clickgen.ir.logic import are_exclusive, can_hold
-from clickgen.ir.operands import Cell, Integer
+from clickgen.ir.operands import Cell, Integer, Real
 
 CODE = "CG553"
 
@@ -76,17 +77,25 @@ def _function(facts: Facts, calculation: Calculation, name: str, argument: Node)
     cell = register_of(argument)
     if cell is None:
         return "", ""
-    shown, written = facts.shown(cell.address), shown_register(facts, cell)
+    shown = facts.shown(cell.address)
     condition = calculation.placed.condition
     if can_hold(condition) and are_exclusive(condition, *domain.asks(cell)):
         return f"{takes}, and the condition of this rung holds only while {shown} is none", "turn the comparison round"
-    said = "" if domain.takes(0) else holds_only_zero(facts, calculation.placed, cell)
-    if said:
-        return (
-            f"{takes}, and {shown} is 0 unless a panel or another device writes it (the program writes {said} there)",
-            f"correct the name, or test {written} > 0 in the condition of this rung",
-        )
+    put = _only_put(facts, cell)
+    if put and not any(map(domain.takes, put)):
+        listed = ", ".join(f"{number:g}" for number in put)
+        return f"{takes}, and the program writes nothing but {listed} to {shown}", "correct the number or the formula"
     return "", ""
+
+
+def _only_put(facts: Facts, cell: Cell) -> list[float]:
+    """The numbers that a register gets, where it gets nothing else; none where it may get any."""
+    if facts.uses.is_pointed(cell.bank, is_written=True):
+        return []
+    writers = facts.writers(cell.address)
+    put = [put_in(writer, cell.address) for writer in writers]
+    numbers = sorted({float(one.value) for one in put if isinstance(one, Integer | Real)})
+    return numbers if all(isinstance(one, Integer | Real) for one in put) else []
 
 
 def _power(base: float | None, exponent: float | None) -> tuple[str, str]:
@@ -107,9 +116,9 @@ The square root of a negative number, the logarithm of 0 or less, and the arc si
 value. CLICK does not say what it stores then, so a controlled variable may jump to anything. A fault that looks like
 this is often a missing pair of parentheses, degrees where radians belong, or a sensor whose zero was taken away twice.
 
-Found are numbers as they are written, a register while the condition of the rung says that it is outside, and the
-logarithm of a register that the program never writes. Of a register that can be both the rule says nothing: test it in
-the condition, `if df.Pressure >= 0:`.
+Found are numbers as they are written, a register while the condition of the rung says that it is outside, and one that
+gets nothing but such constants. Of a register that can be both the rule says nothing: test it in the condition,
+`if df.Pressure >= 0:`.
 """,
     wrong=(
         Wrong(
@@ -126,9 +135,10 @@ if True:
             """
 if df.Pressure < 0:
     calc("SQRT(df.Pressure)", df.Flow)  # <-
-if x.Sample:
-    calc("LN(df.Ratoi)", df.Level)  # <-
-    calc("df.Raw / df.Full", df.Ratio)
+if x.Test:
+    copy(-4.5, df.Simulated)
+if True:
+    calc("SQRT(df.Simulated)", df.Root)  # <-
 """
         ),
     ),

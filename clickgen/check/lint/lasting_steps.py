@@ -62,7 +62,8 @@ def _check(facts: Facts, address: Address, placed: Sequence[Placed], problems: D
         if any(id(writer) not in aborts for writer in ways):
             continue
         shown = facts.shown(address)
-        name = facts.text(_cell(facts, address)) if _cell(facts, address) else str(address)
+        cell = _cell(facts, address)
+        name = facts.text(cell) if cell else str(address)
         labels = tuple(Label(writer.placed.action.span, "this ends any step") for writer in ways)
         but = f", but for line {ways[0].placed.action.span.line}, which ends any step" if ways else ""
         problems.add(

@@ -44,8 +44,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             problems.add(
                 CODE,
                 pointer.span,
-                f"{facts.shown(address)} begins with 0 and is only counted on, and there is no {pointer.bank}0: the "
-                "first time CLICK skips this and sets SC44 (_Address_Error)",
+                f"{facts.shown(address)} begins with 0 on a new PLC and is only counted on, and there is no "
+                f"{pointer.bank}0: the first time CLICK skips this and sets SC44 (_Address_Error)",
                 f"give it the number of the first cell in a rung above: if {name} == 0:, and in it copy(101, {name}) "
                 f"for {pointer.bank}101",
                 (Label(moved[address][0].action.span, "nothing but this gives it another number"),),

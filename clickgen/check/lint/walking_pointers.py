@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from clickgen.check.facts import Facts, Placed
@@ -53,15 +53,22 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             walk = walks[address]
             reach = _reach(facts, placed, address, pointer.bank, walk) if walk else None
             if walk and reach:
-                hit = _hit(facts, address, pointer.bank, reach.numbers)
+                hit = _hit(facts, address, pointer.bank, reach)
                 if hit:
                     _report(facts, problems, pointer, walk, reach, hit)
 
 
-def _hit(facts: Facts, address: Address, bank: str, numbers: Iterable[int]) -> list[Address]:
-    """The cells that the pointer must not write: its own register, and those that clickgen gave a name."""
-    reached = numbers if isinstance(numbers, range) else set(numbers)
-    guarded = facts.placed | {address}
+def _hit(facts: Facts, address: Address, bank: str, reach: _Reach) -> list[Address]:
+    """The cells that the pointer must not write.
+
+    That is its own register, those that clickgen gave a name, and any name behind the block in which it begins.
+    """
+    reached = reach.numbers if isinstance(reach.numbers, range) else set(reach.numbers)
+    guarded = {*facts.placed, address}
+    for block in facts.program.blocks:
+        if block.range.bank == bank and block.range.first <= reach.numbers[0] <= block.range.last:
+            guarded.update(row.address for row in facts.rows.values() if row.nickname)
+            guarded.difference_update(block.range.addresses())
     hit = [one for one in guarded if one.bank == bank and one.number in reached]
     return sorted(hit, key=lambda one: one.sort_key)
 
@@ -234,6 +241,30 @@ if re(x.Sample):
     calc("ds.Row + 1", ds.Row)
 if ds.Row > 50:
     copy(1, ds.Row)
+"""
+        ),
+        Wrong(
+            """
+nickname(ds.History, ds[1001:1051])
+nickname(ds.Speed, ds[1051], comment="of the belt")
+
+
+def main():
+    if ds.Row < 1001:
+        copy(1001, ds.Row)
+
+    if re(x.Sample):
+        copy(ds.Weight, ds[ds.Row])  # <-
+        calc("ds.Row + 1", ds.Row)
+
+    if ds.Row > 1051:
+        copy(1001, ds.Row)
+
+    if ds.Speed > 10:
+        out(y.Belt)
+
+    if True:
+        end()
 """
         ),
         Wrong(
