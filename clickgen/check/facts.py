@@ -165,6 +165,11 @@ class Facts:
         return tuple(self._by_action[action] for action in {id(use.action): None for use in self.uses.writes(address)})
 
     @cached_property
+    def places(self) -> Mapping[int, int]:
+        """The place of each action in ``actions``, by its id."""
+        return {id(placed.action): place for place, placed in enumerate(self.actions)}
+
+    @cached_property
     def _by_action(self) -> Mapping[int, Placed]:
         return {id(placed.action): placed for placed in self.actions}
 

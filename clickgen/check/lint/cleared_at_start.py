@@ -36,8 +36,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                     span,
                     f"{facts.shown(bit)} is retentive and cleared here in the first scan: what it kept is lost at "
                     "every power-up",
-                    f"take the first scan out of the condition to keep the value; where it is to begin anew, declare "
-                    f"that: nickname({written}, {bank}[{bit.number}], retentive=False)",
+                    f"clear it on a condition of its own to keep the value; where it is to begin anew, declare that: "
+                    f" nickname({written}, {bank}[{bit.number}], retentive=False)",
                 )
 
 

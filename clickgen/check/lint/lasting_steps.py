@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from clickgen.check.facts import Facts, Placed
 from clickgen.check.rule import Rule, Wrong
 from clickgen.check.uses import addresses_of
-from clickgen.check.written import Asked, left_in, runs_at_start_only, span_of, whole_condition
+from clickgen.check.written import Asked, is_relative, left_in, runs_at_start_only, span_of, whole_condition
 from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.ir.conditions import Contact
@@ -52,8 +52,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 def _check(facts: Facts, address: Address, placed: Sequence[Placed], problems: Diagnostics) -> None:
     writers = [_Writer(one, Asked(facts, one, address), runs_at_start_only(facts, one)) for one in placed]
-    steps = _steps(facts, address, writers)
-    if not steps or not _is_sequence(address, writers, list(steps)):
+    steps, known = _steps(facts, address, writers)
+    if len(known) > _STEPS_MAX or not _is_sequence(address, writers, known):
         return
     home = _begins(facts, address)
     aborts = {id(writer) for writer in writers if _is_abort(facts, writer, address, home)}
@@ -76,29 +76,31 @@ def _check(facts: Facts, address: Address, placed: Sequence[Placed], problems: D
         )
 
 
-def _steps(facts: Facts, address: Address, writers: Sequence[_Writer]) -> dict[int, Span]:
-    """Every number that the program puts into the register, with where it does so first."""
+def _steps(facts: Facts, address: Address, writers: Sequence[_Writer]) -> tuple[dict[int, Span], set[int]]:
+    """The numbers that the program puts into the register, with where it does so first, and those of its start too."""
     steps: dict[int, Span] = {}
-    waiting: list[int] = []
-
-    def add(number: int | None, writer: _Writer) -> None:
-        if number is not None and number not in steps and not writer.is_start:
-            steps[number] = span_of(writer.placed)
+    home = _begins(facts, address)
+    waiting = [home]
+    counting = [writer for writer in writers if is_relative(writer.placed, address)]
+    for writer in writers:
+        number = None if writer in counting else left_in(writer.placed, address, home)
+        if number is not None:
             waiting.append(number)
+            if not writer.is_start:
+                steps.setdefault(number, span_of(writer.placed))
+    seen = set(waiting)
+    while waiting and len(seen) <= _STEPS_MAX:
+        number = waiting.pop()
+        for writer in counting:
+            after = left_in(writer.placed, address, number) if writer.asked.may_be(number) else None
+            if after is not None and after not in seen:
+                seen.add(after)
+                waiting.append(after)
+                steps.setdefault(after, span_of(writer.placed))
+    return steps, seen
 
-    numbers = [_begins(facts, address)]
-    while True:
-        for number in numbers:
-            for writer in writers:
-                if writer.asked.may_be(number):
-                    add(left_in(writer.placed, address, number), writer)
-        if not waiting or len(steps) > _STEPS_MAX:
-            break
-        numbers, waiting = waiting[:], []
-    return steps if len(steps) <= _STEPS_MAX else {}
 
-
-def _is_sequence(address: Address, writers: Sequence[_Writer], steps: Sequence[int]) -> bool:
+def _is_sequence(address: Address, writers: Sequence[_Writer], steps: Iterable[int]) -> bool:
     """True when several transitions go from one step to another."""
     left: set[frozenset[int]] = set()
     for writer in writers:

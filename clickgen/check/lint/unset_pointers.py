@@ -18,7 +18,7 @@ CODE = "CG554"
 def check(facts: Facts, problems: Diagnostics) -> None:
     moved: dict[Address, tuple[Placed, ...]] = {}
     said: set[Address] = set()
-    places = {id(placed.action): place for place, placed in enumerate(facts.actions)}
+    places = facts.places
     for placed in facts.actions:
         if placed.spec is RAW or placed.loop is not None:
             continue

@@ -148,7 +148,11 @@ def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: _Walk) 
     if not starts or 0 in walk.numbers:
         starts.append(walk.size)
     low = min(starts)
-    if any(step.rung is use.rung and _comes_before(facts, step, use) for step in walk.steps) and low != walk.size:
+    places = facts.places
+    is_counted_before = any(
+        step.rung is use.rung and places[id(step.action)] < places[id(use.action)] for step in walk.steps
+    )
+    if is_counted_before and low != walk.size:
         low += walk.size
     high = _bound(facts, use, asked, address, walk, low)
     if high is not None:
@@ -160,11 +164,6 @@ def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: _Walk) 
 
 def _looked_at(compare: Compare) -> list[Address]:
     return [side.address for side in (compare.left, compare.right) if isinstance(side, Cell)]
-
-
-def _comes_before(facts: Facts, one: Placed, other: Placed) -> bool:
-    places = [id(placed.action) for placed in facts.actions if placed.rung is other.rung]
-    return places.index(id(one.action)) < places.index(id(other.action))
 
 
 def _bound(facts: Facts, use: Placed, asked: Asked, address: Address, walk: _Walk, low: int) -> int | None:
