@@ -38,17 +38,26 @@ def value_of(node: Node, registers: Mapping[Address, float] | None = None) -> fl
         return None if value is None else -value
     if isinstance(node, Call) and node.name in _CALLS:
         value = value_of(node.argument, registers)
-        return None if value is None else _CALLS[node.name](value)
+        return None if value is None else _finite(lambda: _CALLS[node.name](value))
     if isinstance(node, Binary):
         left, right = value_of(node.left, registers), value_of(node.right, registers)
         if left is None or right is None:
             return None
         if node.op in _WORKED_OUT:
-            return _WORKED_OUT[node.op](left, right)
+            return _finite(lambda: _WORKED_OUT[node.op](left, right))
         # How CLICK signs the rest of a negative number nobody knows.
         if node.op == "MOD" and left >= 0 and right > 0:
-            return left % right
+            return _finite(lambda: left % right)
     return None
+
+
+def _finite(work: Callable[[], float]) -> float | None:
+    """What is worked out; None where it is too large for any register."""
+    try:
+        value = work()
+        return value if math.isfinite(value) else None
+    except OverflowError:
+        return None
 
 
 def register_of(node: Node) -> Cell | None:

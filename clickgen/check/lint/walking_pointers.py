@@ -146,14 +146,14 @@ def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: _Walk) 
     if begins not in ("", "0"):
         starts.append(int(begins))
     if not starts or 0 in walk.numbers:
-        starts.append(walk.size)
-    low = min(starts)
+        starts.append(0)
     places = facts.places
     is_counted_before = any(
         step.rung is use.rung and places[id(step.action)] < places[id(use.action)] for step in walk.steps
     )
-    if is_counted_before and low != walk.size:
-        low += walk.size
+    # From 0 the pointer leads nowhere until it is counted on.
+    low = min(starts)
+    low = low + walk.size if is_counted_before or low == 0 else low
     high = _bound(facts, use, asked, address, walk, low)
     if high is not None:
         return _Reach(range(low, high + 1), False) if low <= high else None
