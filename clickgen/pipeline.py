@@ -29,7 +29,7 @@ from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
 from clickgen.resolve.layers import beside_workbook
 from clickgen.resolve.read_table import TableUnreadable, read_table
-from clickgen.resolve.record import record_beside, with_placed
+from clickgen.resolve.record import placed_in, record_beside, with_placed
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
@@ -345,13 +345,23 @@ def _judge_fixes(state: _Build) -> None:
 def _check(state: _Build) -> None:
     if state.resolved is not None:
         sources = {source.path: source for source in state.sources}
-        state.facts = Facts(state.resolved.program, sources, _rows(state))
+        state.facts = Facts(state.resolved.program, sources, _rows(state), _placed(state, state.resolved))
         for rule in RULES:
             rule(state.facts, state.problems)
         _check_kept(state.facts, state.problems)
         if state.settings.is_part:
             # A part has no main of its own.
             state.problems.drop("CG401")
+
+
+def _placed(state: _Build, resolved: Resolved) -> frozenset[Address]:
+    """The addresses that clickgen chose: those of this build, and those of its record that still have their names."""
+    path = record_beside(state.table_path)
+    data = path.read_bytes() if path.is_file() else None
+    state.reads[str(path)] = data
+    rows = state.table.by_address
+    kept = (at for at, name in placed_in(data).items() if at in rows and rows[at].nickname == name)
+    return frozenset((*kept, *(row.address for row in resolved.allocated)))
 
 
 def _check_kept(facts: Facts, problems: Diagnostics) -> None:

@@ -79,6 +79,8 @@ class Facts:
     program: Program
     sources: Mapping[str, SourceFile] = field(default_factory=dict)
     rows: Mapping[Address, Row] = field(default_factory=dict)
+    placed: frozenset[Address] = frozenset()
+    """The addresses that clickgen chose for a name, in this build or before."""
 
     def shown(self, address: Address) -> str:
         """An address with its nickname, for a message: ``C5 (Motor)``."""
@@ -161,6 +163,11 @@ class Facts:
     def writers(self, address: Address) -> tuple[Placed, ...]:
         """The actions that write an address by its own number, each once, in source order."""
         return tuple(self._by_action[action] for action in {id(use.action): None for use in self.uses.writes(address)})
+
+    @cached_property
+    def places(self) -> Mapping[int, int]:
+        """The place of each action in ``actions``, by its id."""
+        return {id(placed.action): place for place, placed in enumerate(self.actions)}
 
     @cached_property
     def _by_action(self) -> Mapping[int, Placed]:

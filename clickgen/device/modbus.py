@@ -7,6 +7,13 @@ COIL, DISCRETE_INPUT, HOLDING, INPUT = "coil", "discrete_input", "holding", "inp
 REGISTER_TYPES = (COIL, DISCRETE_INPUT, HOLDING, INPUT)
 """By the names that laddercodec has for them."""
 
+TYPE_WORDS = {
+    COIL: "a coil",
+    DISCRETE_INPUT: "a discrete input",
+    INPUT: "an input register",
+    HOLDING: "a holding register",
+}
+
 BIT_TYPES = (COIL, DISCRETE_INPUT)
 READ_ONLY_TYPES = (DISCRETE_INPUT, INPUT)
 
@@ -17,6 +24,12 @@ NUMBERS_984 = {
     HOLDING: (400001, 465536),
 }
 """The 984 numbers of each register type; laddercodec divides them in the same places."""
+
+_MANUAL_TYPES = {1: DISCRETE_INPUT, 3: INPUT, 4: HOLDING}
+"""The first of the five digits that manuals print, and what it stands for; CLICK has six digits for the same."""
+
+CLICK_COILS = range(16385, 18385)
+"""The coils C1 to C2000 of another CLICK (export of CLICK PLUS 3.41), the only ones between 10001 and 49999."""
 
 HEX_MAX = 0xFFFF
 PORT_MAX = 65535
@@ -33,3 +46,13 @@ WORDS_WRITTEN_MAX, WORDS_READ_MAX = 123, 125
 def register_type_of(number: int) -> str | None:
     """The register type of a 984 number, or None when there is no such number."""
     return next((name for name, (low, high) in NUMBERS_984.items() if low <= number <= high), None)
+
+
+def of_manual(number: int) -> tuple[str, int] | None:
+    """The register type and the six digits of a number as manuals print it: 42332 is the holding register 402332.
+
+    None for a number that a manual does not print with five digits, or that is a coil of a CLICK.
+    """
+    first, rest = divmod(number, 10000)
+    name = _MANUAL_TYPES.get(first)
+    return (name, first * 100000 + rest) if name and rest and number not in CLICK_COILS else None

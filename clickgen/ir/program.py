@@ -187,7 +187,7 @@ class Routine:
 
 @dataclass(frozen=True, slots=True)
 class Declaration:
-    """``nickname(ds.MaxAlarms, ds[5], initial=10, retentive=True, comment="...")``; None is what was left out."""
+    """``nickname(ds.MaxAlarms, ds[5], initial=10, retentive=False, comment="...")``; None is what was left out."""
 
     named: Named
     cell: Cell

@@ -23,6 +23,7 @@ from clickgen.resolve.blocks import Block
 from clickgen.resolve.constants import kind_of, stored, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
 from clickgen.resolve.declare_blocks import declare_blocks
+from clickgen.resolve.masked import warn_of_masked
 from clickgen.resolve.members import proposal_without_members, without_members
 from clickgen.resolve.rows import Row, is_scratch, looks_like_scratch
 from clickgen.resolve.table import AddressTable
@@ -82,6 +83,7 @@ def resolve(
     resolved = _Names(resolver.addresses, functions).program(program)
     _guard_scratch(resolved, table, problems)
     rows = (*declared.rows, *resolver.allocated)
+    warn_of_masked(program, rows, table, problems)
     beside = resolver.beside()
     beside.name(proposed, list(_named(program_operands(proposed))))
     names = _Names(beside.addresses, functions)

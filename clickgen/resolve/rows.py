@@ -112,6 +112,18 @@ def format_initial(kind: Kind, value: object) -> str | None:
     return str(value) if low <= value <= high else None
 
 
+def is_default_initial(kind: Kind, text: str) -> bool:
+    """True for an initial value that means what CLICK assumes without one, however it is written: 0, or no text.
+
+    So does one that CLICK does not take.
+    """
+    if not text or initial_fault(kind, text):
+        return True
+    if kind is Kind.TEXT:
+        return False
+    return (int(text, 16) if kind is Kind.HEX else float(text)) == 0
+
+
 def _default_initial(kind: Kind) -> str:
     return "" if kind is Kind.TEXT else "0"
 

@@ -78,7 +78,7 @@ def nickname(
 ) -> None:
     """Tie a name to an address of the same bank, at the top level of a file.
 
-    Example: nickname(ds.MaxAlarms, ds[5], initial=10, comment="rows of the alarm list")
+    Example: nickname(ds.MaxAlarms, ds[5], initial=10, retentive=False, comment="rows of alarms")
     """
 '''
 

@@ -8,12 +8,15 @@ from collections.abc import Mapping
 
 from clickgen.device.banks import parse_address
 from clickgen.device.modbus import (
+    COIL,
     HEX_MAX,
     NUMBERS_984,
     PORT_MAX,
     REGISTER_TYPES,
     RTU_DEVICE_MAX,
     TCP_DEVICE_MAX,
+    TYPE_WORDS,
+    of_manual,
     register_type_of,
 )
 from clickgen.diagnostics import did_you_mean
@@ -33,6 +36,7 @@ _DEVICE_IDS = {"ModbusTcpTarget": TCP_DEVICE_MAX, "ModbusRtuTarget": RTU_DEVICE_
 
 _HEX = re.compile(r"([0-9A-Fa-f]{1,4})h")
 _DECIMAL = re.compile(r"[0-9]{1,20}")
+_DIGITS_MAX = 6
 _REMOTE = 'remote_start="DS1", or ModbusAddress(address=400001)'
 
 
@@ -142,11 +146,16 @@ def read_remote(context: Context, node: ast.expr, signature: str) -> Remote | No
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
         address = parse_address(node.value)
         if address is None:
-            context.problem("CG201", node, f"a CLICK has no address {node.value!r}", _REMOTE)
+            help = _of_any_device(node.value) or _REMOTE
+            context.problem("CG201", node, f"a CLICK has no address {node.value!r}", help)
             return None
         return RemoteCell(address, context.span(node))
     name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
     if not isinstance(node, ast.Call) or name != "ModbusAddress":
+        if isinstance(node, ast.Constant) and type(node.value) is int:
+            help = _of_any_device(str(node.value)) or _REMOTE
+            context.problem("CG115", node, "this is not an address of another device", f"{help}: {signature}")
+            return None
         way = "it is an address of the other device, in quotes: " if isinstance(node, ast.Subscript) else ""
         help = did_you_mean(name, ["ModbusAddress"]) or f"{way}{_REMOTE}:"
         context.problem("CG115", node, "this is not an address of another device", f"{help} {signature}")
@@ -166,7 +175,7 @@ def read_remote(context: Context, node: ast.expr, signature: str) -> Remote | No
         return None
     if not is_hex:
         if type_node is not None and register_type is not None:
-            context.problem("CG314", type_node, f"{number} says its register type itself", "leave out register_type")
+            _refuse_type(context, type_node, number, str(register_type))
             return None
         return RemoteModbus(number, context.span(node))
     if register_type not in REGISTER_TYPES:
@@ -176,6 +185,32 @@ def read_remote(context: Context, node: ast.expr, signature: str) -> Remote | No
         context.problem(code, place, "register_type is missing or none that Modbus has", help)
         return None
     return RemoteModbus(number, context.span(node), str(register_type))
+
+
+def _of_any_device(text: str) -> str:
+    """The way out for a bare number in the place of a remote address; "" for what is none."""
+    number = int(text) if text.isascii() and text.isdigit() and len(text) <= _DIGITS_MAX else 0
+    manual = of_manual(number)
+    if manual:
+        return f"CLICK has six digits: {number} of a manual is ModbusAddress(address={manual[1]})"
+    return f"the number of any device is ModbusAddress(address={number})" if register_type_of(number) else ""
+
+
+def _refuse_type(context: Context, node: ast.expr, number: int, said: str) -> None:
+    """A decimal number has its register type in its digits; where it has another one than is said, it is not meant."""
+    kind = register_type_of(number)
+    low, _ = NUMBERS_984.get(said, (0, 0))
+    if said == kind or not low:
+        context.problem("CG314", node, f"{number} says its register type itself", "leave out register_type")
+        return
+    manual = of_manual(number)
+    meant = manual[1] if manual and manual[0] == said else low - 1 + number
+    help = "leave out register_type, or correct the number"
+    if kind == COIL and register_type_of(meant) == said:
+        counted = f'where that counts from 0, write ModbusAddress(address="{number:X}h", register_type="{said}")'
+        help = f"{number} of a manual is ModbusAddress(address={meant})" + ("" if manual else f"; {counted}")
+    words = f"{TYPE_WORDS[str(kind)]} by its digits, and not {TYPE_WORDS[said]}"
+    context.problem("CG314", node, f"{number} is {words}", help)
 
 
 def _modbus_number(context: Context, node: ast.expr) -> tuple[int | None, bool]:

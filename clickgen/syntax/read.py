@@ -334,7 +334,7 @@ _DECLARED = ("initial", "retentive", "comment")
 
 
 def _read_declaration(context: Context, node: ast.Call) -> Declaration | BlockDeclaration | None:
-    example = 'nickname(ds.MaxAlarms, ds[5], initial=10, retentive=True, comment="...")'
+    example = 'nickname(ds.MaxAlarms, ds[5], initial=10, retentive=False, comment="...")'
     if len(node.args) != 2:
         context.problem("CG110", node, "nickname takes a name and its address", example)
         return None

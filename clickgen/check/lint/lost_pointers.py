@@ -130,7 +130,7 @@ class _Registers:
     def __init__(self, facts: Facts) -> None:
         self._facts = facts
         self._known: dict[Address, _Register] = {}
-        self._places = {id(placed.action): place for place, placed in enumerate(facts.actions)}
+        self._places = facts.places
         self._ends: dict[int, int] = {}
         """The place of each routine's first ``end()`` or ``return``: what stands behind it may not run."""
         for place, placed in enumerate(facts.actions):

@@ -37,8 +37,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             use.operand.span,
             f"{facts.listed(addresses)} {'is' if one else 'are'} read here and nothing in the program writes "
             f"{'it' if one else 'them'}",
-            f"correct the name, declare a value with nickname(..., initial=...), or write # clickgen: ignore[{CODE}] "
-            "where a panel or another device writes it",
+            "correct the name, declare a value with nickname(..., initial=..., retentive=False), or write "
+            f"# clickgen: ignore[{CODE}] where a panel or another device writes it",
         )
 
 
@@ -68,7 +68,7 @@ if x.Load:
     ),
     right=(
         """
-nickname(ds.PressureLimit, ds[10], initial=60)
+nickname(ds.PressureLimit, ds[10], initial=60, retentive=False)
 
 
 def main():

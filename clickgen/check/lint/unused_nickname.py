@@ -82,7 +82,7 @@ nickname(x.Start, x[1])
 nickname(x.SpareButton, x[2])
 nickname(y.Lamp, y[3])
 nickname(t.Delay, t[7])
-nickname(ds.Brightness, ds[9], initial=80, comment="of the panel")
+nickname(ds.Brightness, ds[9], initial=80, retentive=False, comment="of the panel")
 
 
 def main():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from math import ceil
 
 from clickgen.check.facts import Facts
@@ -10,9 +11,14 @@ from clickgen.device.modbus import (
     BIT_TYPES,
     BITS_READ_MAX,
     BITS_WRITTEN_MAX,
+    COIL,
+    HOLDING,
+    NUMBERS_984,
     READ_ONLY_TYPES,
+    TYPE_WORDS,
     WORDS_READ_MAX,
     WORDS_WRITTEN_MAX,
+    of_manual,
     register_type_of,
 )
 from clickgen.diagnostics import Diagnostics
@@ -26,10 +32,10 @@ from clickgen.wording import counted
 def check(facts: Facts, problems: Diagnostics) -> None:
     for placed in facts.actions:
         if placed.spec in SPECS:
-            _check(placed.action, problems)
+            _check(facts, placed.action, problems)
 
 
-def _check(action: Action, problems: Diagnostics) -> None:
+def _check(facts: Facts, action: Action, problems: Diagnostics) -> None:
     is_send = action.spec is SEND
     own, remote = action.args["source" if is_send else "dest"], action.args["remote_start"]
     assert isinstance(remote, Remote)
@@ -48,11 +54,65 @@ def _check(action: Action, problems: Diagnostics) -> None:
         problems.add(
             "CG305",
             remote.span,
-            f"{_shown(remote)} holds {there} and {own.bank} holds {here}",
-            "name an address of the same kind on both ends",
+            f"{_shown(remote)}{' is a coil: it' if _is_short_coil(remote) else ''} holds {there} and {own.bank} holds "
+            f"{here}",
+            _six_digits(remote) or "name an address of the same kind on both ends",
         )
         return
+    if _is_short_coil(remote) and not _SIX_DIGITS.search(facts.text(remote.span)):
+        _check_manual(remote, problems)
     _check_length(own, remote, is_send, problems)
+
+
+# -- numbers as manuals print them ------------------------------------------------------------------------------------
+
+_SIX_DIGITS = re.compile(r"""["']0[0-9]{5}["']""")
+"""A coil that is written with all its digits: it is meant."""
+
+
+def _is_short_coil(remote: Remote) -> bool:
+    """True for a coil written as a number: manuals mean something else by many of these."""
+    return isinstance(remote, RemoteModbus) and not remote.register_type and register_type_of(remote.number) == COIL
+
+
+def _six_digits(remote: Remote) -> str:
+    """The way out for a coil where a register belongs: what a manual means by the number."""
+    if not isinstance(remote, RemoteModbus) or not _is_short_coil(remote):
+        return ""
+    manual = of_manual(remote.number)
+    if manual is None:
+        number = NUMBERS_984[HOLDING][0] - 1 + remote.number
+        return (
+            f"holding registers begin at {NUMBERS_984[HOLDING][0]}: register {remote.number} of a manual that counts "
+            f"from 1 is ModbusAddress(address={number})"
+        )
+    name, number = manual
+    into = ", and goes into bits" if name in BIT_TYPES else ""
+    meant = f"{remote.number} of a manual, {TYPE_WORDS[name]}"
+    return f"CLICK has six digits: {meant}, is ModbusAddress(address={number}){into}"
+
+
+def _check_manual(remote: Remote, problems: Diagnostics) -> None:
+    """A coil whose number a manual has for something else."""
+    assert isinstance(remote, RemoteModbus)
+    manual = of_manual(remote.number)
+    if manual is None:
+        return
+    name, number = manual
+    coil = f'ModbusAddress(address="{remote.number - 1:X}h", register_type="{COIL}")'
+    if name in BIT_TYPES:
+        way = f"write ModbusAddress(address={number}) for the input"
+    else:
+        way = f"for the register write ModbusAddress(address={number}), and registers on this end"
+    problems.add(
+        "CG551",
+        remote.span,
+        f"{remote.number} is a coil here, because CLICK has six digits; in a manual it is {TYPE_WORDS[name]}",
+        f"{way}; for the coil write {coil}",
+    )
+
+
+# -- what fits --------------------------------------------------------------------------------------------------------
 
 
 def _check_writable(remote: Remote, is_send: bool, problems: Diagnostics) -> None:

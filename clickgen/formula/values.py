@@ -1,0 +1,67 @@
+"""What a part of a formula is worth, as far as that is known without running it."""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable, Mapping
+
+from clickgen.device.banks import Address
+from clickgen.formula.nodes import Binary, Call, Group, HexNumber, Node, Number, Operand, Pi, Unary
+from clickgen.ir.operands import Cell
+
+_WORKED_OUT: Mapping[str, Callable[[float, float], float]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "AND": lambda one, other: int(one) & int(other),
+    "OR": lambda one, other: int(one) | int(other),
+}
+_CALLS: Mapping[str, Callable[[float], float]] = {"RAD": math.radians, "DEG": math.degrees}
+
+
+def value_of(node: Node, registers: Mapping[Address, float] | None = None) -> float | None:
+    """The value of a part of a formula; None where a register decides, or CLICK's way to work it out.
+
+    ``registers`` are those whose values are taken for known.
+    """
+    if isinstance(node, Group):
+        return value_of(node.inner, registers)
+    if isinstance(node, Number | HexNumber):
+        return node.value
+    if isinstance(node, Pi):
+        return math.pi
+    if isinstance(node, Operand):
+        return (registers or {}).get(node.ref.address) if isinstance(node.ref, Cell) else None
+    if isinstance(node, Unary) and node.op == "-":
+        value = value_of(node.operand, registers)
+        return None if value is None else -value
+    if isinstance(node, Call) and node.name in _CALLS:
+        value = value_of(node.argument, registers)
+        return None if value is None else _finite(lambda: _CALLS[node.name](value))
+    if isinstance(node, Binary):
+        left, right = value_of(node.left, registers), value_of(node.right, registers)
+        if left is None or right is None:
+            return None
+        if node.op in _WORKED_OUT:
+            return _finite(lambda: _WORKED_OUT[node.op](left, right))
+        # How CLICK signs the rest of a negative number nobody knows.
+        if node.op == "MOD" and left >= 0 and right > 0:
+            return _finite(lambda: left % right)
+    return None
+
+
+def _finite(work: Callable[[], float]) -> float | None:
+    """What is worked out; None where it is too large for any register."""
+    try:
+        value = work()
+        return value if math.isfinite(value) else None
+    except OverflowError:
+        return None
+
+
+def register_of(node: Node) -> Cell | None:
+    """The register that a part of a formula is, in parentheses or not; None for anything else."""
+    if isinstance(node, Group):
+        return register_of(node.inner)
+    return node.ref if isinstance(node, Operand) and isinstance(node.ref, Cell) else None
