@@ -11,7 +11,7 @@ from clickgen.check.uses import Uses, addresses_of
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.system import ALWAYS_ON, system_name_of
 from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import CALL, NEXT
+from clickgen.instructions.control import CALL, END, NEXT, RETURN
 from clickgen.instructions.spec import Spec
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.logic import always_holds, are_exclusive
@@ -183,6 +183,12 @@ class Facts:
         if not calls or always_holds(Any((*conditions, never), routine.span)):
             return None
         return Any(conditions, routine.span)
+
+    @cached_property
+    def left_early(self) -> frozenset[str]:
+        """The names of the routines that an end() or return under a condition may leave before their last rung."""
+        exits = (placed for placed in self.actions if placed.spec in (END, RETURN))
+        return frozenset(placed.routine.name for placed in exits if not placed.is_unconditional)
 
     def run_apart(self, one: Routine, other: Routine) -> bool:
         """True for two subroutines that are never called in the same scan: all their calls exclude each other."""
