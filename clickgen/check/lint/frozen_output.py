@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator
 
-from clickgen.check.facts import Facts, Placed
+from clickgen.check.facts import Facts, Placed, Site
 from clickgen.check.rule import Rule, Wrong
-from clickgen.check.uses import Use, addresses_of
+from clickgen.check.uses import addresses_of
 from clickgen.device.banks import Address, current_value
+from clickgen.device.system import ALWAYS_ON
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.timers import TOF, TON
-from clickgen.ir.conditions import Any, Contact
+from clickgen.ir.conditions import All, Always, Any, Condition, Contact
 from clickgen.ir.logic import implies
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine
+from clickgen.ir.walk import condition_operands
 
 CODE = "CG545"
 
@@ -25,19 +28,15 @@ _Frozen = list[tuple[Placed, Address]]
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
-    sometimes = {
-        routine.name: condition for routine in facts.program.subroutines if (condition := facts.sometimes(routine))
-    }
+    watch = _Watch(facts)
     for routine in facts.program.subroutines:
-        when = sometimes.get(routine.name)
-        if when is None:
+        if routine.name not in watch.sometimes:
             continue
-        outputs = [*_outputs(facts, routine, when, sometimes)]
-        timers = [*_timers(facts, routine, when, sometimes)]
+        outputs, timers = [*_outputs(facts, watch, routine)], [*_timers(facts, watch, routine)]
         if outputs:
             named = facts.listed(_bits(outputs))
-            stay, left = ("stays", "it") if len(_bits(outputs)) == 1 else ("stay", "them")
-            fault = f"while {routine.name} is not called, {named} {stay} as the last call left {left}, on if it was on"
+            stay, left, on = ("stays", "it", "it was") if len(_bits(outputs)) == 1 else ("stay", "them", "they were")
+            fault = f"while {routine.name} is not called, {named} {stay} as the last call left {left}, on if {on} on"
             help = "drive outputs in a rung that every scan looks at, or reset them where the subroutine is not called"
             _report(facts, problems, routine, outputs, fault, help)
         if timers:
@@ -54,49 +53,95 @@ def _bits(frozen: _Frozen) -> list[Address]:
     return list(dict.fromkeys(bit for _, bit in frozen))
 
 
-def _outputs(facts: Facts, routine: Routine, when: Any, sometimes: dict[str, Any]) -> Iterator[tuple[Placed, Address]]:
+def _outputs(facts: Facts, watch: _Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
     for placed in facts.actions:
         if placed.routine is not routine or placed.spec is not OUT:
             continue
         for bit in addresses_of(placed.action.args["address"]):
             # Whoever else writes it may turn it off.
             writers = facts.writers(bit)
-            if facts.uses.is_pointed(bit.bank, True) or any(
-                one.spec is not OUT or one.routine is not routine for one in writers
-            ):
+            if any(one.spec is not OUT or one.routine is not routine for one in writers):
                 continue
             # It is called for as long as its output is on.
-            if implies(Contact(Cell(bit, routine.span), routine.span), when):
+            is_held = implies(Contact(Cell(bit, routine.span), routine.span), watch.sometimes[routine.name])
+            if is_held or facts.uses.is_pointed(bit.bank, is_written=True):
                 continue
-            if bit.bank == "Y" or any(_looks_alone(use, routine, when, sometimes) for use in facts.uses.reads(bit)):
+            if bit.bank == "Y" or watch.is_felt(bit, routine):
                 yield placed, bit
 
 
-def _timers(facts: Facts, routine: Routine, when: Any, sometimes: dict[str, Any]) -> Iterator[tuple[Placed, Address]]:
+def _timers(facts: Facts, watch: _Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
+    when = watch.sometimes[routine.name]
     for placed in facts.actions:
-        if placed.routine is not routine or placed.spec not in (TON, TOF):
-            continue
-        timer = placed.action.args["timer"]
-        if not isinstance(timer, Cell):
+        timer = placed.action.args.get("timer")
+        if placed.routine is not routine or placed.spec not in (TON, TOF) or not isinstance(timer, Cell):
             continue
         bit, value = timer.address, current_value(timer.address)
-        uses = [*facts.uses.reads(bit), *facts.uses.reads(value)]
         # Whoever writes the current value starts it anew; a timer that looks at its own bit restarts by itself.
-        if any(one.action is not placed.action for one in facts.writers(value)) or facts.uses.is_pointed("TD", True):
+        if any(one.action is not placed.action for one in facts.writers(value)):
             continue
-        if implies(placed.condition, Contact(timer, timer.span, negated=True)):
+        is_own_reset = implies(placed.condition, Contact(timer, timer.span, negated=True))
+        if is_own_reset or facts.uses.is_pointed("TD", is_written=True):
             continue
-        starts_on = placed.spec is TON and (placed.is_unconditional or implies(when, placed.condition))
-        if uses and (starts_on or any(_looks_alone(use, routine, when, sometimes) for use in uses)):
+        starts_with_call = placed.spec is TON and (placed.is_unconditional or implies(when, placed.condition))
+        is_used = bool(facts.uses.reads(bit) or facts.uses.reads(value))
+        if (starts_with_call and is_used) or watch.is_felt(bit, routine) or watch.is_felt(value, routine):
             yield placed, bit
 
 
-def _looks_alone(use: Use, routine: Routine, when: Any, sometimes: dict[str, Any]) -> bool:
-    """True where something looks at a bit or value also in scans in which the subroutine does not run."""
-    if use.routine is routine:
-        return False
-    other = sometimes.get(use.routine.name)
-    return other is None or not implies(other, when)
+class _Watch:
+    """Who feels it that a bit or value stands still while a subroutine is not called."""
+
+    def __init__(self, facts: Facts) -> None:
+        self._facts = facts
+        found = ((routine.name, facts.sometimes(routine)) for routine in facts.program.subroutines)
+        self.sometimes: dict[str, Any] = {name: condition for name, condition in found if condition}
+        """When each subroutine is called that is not called in every scan."""
+        self._sites: dict[Address, list[Site]] = defaultdict(list)
+        for site in facts.sites:
+            for address in {one for operand in condition_operands(site.condition) for one in addresses_of(operand)}:
+                self._sites[address].append(site)
+
+    def is_felt(self, address: Address, routine: Routine) -> bool:
+        """True where something outside the subroutine looks at an address also while the subroutine is not called."""
+        when = self.sometimes[routine.name]
+        for use in self._facts.uses.reads(address):
+            if use.routine is not routine and use.leaf is None:
+                placed = self._facts.placed(use.action) if use.action else None
+                if placed is None or not implies(All(self._way(placed.routine, placed.condition), routine.span), when):
+                    return True
+        return any(
+            site.routine is not routine and self._makes_a_difference(address, site, when)
+            for site in self._sites.get(address, ())
+        )
+
+    def _makes_a_difference(self, address: Address, site: Site, when: Any) -> bool:
+        way = All(self._way(site.routine, *site.above, site.condition), site.condition.span)
+        if implies(way, when):
+            return False
+        on, off = _with(way, address, True), _with(way, address, False)
+        if on is None or off is None:
+            return True
+        return not implies(on, Any((when, off), way.span)) or not implies(off, Any((when, on), way.span))
+
+    def _way(self, routine: Routine, *conditions: Condition) -> tuple[Condition, ...]:
+        call = self.sometimes.get(routine.name)
+        return (*conditions, call) if call else conditions
+
+
+def _with(condition: Condition, bit: Address, is_on: bool) -> Condition | None:
+    """A condition with a bit that stands still, on or off; None where it looks at the address as a value."""
+    if isinstance(condition, All | Any):
+        terms = [_with(term, bit, is_on) for term in condition.terms]
+        known = [term for term in terms if term is not None]
+        return type(condition)(tuple(known), condition.span) if len(known) == len(terms) else None
+    if not any(bit in addresses_of(operand) for operand in condition_operands(condition)):
+        return condition
+    if not isinstance(condition, Contact) or not isinstance(condition.operand, Cell):
+        return None
+    if not condition.edge and is_on is not condition.negated:
+        return Always(condition.span)
+    return Contact(Cell(ALWAYS_ON, condition.span), condition.span, negated=True)
 
 
 def _report(facts: Facts, problems: Diagnostics, routine: Routine, frozen: _Frozen, fault: str, help: str) -> None:
@@ -173,6 +218,8 @@ def main():
         reset(c.MotorWanted)
     if c.MotorWanted:
         out(y.Motor)
+    if all(c.Auto, c.LampWanted):
+        out(y.Lamp)
     if True:
         end()
 
@@ -181,6 +228,7 @@ def main():
 def automatic():
     if c.Run:
         out(c.MotorWanted)
+        out(c.LampWanted)
     if x.Part:
         out(c.Seen)
     if all(c.Seen, c.Run):
