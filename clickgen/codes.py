@@ -162,3 +162,6 @@ CODES: dict[str, Code] = {
     "CG706": Code(_W, "a nickname is left out"),
     "CG707": Code(_W, "what is imported is a part of a program"),
 }
+
+LEFT = "CG541"
+"""The code of a name that left its program: only a look at the other programs of its table settles it."""

@@ -126,9 +126,9 @@ if all(c.Run, nc(c.Gaurd_Fault)):  # <-
         Wrong(
             """
 if x.Part:
-    calc("sd[1] * 10", ds.Weigth)  # <-
+    calc("sd[1] * 10", ds.Weigth)
 
-if ds.Weight > 500:
+if ds.Weight > 500:  # <-
     out(y.Reject)
 """
         ),
