@@ -55,6 +55,10 @@ class Changes:
             return self._by_routine.get(action.word("subroutine"), [])
         return self._by_action.get(id(action), [])
 
+    def surely(self, action: Action) -> list[Extent]:
+        """What an action writes for sure where it runs: not what a pointer may lead to, and nothing of a call."""
+        return self._named_by_action.get(id(action), [])
+
     def may_change(self, operand: Operand, extents: Iterable[Extent]) -> bool:
         """True when an operand of a condition may have another value after these changes."""
         if isinstance(operand, Immediate) or not self.arriving.isdisjoint(with_points(operand)):
@@ -76,6 +80,13 @@ class Changes:
         found: dict[int, list[Extent]] = defaultdict(list)
         for use in self._written:
             found[id(use.action)] += extents_written(use.operand)
+        return found
+
+    @cached_property
+    def _named_by_action(self) -> Mapping[int, list[Extent]]:
+        found: dict[int, list[Extent]] = defaultdict(list)
+        for use in self._written:
+            found[id(use.action)] += extents_of(use.operand)
         return found
 
     @cached_property

@@ -135,6 +135,17 @@ class Facts:
         """Every action in source order; a loop comes before its body."""
         return tuple(placed for routine in self.program.routines for placed in _placed_in(routine))
 
+    def actions_of(self, routine: Routine) -> Sequence[Placed]:
+        """The actions of one routine in source order."""
+        return self._by_routine.get(routine.name, ())
+
+    @cached_property
+    def _by_routine(self) -> Mapping[str, Sequence[Placed]]:
+        found: dict[str, list[Placed]] = {}
+        for placed in self.actions:
+            found.setdefault(placed.routine.name, []).append(placed)
+        return found
+
     @cached_property
     def declared(self) -> Mapping[Address, Declaration]:
         """What ``nickname(...)`` says in the source, by address."""

@@ -54,8 +54,8 @@ def _bits(frozen: _Frozen) -> list[Address]:
 
 
 def _outputs(facts: Facts, watch: _Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
-    for placed in facts.actions:
-        if placed.routine is not routine or placed.spec is not OUT:
+    for placed in facts.actions_of(routine):
+        if placed.spec is not OUT:
             continue
         for bit in addresses_of(placed.action.args["address"]):
             # Whoever else writes it may turn it off.
@@ -72,9 +72,9 @@ def _outputs(facts: Facts, watch: _Watch, routine: Routine) -> Iterator[tuple[Pl
 
 def _timers(facts: Facts, watch: _Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
     when = watch.sometimes[routine.name]
-    for placed in facts.actions:
+    for placed in facts.actions_of(routine):
         timer = placed.action.args.get("timer")
-        if placed.routine is not routine or placed.spec not in (TON, TOF) or not isinstance(timer, Cell):
+        if placed.spec not in (TON, TOF) or not isinstance(timer, Cell):
             continue
         bit, value = timer.address, current_value(timer.address)
         # Whoever writes the current value starts it anew; a timer that looks at its own bit restarts by itself.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from clickgen.check.changes import Changes, Extent, meets
@@ -12,12 +12,13 @@ from clickgen.check.uses import addresses_of, extents_of
 from clickgen.device.banks import parse_address
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions import communication, drums, timers
+from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import CALL, END, RETURN
 from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import Compare, Condition, Contact
 from clickgen.ir.logic import are_exclusive
 from clickgen.ir.operands import Immediate, Operand
-from clickgen.ir.program import Action, Branch, Item, Loop, Rung
+from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
 from clickgen.ir.walk import condition_operands, leaves
 
 CODE = "CG542"
@@ -100,7 +101,7 @@ def _is_stale(look: _Look, leaf: Contact | Compare, write: _Write) -> bool:
     return not are_exclusive(*write.path, *look.path)
 
 
-def _reads(condition: Condition, operands: list[Operand]) -> bool:
+def _reads(condition: Condition, operands: Iterable[Operand]) -> bool:
     extents = [extent for operand in condition_operands(condition) for extent in extents_of(operand)]
     return any(meets(extents, operand) for operand in operands)
 
@@ -119,31 +120,35 @@ class _Writes:
         if action.spec is CALL:
             return self._of_routine(action.word("subroutine"))
         flags = filter(None, map(parse_address, action.spec.sets_flags))
-        return [*self._changes.of(action), *((flag.bank, flag.number, flag.number) for flag in flags)]
+        return [*self._changes.surely(action), *((flag.bank, flag.number, flag.number) for flag in flags)]
 
     def _of_routine(self, name: str) -> list[Extent]:
         if name not in self._by_routine:
             found = self._by_routine[name] = []
-            for placed in self._facts.actions:
-                if placed.routine.name != name or placed.routine.is_main:
-                    continue
-                if placed.spec in (END, RETURN):
-                    break
-                if placed.is_unconditional and not placed.loop and placed.spec not in _IN_THEIR_OWN_TIME:
-                    found += self._changes.of(placed.action)
+            for routine in self._facts.program.subroutines:
+                if routine.name == name:
+                    found += self._surely(routine)
         return self._by_routine[name]
+
+    def _surely(self, routine: Routine) -> Iterator[Extent]:
+        """What a run of a subroutine writes in any case, down to where it may be left."""
+        for placed in self._facts.actions_of(routine):
+            if placed.spec in (END, RETURN):
+                return
+            always_writes = placed.is_unconditional or placed.spec is OUT
+            if always_writes and not placed.loop and placed.spec not in _IN_THEIR_OWN_TIME:
+                yield from self._changes.surely(placed.action)
 
 
 def _report(facts: Facts, problems: Diagnostics, look: _Look, leaf: Contact | Compare, write: _Write) -> None:
     operand = next(one for one in condition_operands(leaf) if meets(write.extents, one))
     name = facts.listed(addresses_of(operand))
     place = write.action.span.seen_from(leaf.span)
-    verb = "called" if write.action.spec is CALL else "run"
     problems.add(
         CODE,
         leaf.span,
-        f"this {look.what} sees {name} as it was before {write.action.spec.name} in {place} has {verb}: CLICK looks at "
-        "all conditions of a rung before its first action",
+        f"this {look.what} sees {name} as it was before the {write.action.spec.name} in {place}: CLICK looks at all "
+        "conditions of a rung before its first action",
         f"put the {look.what.partition(' ')[0]} into a rung of its own below this one: there it sees the new value"
         if look.what == "branch"
         else "put the box into a rung of its own below this one: there its inputs see the new value",

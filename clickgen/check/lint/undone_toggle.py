@@ -14,6 +14,9 @@ from clickgen.check.rule import Rule, Wrong
 from clickgen.check.uses import addresses_of
 from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostics, Label
+from clickgen.formula.nodes import Binary, Number
+from clickgen.formula.nodes import Operand as FormulaOperand
+from clickgen.instructions import maths
 from clickgen.instructions.coils import RESET, SET
 from clickgen.instructions.control import END, FOR, NEXT, RETURN
 from clickgen.instructions.copies import COPY, COPY_FILL
@@ -21,6 +24,7 @@ from clickgen.instructions.raw import NOT_IMPORTED, RAW
 from clickgen.ir.conditions import All, Compare, Condition, Contact
 from clickgen.ir.logic import are_exclusive, implies, terms_of
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Operand, Real, Single
+from clickgen.ir.program import FormulaText
 from clickgen.ir.walk import condition_operands
 from clickgen.source import Span
 
@@ -175,6 +179,29 @@ def _constants(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
             value = put_in(placed, address)
             if isinstance(value, Integer | Hex | Real):
                 yield address, value, False
+    elif placed.spec in maths.SPECS:
+        yield from _calculated(placed)
+
+
+def _calculated(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
+    """A register that is counted up or down by a constant, where the condition says what it holds: a step."""
+    formula, target = placed.action.args["formula"], placed.action.args["destination"]
+    if not isinstance(formula, FormulaText) or not isinstance(target, Cell):
+        return
+    root = formula.formula.root
+    if not (isinstance(root, Binary) and isinstance(root.left, FormulaOperand) and isinstance(root.right, Number)):
+        return
+    register = root.left.ref
+    if root.op not in ("+", "-") or not isinstance(register, Cell) or register.address != target.address:
+        return
+    for term in terms_of(placed.condition):
+        if isinstance(term, Compare) and term.op == "==":
+            sides = (term.left, term.right), (term.right, term.left)
+            for cell, held in sides:
+                if isinstance(cell, Cell) and cell.address == target.address and isinstance(held, Integer):
+                    value = held.value + (root.right.value if root.op == "+" else -root.right.value)
+                    if isinstance(value, int):
+                        yield target.address, Integer(value, target.span), False
 
 
 def _same(one: _Write, other: _Write) -> bool:
