@@ -125,8 +125,8 @@ RULE = Rule(
     check,
     """
 A message takes many scans: the other device has to answer. While one is under way on a port, another one on that port
-is not sent, or one of the two fails, and it depends on chance which. It works on the table with one device and fails in
-the plant with three.
+is not sent, or one of the two fails, and it depends on chance which. It works on the bench with one device and fails on
+the machine with three.
 
 Let the messages take turns. Count a register on when a message has ended, and compare it in each rung; so every message
 gets its turn, also after an error. Or ask in each rung for the bits `sending` and `receiving` of the others.
