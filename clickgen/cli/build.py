@@ -5,14 +5,16 @@ from __future__ import annotations
 import argparse
 import sys
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain
 from clickgen.cli.jobs import Job, jobs, near, settings_of
 from clickgen.diagnostics import CouldNotRun
-from clickgen.pipeline import BuildResult, build_all, write_all
+from clickgen.nicknames.elsewhere import build_among
+from clickgen.pipeline import BuildResult, write_all
 from clickgen.report.frames import summary, write_problems
 from clickgen.resolve.rows import Row
 from clickgen.spelling import Spellings
@@ -48,7 +50,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Build and write, without a program every configured one, all of them or none; returns the exit code."""
     jobs = _jobs(options.program, options.output, options.nicknames, options.frozen, options.config)
-    results = _built(jobs, options.config)
+    results = build_among(jobs, partial(settings_of, options.config))
     for result in results:
         write_problems(result.diagnostics, result.sources, sys.stderr)
     if not all(result.ok for result in results):
@@ -58,22 +60,6 @@ def run(options: argparse.Namespace) -> int:
     for job, result in zip(jobs, results, strict=True):
         print(_report(result, job.folder))
     return OK
-
-
-def _built(jobs: Sequence[Job], config: str | None) -> list[BuildResult]:
-    """The programs, each built with the knowledge of what the others around its table name, where that matters."""
-    results = build_all((job.program, job.settings) for job in jobs)
-    if not any(result.left for result in results):
-        return results
-    from clickgen.nicknames.elsewhere import named_elsewhere
-
-    known = [
-        named_elsewhere(job, settings_of(config), jobs) if result.left else frozenset()
-        for job, result in zip(jobs, results, strict=True)
-    ]
-    return build_all(
-        (job.program, replace(job.settings, named_elsewhere=names)) for job, names in zip(jobs, known, strict=True)
-    )
 
 
 def _jobs(

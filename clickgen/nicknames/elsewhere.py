@@ -3,12 +3,32 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from clickgen.check.uses import addresses_of
 from clickgen.config import Config
 from clickgen.diagnostics import CouldNotRun
 from clickgen.nicknames.programs import Files, Job, programs_around, table_of
+from clickgen.pipeline import BuildResult, build_all
+
+
+def build_among(jobs: Sequence[Job], config: Callable[[], Config]) -> list[BuildResult]:
+    """Build programs one after the other; where a name left one, with the knowledge of what the others around it name.
+
+    ``config`` gives the settings, where they are needed.
+    """
+    results = build_all((job.program, job.settings) for job in jobs)
+    if not any(result.left for result in results):
+        return results
+    settings = config()
+    known = [
+        named_elsewhere(job, settings, jobs) if result.left else frozenset()
+        for job, result in zip(jobs, results, strict=True)
+    ]
+    return build_all(
+        (job.program, replace(job.settings, named_elsewhere=names)) for job, names in zip(jobs, known, strict=True)
+    )
 
 
 def named_elsewhere(job: Job, config: Config, others: Sequence[Job] = ()) -> frozenset[str]:
