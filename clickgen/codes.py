@@ -140,6 +140,13 @@ CODES: dict[str, Code] = {
     "CG525": Code(_W, "a suppression suppresses nothing"),
     "CG526": Code(_W, "a range in any(...) means all of its bits"),
     "CG527": Code(_W, "a subroutine with timers or edges may run twice in a scan"),
+    "CG540": Code(_W, "a name looks like a misspelling of another"),
+    "CG541": Code(_W, "a name left the program and its value stays behind"),
+    "CG542": Code(_W, "a branch looks at what its own rung writes"),
+    "CG543": Code(_W, "out and set or reset drive one bit"),
+    "CG544": Code(_W, "a rung undoes in the same scan what a rung before it did"),
+    "CG545": Code(_W, "an output or timer may freeze in a subroutine that does not always run"),
+    "CG546": Code(_W, "two messages may want one port at the same time"),
     "CG550": Code(_W, "the initial value of a retentive address is masked"),
     "CG551": Code(_W, "a Modbus number means a coil here and another register in a manual"),
     "CG552": Code(_W, "the clock has no such value"),
@@ -165,3 +172,6 @@ CODES: dict[str, Code] = {
     "CG706": Code(_W, "a nickname is left out"),
     "CG707": Code(_W, "what is imported is a part of a program"),
 }
+
+LEFT = "CG541"
+"""The code of a name that left its program: only a look at the other programs of its table settles it."""
