@@ -175,7 +175,7 @@ class Facts:
         """The actions that write an address by its own number, each once, in source order."""
         return tuple(self._by_action[action] for action in {id(use.action): None for use in self.uses.writes(address)})
 
-    def placed(self, action: Action) -> Placed:
+    def place_of(self, action: Action) -> Placed:
         """Where an action of the program stands."""
         return self._by_action[id(action)]
 

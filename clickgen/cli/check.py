@@ -191,6 +191,8 @@ def _standard_input() -> bytes:
     if sys.stdin is None:
         raise CouldNotRun("the standard input is closed: clickgen check - < prog.py")
     return sys.stdin.buffer.read()
+
+
 def _named_elsewhere(config: Config, target: Target) -> frozenset[str]:
     """What the other programs around the table of one name."""
     from clickgen.cli.jobs import Job

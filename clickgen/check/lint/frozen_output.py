@@ -107,7 +107,7 @@ class _Watch:
         when = self.sometimes[routine.name]
         for use in self._facts.uses.reads(address):
             if use.routine is not routine and use.leaf is None:
-                placed = self._facts.placed(use.action) if use.action else None
+                placed = self._facts.place_of(use.action) if use.action else None
                 if placed is None or not implies(All(self._way(placed.routine, placed.condition), routine.span), when):
                     return True
         return any(
