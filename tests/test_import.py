@@ -223,7 +223,7 @@ def test_click_s_own_names_are_written(capsys: pytest.CaptureFixture[str]) -> No
     ran(capsys, "ladder.csv", "-o", "prog.py")
     text = Path("prog.py").read_text()
     assert "sc._1st_SCAN" in text
-    assert 'sd["_RTC_Year (4 digits)"]' in text
+    assert 'sd["_RTC_Year(4 digits)"]' in text
 
 
 # -- nothing of the user's is lost ------------------------------------------------------------------------------------
