@@ -7,6 +7,7 @@ from enum import Enum, auto
 
 from clickgen.emit.ladder_csv import HEADER
 from clickgen.resolve.rows import COLUMNS as NICKNAME_COLUMNS
+from clickgen.resolve.table_form import without_marks
 
 PROGRAM_MAGIC = b"SC-SCR  "
 CLIPBOARD_MAGIC = b"CLICK   "
@@ -44,7 +45,7 @@ def other_kind(data: bytes) -> str:
         return "a project of CLICK, which only CLICK opens: give the Scr*.tmp files that it writes of an open project"
     if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
         return "a workbook or an archive, not ladder"
-    if tuple(first[:3]) == NICKNAME_COLUMNS[:3]:
+    if tuple(map(without_marks, first[:2])) == NICKNAME_COLUMNS[:2]:
         return "a nickname table, not ladder"
     if b"\x00" in data[:HEAD_BYTES]:
         return "neither text nor anything that CLICK makes"
