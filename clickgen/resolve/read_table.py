@@ -9,6 +9,7 @@ import stat
 from pathlib import Path
 
 from clickgen.device.banks import BANKS, Address, parse_address
+from clickgen.device.project_file import is_click_project
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.resolve.judge_row import (
     Fault,
@@ -81,6 +82,11 @@ def bytes_of_table(path: Path, shown: str) -> bytes:
 
 
 def _decoded(data: bytes, shown: str) -> tuple[str, bool]:
+    if is_click_project(data[:FILE_MAX], shown):
+        raise TableUnreadable(
+            f"{shown} is a project of CLICK, which only CLICK opens: open it there, export its "
+            "nicknames, and name that file"
+        )
     if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
         raise TableUnreadable(_workbook_in_its_place(data, shown))
     if len(data) > FILE_MAX:
