@@ -157,4 +157,6 @@ CODES: dict[str, Code] = {
     "CG705": Code(_I, "something that does nothing is left out"),
     "CG706": Code(_W, "a nickname is left out"),
     "CG707": Code(_W, "what is imported is a part of a program"),
+    "CG708": Code(_E, "what is read of a rung is not what its bytes say"),
+    "CG709": Code(_W, "part of the comment of a rung is left out"),
 }
