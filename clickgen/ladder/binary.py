@@ -77,7 +77,8 @@ def read_program(data: bytes, file: str) -> Ladder:
     try:
         said = read_rungs(data)
     except ProgramFault as fault:
-        return _ladder(rungs, file, lambda _number, _rung: _unproven(str(fault)), [b""] * len(rungs))
+        why = _unproven(str(fault))
+        return _ladder(rungs, file, lambda _number, _rung: why, [b""] * len(rungs))
     ladder = _ladder(
         rungs, file, lambda number, rung: _first(differences(said[number], rung)), [rung.comment for rung in said]
     )

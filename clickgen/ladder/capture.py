@@ -19,7 +19,7 @@ from clickgen.ladder.harmless import DRAWN_TALLER, WIRED_LATER
 
 _ROWS_AT, _ROWS_UNIT = 0x0254, 32
 _FIRST_AT = 0x0260
-"""Where the first rung's row begins. What stands before it, the number of rows aside, is the state of CLICK's window."""
+"""Where the first rung's row begins. Before it stand the state of CLICK's window and the number of rows."""
 _COLUMNS = 32
 _OUTPUT = _COLUMNS - 1
 _HEADER = struct.Struct("<BIIBBBBiIIIII")
@@ -108,7 +108,7 @@ class _Cutter:
                 self.rungs[-1].rows.append(cells)
         if not all(rung.rows for rung in self.rungs):
             raise CaptureFault("a rung has no rows")
-        if self.data[self.at : self.at + 9] == struct.pack("<BII", 0, 0, rows):
+        if self.data[self.at : self.at + 9] in (struct.pack("<BII", 0, 0, number) for number in (rows, rows & 0xFF)):
             raise CaptureFault("there are more rows than the file says")
 
     def _begins_a_rung(self) -> bool:
@@ -127,7 +127,9 @@ class _Cutter:
     def _cell(self, number: int, column: int, row: int, is_last: bool) -> tuple[Cell, bytes]:
         """The next cell, and the comment in it. ``number`` counts all rows, ``row`` those of the rung from 1."""
         header = _Header(*_HEADER.unpack_from(self.data, self.at))
-        if (header.pad, header.column, header.row, header.one) != (0, column, number, 1):
+        # laddercodec writes one byte of the numbers of a comment's row and of a rung.
+        numbers = (number, number & 0xFF) if row == 0 else (number,)
+        if (header.pad, header.column, header.one) != (0, column, 1) or header.row not in numbers:
             raise CaptureFault(f"row {row} has no column {column + 1}")
         self.at += _HEADER.size
         blob = None
@@ -142,22 +144,22 @@ class _Cutter:
             raise CaptureFault(f"row {row}, column {column + 1} is of another kind")
         comment = self.data[self.at + 8 : self.at + 8 + length]
         self.at += 8 + length
-        next_rung, next_row = len(self.rungs) - 1, row
-        if column == _OUTPUT:
-            # The next cell begins another row, or another rung.
-            next_row = row + 1
-        if not (is_last and column == _OUTPUT):
-            self._goes_on_in({(next_rung, next_row)} | ({(next_rung + 1, 0)} if column == _OUTPUT and row else set()))
-        else:
+        rung = len(self.rungs) - 1
+        if is_last and column == _OUTPUT:
             self.at += 8  # how many nicknames follow, and what was there before
+        elif column < _OUTPUT:
+            self._goes_on_in((rung, row))
+        else:
+            self._goes_on_in((rung, row + 1), *([(rung + 1, 0)] if row else []))
         return Cell(header, blob), comment
 
-    def _goes_on_in(self, places: set[tuple[int, int]]) -> None:
+    def _goes_on_in(self, *places: tuple[int, int]) -> None:
         """The end of a cell says in which rung and row the next one is."""
         one, rung, row = struct.unpack_from("<BII", self.data, self.at)
         self.at += 8
         # The last byte of the row is the first of the next cell.
-        if one != 1 or (rung, row & 0xFFFFFF) not in places:
+        is_next = any(rung in (other, other & 0xFF) and row & 0xFFFFFF == at for other, at in places)
+        if one != 1 or not is_next:
             raise CaptureFault("a cell does not go on with the next one")
 
 
@@ -181,7 +183,7 @@ def differences(rung: CutRung, made: CutRung) -> Iterator[str]:
 
 
 def _covered_by(rows: Sequence[Sequence[Cell]], number: int) -> bool:
-    """True in the lower rows of a tall box, where CLICK may keep the wire of an earlier NOP (laddercodec, decode.py)."""
+    """True in the lower rows of a tall box, where CLICK may keep the wire of a NOP (laddercodec, decode.py)."""
     return any(
         above[_OUTPUT].blob is not None and distance < above[_OUTPUT].header.span
         for distance, above in enumerate(reversed(rows[:number]), 1)

@@ -1,4 +1,4 @@
-"""Whether an instruction of a file is the one that laddercodec would write of what it read; else the first difference."""
+"""Whether an instruction of a file is the one that laddercodec writes of what it read; else the first difference."""
 
 from __future__ import annotations
 
