@@ -335,8 +335,10 @@ def test_notes_are_said_and_do_not_stop(capsys: pytest.CaptureFixture[str]) -> N
 
 
 def test_every_code_of_import_is_called_forth_here() -> None:
-    tested = set(re.findall(r"CG7\d\d", Path(__file__).read_text("utf-8"))) - {"CG703"}
-    assert tested | {"CG703"} == {code for code in CODES if code.startswith("CG7")}
+    # Those of binary files are called forth in test_ladder_bytes.py, with the bytes that it takes.
+    elsewhere = {"CG703", "CG708", "CG709"}
+    tested = set(re.findall(r"CG7\d\d", Path(__file__).read_text("utf-8"))) - elsewhere
+    assert tested | elsewhere == {code for code in CODES if code.startswith("CG7")}
 
 
 def test_a_rung_that_comes_back_otherwise_is_refused(
