@@ -118,11 +118,6 @@ class _Declarations:
         if looks_like_scratch(named.name):
             add("CG203", named.span, f"clickgen keeps names like {named.name} for its own cells", "choose another name")
             return False
-        system = addresses_of_system_name(named.name)
-        if system and address not in system:
-            own = " or ".join(map(str, system))
-            add("CG205", declaration.span, f"{named.name} is CLICK's own name of {own}", "choose another name")
-            return False
         fault = nickname_fault_at(address, named.name)
         if fault:
             add("CG203", named.span, f"CLICK does not take the nickname {named.name!r}: {fault}", "choose another name")
@@ -139,6 +134,11 @@ class _Declarations:
                 f"the comment of {named.name} holds a line break or a control character",
                 help,
             )
+            return False
+        system = addresses_of_system_name(named.name)
+        if system and address not in system:
+            own = " or ".join(map(str, system))
+            add("CG205", declaration.span, f"{named.name} is CLICK's own name of {own}", "choose another name")
             return False
         if bank.settings_fixed and (declaration.initial is not None or declaration.retentive is not None):
             add(

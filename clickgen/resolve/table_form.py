@@ -46,6 +46,8 @@ class TableForm(NamedTuple):
 
     def fields(self, row: Sequence[str]) -> list[str]:
         """The fields of COLUMNS in a row of this form."""
+        if not self.has_modbus:
+            return list(row)
         return [row[self.column(field)] for field in range(len(COLUMNS))]
 
     def format(self, row: Row) -> str:
