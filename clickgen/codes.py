@@ -68,6 +68,8 @@ CODES: dict[str, Code] = {
     "CG212": Code(_E, "a pointer goes through a DS register"),
     "CG213": Code(_E, "this bank cannot be pointed into"),
     "CG214": Code(_E, "this is no member of a block"),
+    "CG215": Code(_E, "one of CLICK's own names has two addresses in two versions of CLICK"),
+    "CG216": Code(_W, "an older name of CLICK's own reads like the name of another address"),
     # -- operands and types ---------------------------------------------------------------------------------------
     "CG301": Code(_E, "the instruction does not take this operand"),
     "CG302": Code(_E, "the constant is out of range"),
@@ -163,6 +165,7 @@ CODES: dict[str, Code] = {
     "CG604": Code(_W, "part of a row of the workbook is left out"),
     "CG605": Code(_E, "the workbook and the address table beside it disagree"),
     "CG606": Code(_W, "marks of blocks in the address table do not fit"),
+    "CG607": Code(_W, "a Modbus number in the address table is not that of its address"),
     # -- bringing a project in ------------------------------------------------------------------------------------
     "CG701": Code(_E, "a ladder file is damaged"),
     "CG702": Code(_E, "a rung cannot be kept as it is"),
@@ -171,6 +174,8 @@ CODES: dict[str, Code] = {
     "CG705": Code(_I, "something that does nothing is left out"),
     "CG706": Code(_W, "a nickname is left out"),
     "CG707": Code(_W, "what is imported is a part of a program"),
+    "CG708": Code(_E, "what is read of a rung is not what its bytes say"),
+    "CG709": Code(_W, "part of the comment of a rung is left out"),
 }
 
 LEFT = "CG541"

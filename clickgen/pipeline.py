@@ -407,7 +407,7 @@ def _place_scratch(state: _Build) -> None:
     state.scratch_rows = tuple(placed.values())
     state.new_rows = (
         *resolved.allocated,
-        *(row for row in state.scratch_rows if row.address not in state.table.by_address),
+        *(row for row in state.scratch_rows if _is_new(row, state.table)),
     )
     if not state.settings.frozen:
         state.table = state.table.extended((*resolved.rows, *state.scratch_rows))
@@ -435,6 +435,12 @@ def _find_left(state: _Build) -> None:
     here = os.getcwd() + os.sep
     named = named.removeprefix(here)
     report_left(state.facts, state.problems, found, state.shown, named, spans)
+
+
+def _is_new(row: Row, table: AddressTable) -> bool:
+    """True for a name that the table lacks; the table may list its address without a name."""
+    stands = table.by_address.get(row.address)
+    return stands is None or not stands.nickname
 
 
 def _divide(state: _Build) -> None:

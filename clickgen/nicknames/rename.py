@@ -10,7 +10,7 @@ from pathlib import Path
 
 from clickgen.config import Config, find_config
 from clickgen.device.nicknames import nickname_fault
-from clickgen.device.system import find_system_name
+from clickgen.device.system import addresses_of_system_name
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics, Edit, Fix, did_you_mean
 from clickgen.fixing import apply_fixes
 from clickgen.nicknames.adopt import Adoption, adopt
@@ -122,9 +122,9 @@ def _check_names(old: str, new: str) -> None:
     if looks_like_scratch(new):
         raise CouldNotRun(f"clickgen keeps names like {new} for its own cells; choose another name")
     for name in (old, new):
-        point = find_system_name(name)
-        if point is not None:
-            raise CouldNotRun(f"{name} is CLICK's own name of {point[1]}")
+        points = addresses_of_system_name(name)
+        if points:
+            raise CouldNotRun(f"{name} is CLICK's own name of {' or '.join(map(str, points))}")
 
 
 def _unknown(old: str, programs: Iterable[Program], tables: Iterable[Table]) -> str:

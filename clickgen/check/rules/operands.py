@@ -5,7 +5,7 @@ from __future__ import annotations
 from clickgen.check.facts import Facts, Placed
 from clickgen.check.values import constant_fault, value_class
 from clickgen.device.banks import BANKS, READ_ONLY
-from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
+from clickgen.device.system import DISPUTED_SC, WRITABLE_SC, WRITABLE_SD
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.data import SEARCH
 from clickgen.instructions.spec import Access, Param, ParamKind, Slot
@@ -98,9 +98,10 @@ def _is_read_only(operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
             "CG304", operand.span, f"{_shown(target)} is {reason}: no instruction writes it", "write another address"
         )
         return True
-    addresses = (
-        [target.address] if isinstance(target, Cell) else target.addresses() if isinstance(target, Range) else []
-    )
+    if isinstance(target, Cell):
+        addresses = [target.address]
+    else:
+        addresses = list(target.addresses()) if isinstance(target, Range) else []
     for address in addresses:
         writable = _WRITABLE.get(address.bank)
         if writable is not None and address.number not in writable:
@@ -109,6 +110,14 @@ def _is_read_only(operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
                 "CG304", operand.span, f"{address} cannot be written", f"the writable {address.bank}: {numbers}"
             )
             return True
+    disputed = [str(address) for address in addresses if address.bank == "SC" and address.number in DISPUTED_SC]
+    if disputed:
+        problems.add(
+            "CG312",
+            operand.span,
+            f"one list of CLICK's addresses has {', '.join(disputed)} as writable, and CLICK PLUS 3.41 has not",
+            "try it on the machine before you rely on it",
+        )
     return False
 
 
