@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from clickgen.device.banks import UPPER_BYTE_BANKS, Address
+from clickgen.device.banks import BANKS, UPPER_BYTE_BANKS, Address
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 
 COIL, DISCRETE_INPUT, HOLDING, INPUT = "coil", "discrete_input", "holding", "input"
@@ -33,9 +33,6 @@ NUMBERS_984 = {
 _MANUAL_TYPES = {1: DISCRETE_INPUT, 3: INPUT, 4: HOLDING}
 """The first of the five digits that manuals print, and what it stands for; CLICK has six digits for the same."""
 
-CLICK_COILS = range(16385, 18385)
-"""The coils C1 to C2000 of another CLICK (export of CLICK PLUS 3.41), the only ones between 10001 and 49999."""
-
 HEX_MAX = 0xFFFF
 PORT_MAX = 65535
 TCP_DEVICE_MAX = 255
@@ -51,16 +48,6 @@ WORDS_WRITTEN_MAX, WORDS_READ_MAX = 123, 125
 def register_type_of(number: int) -> str | None:
     """The register type of a 984 number, or None when there is no such number."""
     return next((name for name, (low, high) in NUMBERS_984.items() if low <= number <= high), None)
-
-
-def of_manual(number: int) -> tuple[str, int] | None:
-    """The register type and the six digits of a number as manuals print it: 42332 is the holding register 402332.
-
-    None for a number that a manual does not print with five digits, or that is a coil of a CLICK.
-    """
-    first, rest = divmod(number, 10000)
-    name = _MANUAL_TYPES.get(first)
-    return (name, first * 100000 + rest) if name and rest and number not in CLICK_COILS else None
 
 
 # -- CLICK's own addresses over Modbus --------------------------------------------------------------------------------
@@ -121,6 +108,9 @@ _PLACES = {
 }
 """The export of CLICK PLUS 3.41 (fixtures/click-3.41/modbus.csv), which lists every address."""
 
+_CLICK_COILS = range(_PLACES["C"].base + 1, _PLACES["C"].base + 1 + BANKS["C"].last)
+"""C1 to C2000 of another CLICK, the only coils of one between 10001 and 49999."""
+
 _SLOT_POINTS = 32
 """Registers of a slot of X or Y; only 16 are points of the module, and slot 0 has two groups of 16."""
 
@@ -144,3 +134,13 @@ def modbus_number(address: Address) -> ModbusNumber:
     writable, written_as = _WRITABLE.get(address.bank, (frozenset[int](), COIL))
     register_type = written_as if address.number in writable else place.register_type
     return ModbusNumber(register_type, place.base + offset)
+
+
+def of_manual(number: int) -> tuple[str, int] | None:
+    """The register type and the six digits of a number as manuals print it: 42332 is the holding register 402332.
+
+    None for a number that a manual does not print with five digits, or that is a coil of a CLICK.
+    """
+    first, rest = divmod(number, 10000)
+    name = _MANUAL_TYPES.get(first)
+    return (name, first * 100000 + rest) if name and rest and number not in _CLICK_COILS else None
