@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import ast
 import warnings
+from functools import partial
 
 from clickgen.device.banks import BANKS, Kind
-from clickgen.diagnostics import Diagnostic, Diagnostics, Fix, did_you_mean
+from clickgen.diagnostics import Diagnostic, Diagnostics, Edit, Fix
 from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real
 from clickgen.source import SourceFile
+from clickgen.syntax import no_condition
 from clickgen.syntax.context import Context
-from clickgen.syntax.operands import address_hint, looks_like_address, read_address, read_operand, shorten
+from clickgen.syntax.operands import looks_like_address, read_address, read_operand, shorten
 from clickgen.syntax.rewrite import has_opposite, in_language, python_logic, terms_in
 
 COMPARISONS: dict[type[ast.cmpop], str] = {
@@ -31,6 +33,10 @@ def read_condition(context: Context, node: ast.expr) -> Condition | None:
     """The condition that an expression writes; None with a problem."""
     if isinstance(node, ast.Constant) and node.value is True:
         return Always(context.span(node))
+    if isinstance(node, ast.Name) and node.id.lower() == "true":
+        fix = Fix((Edit(context.span(node), "True"),))
+        context.problem("CG107", node, "this is not a condition", "a rung that always runs stands under if True:", fix)
+        return None
     return _read_term(context, node)
 
 
@@ -58,9 +64,6 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
         text, fix = _rewritten(context, node) or ("", None)
         help = f"write {_on_one_line(text)}" if text else _in_the_way(context, node)
         context.problem("CG105", node, f"{logic[0]} is not part of the language", help, fix)
-    elif isinstance(node, ast.Call):
-        name = node.func.id if isinstance(node.func, ast.Name) else ""
-        context.problem("CG107", node, "this call is not a condition", did_you_mean(name, FUNCTIONS) or _WAY_OUT)
     elif isinstance(node, ast.Constant) and node.value is True:
         context.problem(
             "CG107",
@@ -69,8 +72,15 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
             "leave it out; where a contact is needed, sc[1] is always on",
         )
     else:
-        context.problem("CG107", node, "this is not a condition", address_hint(node) or _WAY_OUT)
+        fault = "this call is not a condition" if isinstance(node, ast.Call) else "this is not a condition"
+        help, fix = no_condition.way_out(context, node, partial(_fits, context))
+        context.problem("CG107", node, fault, help or _WAY_OUT, fix)
     return None
+
+
+def _fits(context: Context, text: str) -> bool:
+    """True for the text of a condition without a fault."""
+    return _fault_of(context, text) is None
 
 
 def _rewritten(context: Context, node: ast.expr) -> tuple[str, Fix] | None:
@@ -162,12 +172,19 @@ def _refuse_pointer(context: Context, node: ast.expr) -> None:
 
 
 def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
+    fits = partial(_fits, context)
     if len(node.ops) > 1:
-        context.problem("CG106", node, "comparisons do not chain", "write all(1 < ds.A, ds.A < 5)")
+        help, fix = no_condition.unchained(context, node, fits)
+        context.problem("CG106", node, "comparisons do not chain", help, fix)
+        return None
+    bit = no_condition.compared_bit(context, node, fits)
+    if bit is not None:
+        context.problem("CG303", node, "a bit is a condition by itself, and is not compared", *bit)
         return None
     operator = COMPARISONS.get(type(node.ops[0]))
     if operator is None:
-        context.problem("CG107", node, "CLICK has no such comparison", "the comparisons: == != < <= > >=")
+        help = no_condition.listed_values(context, node, fits) or "the comparisons: == != < <= > >="
+        context.problem("CG107", node, "CLICK has no such comparison", help)
         return None
     left = read_operand(context, node.left)
     right = read_operand(context, node.comparators[0])
@@ -183,7 +200,8 @@ def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
             )
             return None
         if isinstance(side, Range | Immediate):
-            context.problems.add("CG107", side.span, "only single registers and constants compare", _WAY_OUT)
+            help = no_condition.compared_range(context, node, side, fits) or _WAY_OUT
+            context.problems.add("CG107", side.span, "only single registers and constants compare", help)
             return None
     assert not isinstance(left, Range | Immediate)
     assert not isinstance(right, Range | Immediate)
@@ -214,7 +232,8 @@ def _read_function(context: Context, node: ast.Call, name: str) -> Condition | N
 def _read_bit_function(context: Context, node: ast.Call, name: str) -> Condition | None:
     argument = node.args[0]
     if not looks_like_address(argument):
-        context.problem("CG107", argument, f"{name}() takes one bit, not a condition", f"{name}(c.A)")
+        help, fix = _without_function(context, node, name, argument)
+        context.problem("CG107", argument, f"{name}() takes one bit, not a condition", help, fix)
         return None
     operand = read_operand(context, argument)
     if operand is None:
@@ -235,3 +254,19 @@ def _read_bit_function(context: Context, node: ast.Call, name: str) -> Condition
         context.problem("CG308", argument, "an edge contact is never immediate", f"{name}(x[1])")
         return None
     return Contact(operand, context.span(node), edge=_EDGES[name])
+
+
+def _without_function(context: Context, node: ast.Call, name: str, argument: ast.expr) -> tuple[str, Fix | None]:
+    """The way out for ``nc(ds.A == 5)`` and ``re(all(...))``: the opposite, or a bit in a rung before."""
+    text = " ".join(context.text(argument).split())
+    if "#" in text or not _fits(context, f"all({text})"):
+        return no_condition.way_out(context, argument, partial(_fits, context))[0] or f"{name}(c.A)", None
+    if name == "nc":
+        trial = Context(SourceFile(context.source.path, f"(not ({text}))"), Diagnostics())
+        rewritten = in_language(trial, _read_alone(trial.source.text))
+        if rewritten is not None and _fits(context, rewritten[0]):
+            return f"write {rewritten[0]}", Fix((Edit(context.span(node), rewritten[0]),), is_safe=False)
+    turned = {"re": "fe", "fe": "re"}.get(name, "")
+    if turned and isinstance(argument, ast.Call) and text.startswith("nc(") and _fits(context, turned + text[2:]):
+        return f"write {turned}{text[2:]}", None
+    return f"put the condition on a bit in a rung before, if {text}: out(c.Edge), and write {name}(c.Edge)", None
