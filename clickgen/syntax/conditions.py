@@ -73,12 +73,12 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
         )
     else:
         fault = "this call is not a condition" if isinstance(node, ast.Call) else "this is not a condition"
-        help, fix = no_condition.way_out(context, node, partial(_fits, context))
+        help, fix = no_condition.way_out(context, node, partial(fits_condition, context))
         context.problem("CG107", node, fault, help or _WAY_OUT, fix)
     return None
 
 
-def _fits(context: Context, text: str) -> bool:
+def fits_condition(context: Context, text: str) -> bool:
     """True for the text of a condition without a fault."""
     return _fault_of(context, text) is None
 
@@ -172,7 +172,7 @@ def _refuse_pointer(context: Context, node: ast.expr) -> None:
 
 
 def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
-    fits = partial(_fits, context)
+    fits = partial(fits_condition, context)
     if len(node.ops) > 1:
         help, fix = no_condition.unchained(context, node, fits)
         context.problem("CG106", node, "comparisons do not chain", help, fix)
@@ -259,14 +259,14 @@ def _read_bit_function(context: Context, node: ast.Call, name: str) -> Condition
 def _without_function(context: Context, node: ast.Call, name: str, argument: ast.expr) -> tuple[str, Fix | None]:
     """The way out for ``nc(ds.A == 5)`` and ``re(all(...))``: the opposite, or a bit in a rung before."""
     text = " ".join(context.text(argument).split())
-    if "#" in text or not _fits(context, f"all({text})"):
-        return no_condition.way_out(context, argument, partial(_fits, context))[0] or f"{name}(c.A)", None
+    if "#" in text or not fits_condition(context, f"all({text})"):
+        return no_condition.way_out(context, argument, partial(fits_condition, context))[0] or f"{name}(c.A)", None
     if name == "nc":
         trial = Context(SourceFile(context.source.path, f"(not ({text}))"), Diagnostics())
         rewritten = in_language(trial, _read_alone(trial.source.text))
-        if rewritten is not None and _fits(context, rewritten[0]):
+        if rewritten is not None and fits_condition(context, rewritten[0]):
             return f"write {rewritten[0]}", Fix((Edit(context.span(node), rewritten[0]),), is_safe=False)
     turned = {"re": "fe", "fe": "re"}.get(name, "")
-    if turned and isinstance(argument, ast.Call) and text.startswith("nc(") and _fits(context, turned + text[2:]):
+    if turned and isinstance(argument, ast.Call) and text.startswith("nc(") and fits_condition(context, turned + text[2:]):
         return f"write {turned}{text[2:]}", None
     return f"put the condition on a bit in a rung before, if {text}: out(c.Edge), and write {name}(c.Edge)", None

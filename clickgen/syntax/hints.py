@@ -6,11 +6,11 @@ import ast
 import re
 from collections.abc import Callable, Sequence
 
-from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
+from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
 from clickgen.diagnostics import Edit, Fix
 from clickgen.syntax.context import Context, Located
 from clickgen.trade import BANKS as FOREIGN_BANKS
-from clickgen.trade import MEMBERS, Advice, advice
+from clickgen.trade import ARGUMENTS, MEMBERS, Advice, advice
 
 Fits = Callable[[str], bool]
 """True for code that the language takes in this place."""
@@ -32,21 +32,59 @@ def own(context: Context, node: ast.expr) -> str:
 
 
 def own_advice(
-    context: Context, found: Advice | None, arguments: Sequence[ast.expr], fits: Fits, lead: str = ""
+    context: Context,
+    found: Advice | None,
+    arguments: Sequence[ast.expr],
+    fits: Fits,
+    keywords: Sequence[ast.keyword] = (),
 ) -> str:
     """What a word of the trade is here, with the person's own arguments where that gives code that is right."""
     if found is None:
         return ""
+    written = own_code(context, found, arguments, fits, keywords)
+    return found.of(written) if written else found.shown
+
+
+def own_code(
+    context: Context,
+    found: Advice,
+    arguments: Sequence[ast.expr],
+    fits: Fits,
+    keywords: Sequence[ast.keyword] = (),
+) -> str:
+    """The person's own arguments as they are written here; "" where that gives nothing that is right."""
     texts = [own(context, argument) for argument in arguments]
+    if keywords:
+        if "$*" not in found.own or not all(keyword.arg for keyword in keywords):
+            return ""
+        texts += [f"{ARGUMENTS.get(word.arg or '', word.arg or '')}={own(context, word.value)}" for word in keywords]
+    # In a formula an argument that calculates would need parentheses of its own.
+    if '"' in found.own and not all(_is_operand(one, "math_hex" in found.own) for one in arguments):
+        return ""
     written = found.written(texts) if all(texts) else ""
-    return lead + (found.of(written) if written and fits(written) else found.shown)
+    return written if written and fits(written) else ""
+
+
+def _is_operand(node: ast.expr, is_hex: bool) -> bool:
+    """True for a number or an address that a formula of this kind takes."""
+    if isinstance(node, ast.Constant):
+        return type(node.value) in (int, float) and not is_hex
+    holder = node.value if isinstance(node, ast.Attribute | ast.Subscript) else None
+    bank = BANK_NAMES.get(holder.id) if isinstance(holder, ast.Name) else None
+    wanted = ("DH",) if is_hex else ("DS", "DD", "DF", "TD", "CTD", "SD")
+    return bank is not None and bank.name in wanted
 
 
 def trade_advice(
-    context: Context, name: str, table: dict[str, Advice], arguments: Sequence[ast.expr], fits: Fits
+    context: Context,
+    name: str,
+    table: dict[str, Advice],
+    arguments: Sequence[ast.expr],
+    fits: Fits,
+    keywords: Sequence[ast.keyword] = (),
 ) -> str:
     """``own_advice`` for a word; "" for one that is not in the table."""
-    return own_advice(context, advice(name, table), arguments, fits)
+    return own_advice(context, advice(name, table), arguments, fits, keywords)
 
 
 def replaced(context: Context, node: Located, text: str, is_safe: bool) -> Fix:
@@ -172,8 +210,3 @@ def reset_hint(bank: str, shown: str) -> str:
         return f"a counter has an input for its reset: {_counter(shown, '10')}"
     retentive = f"rton({shown}, setpoint=5, unit=Ts, reset=lambda: c.Clear)"
     return f"a ton is reset when its rung goes off; a retentive timer has an input for it: {retentive}"
-
-
-def is_timer_value(bank: Bank) -> bool:
-    """True for the banks of current values."""
-    return bank.name in CURRENT_VALUE_OF

@@ -109,8 +109,8 @@ def unchained(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, Fix
     text = f"all({', '.join(f'{left} {sign} {right}' for left, sign, right in pairs)})"
     if not fits(text):
         return general, None
-    span = context.span(node)
-    if span.line != span.end_line or "(" in _between(context, operands) or ")" in _between(context, operands):
+    span, between = context.span(node), _between(context, operands)
+    if "(" in between or ")" in between:
         return f"write {text}", None
     edits = [Edit(span._replace(end_line=span.line, end_col=span.col), "all(")]
     for operand, shown in zip(operands[1:-1], texts[1:-1], strict=True):
@@ -121,10 +121,15 @@ def unchained(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, Fix
 
 
 def _between(context: Context, operands: list[ast.expr]) -> str:
-    """What stands between the operands of a comparison on one line: its signs, and parentheses."""
+    """What stands between the operands of a comparison, comments left out: its signs, and parentheses."""
+    gaps: list[str] = []
     spans = [context.span(operand) for operand in operands]
-    line = context.source.line(spans[0].line)
-    return "".join(line[one.end_col - 1 : other.col - 1] for one, other in zip(spans, spans[1:], strict=False))
+    for one, other in zip(spans, spans[1:], strict=False):
+        lines = [context.source.line(number) for number in range(one.end_line, other.line + 1)]
+        lines[-1] = lines[-1][: other.col - 1]
+        lines[0] = lines[0][one.end_col - 1 :]
+        gaps += [line.partition("#")[0] for line in lines]
+    return "".join(gaps)
 
 
 def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, Fix | None] | None:

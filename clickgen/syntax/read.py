@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from clickgen.diagnostics import Diagnostics, did_you_mean
-from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.imports import Import
@@ -19,6 +18,7 @@ from clickgen.syntax.chains import Arm, as_ifs, without_opposite
 from clickgen.syntax.comments import rung_comment
 from clickgen.syntax.conditions import read_condition
 from clickgen.syntax.context import Context
+from clickgen.syntax.misplaced import WayOut, way_out
 from clickgen.syntax.operands import read_constant, read_operand, shorten
 from clickgen.syntax.parse import parse_tree
 from clickgen.wording import quoted
@@ -50,13 +50,23 @@ def read_file(source: SourceFile, problems: Diagnostics) -> FileContent | None:
         elif isinstance(node, ast.Import | ast.ImportFrom):
             items += _read_imports(context, node)
         elif not _is_docstring(node):
-            context.problem(
-                "CG102",
-                node,
-                "only imports, nickname(...), def main(): and @sub routines stand at the top level",
-                "move logic into a rung of main or of a subroutine",
-            )
+            message = "only imports, nickname(...), def main(): and @sub routines stand at the top level"
+            context.problem("CG102", node, message, _at_top_level(context, node))
     return FileContent(source.path, tuple(item for item in items if item is not None))
+
+
+def _at_top_level(context: Context, node: ast.stmt) -> str:
+    """The way out for a statement at the top level."""
+    help = "move logic into a rung of main or of a subroutine"
+    if isinstance(node, ast.If):
+        is_start = "__name__" in context.text(node.test)
+        return "a program is never run as Python: leave it out" if is_start else f"a rung stands in def main():; {help}"
+    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+        name = node.value.func.id if isinstance(node.value.func, ast.Name) else ""
+        if name.lower() == "nickname":
+            return "it is written in small letters: nickname(...)"
+        return "main is called by CLICK itself: leave it out" if name == "main" else help
+    return way_out(context, node).help or help
 
 
 def _is_call_of(node: ast.expr, name: str) -> bool:
@@ -169,7 +179,9 @@ def _read_rungs(
             rungs.append(_read_rung(context, node, rung_comment(context.source, node, before, header)))
         elif not (isinstance(node, ast.Pass) or (before is None and _is_docstring(node))):
             help = "put it under a condition; if True: is the unconditional rung"
-            context.problem("CG103", node, f"{holder} holds only rungs: if ...:", help)
+            is_call = isinstance(node, ast.Expr) and isinstance(node.value, ast.Call)
+            way = WayOut() if is_call else way_out(context, node)
+            context.problem("CG103", node, way.message or f"{holder} holds only rungs: if ...:", way.help or help)
         before = node
     return tuple(rungs)
 
@@ -260,12 +272,9 @@ def _read_item(context: Context, node: ast.stmt) -> Item | None:
         return Action(RETURN, {}, context.span(node))
     if isinstance(node, ast.Pass):
         return None
-    help = "the actions of a rung are instruction calls, nested ifs, for, return and pass"
-    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Name) and node.value.id in INSTRUCTIONS:
-        help = f"write {INSTRUCTIONS[node.value.id].signature}"
-    elif isinstance(node, ast.Assign | ast.AugAssign | ast.AnnAssign):
-        help = "to set a value write copy(value, address) or calc(formula, address)"
-    context.problem("CG112", node, "this statement has no place in a rung", help)
+    way = way_out(context, node)
+    help = way.help or "the actions of a rung are instruction calls, nested ifs, for, return and pass"
+    context.problem("CG112", node, way.message or "this statement has no place in a rung", help, way.fix)
     return None
 
 

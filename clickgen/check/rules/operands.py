@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from clickgen.check.facts import Facts, Placed
+from clickgen.check.setpoints import setpoint_hint
 from clickgen.check.values import constant_fault, value_class
 from clickgen.device.banks import BANKS, READ_ONLY
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.diagnostics import Diagnostics
+from clickgen.instructions.copies import COPY
 from clickgen.instructions.data import SEARCH
-from clickgen.instructions.spec import Access, Param, ParamKind, Slot
-from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Operand, Pointer, Range, form_of
+from clickgen.instructions.spec import Access, Param, Slot
+from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Operand, Pointer, Range, Text, form_of
 from clickgen.ir.program import Action, Operands
 from clickgen.resolve.constants import kind_of
 from clickgen.source import Span
+from clickgen.syntax.hints import reset_hint, text_hint
 
 _WRITABLE = {"SC": WRITABLE_SC, "SD": WRITABLE_SD}
 
@@ -26,14 +29,14 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 # A name without an address is a problem already.
                 if isinstance(operand, Operand) and not isinstance(operand, Named) and operand.span not in refused:
                     before = len(problems.found)
-                    _check(placed, param, operand, problems)
+                    _check(facts, placed, param, operand, problems)
                     refused |= {operand.span} if len(problems.found) > before else set()
         _check_oneshot(placed.action, refused, problems)
 
 
-def _check(placed: Placed, param: Param, operand: Operand, problems: Diagnostics) -> None:
+def _check(facts: Facts, placed: Placed, param: Param, operand: Operand, problems: Diagnostics) -> None:
     slot = param.slot
-    if slot.access is Access.WRITE and _is_read_only(operand, slot, problems):
+    if slot.access is Access.WRITE and _is_read_only(facts, operand, slot, problems):
         return
     if isinstance(operand, Immediate):
         if operand.bank not in slot.immediates:
@@ -57,7 +60,7 @@ def _check(placed: Placed, param: Param, operand: Operand, problems: Diagnostics
     elif isinstance(operand, Constant):
         _check_constant(placed, param, operand, problems)
     elif operand.bank not in (slot.ranges if isinstance(operand, Range) else slot.cells):
-        _refuse(placed, param, operand, problems)
+        _refuse(facts, placed, param, operand, problems)
     elif isinstance(operand, Range) and operand.is_reversed and not slot.reversible:
         problems.add(
             "CG202", operand.span, f"{placed.spec.name} takes its range forwards", "write the slice without :-1"
@@ -71,7 +74,9 @@ def _check(placed: Placed, param: Param, operand: Operand, problems: Diagnostics
         )
 
 
-def _refuse(placed: Placed, param: Param, operand: Named | Cell | Range, problems: Diagnostics) -> None:
+def _refuse(
+    facts: Facts, placed: Placed, param: Param, operand: Named | Cell | Range, problems: Diagnostics
+) -> None:
     slot = param.slot
     what = f"a range of {operand.bank}" if isinstance(operand, Range) else _shown(operand)
     help = f"for example: {placed.spec.example}"
@@ -80,7 +85,9 @@ def _refuse(placed: Placed, param: Param, operand: Named | Cell | Range, problem
         bank = BANKS[operand.bank].dsl
         help = f"write a range: {bank}[{number}:{number + 1}] is one address"
     elif isinstance(operand, Range) and operand.bank in slot.cells:
-        help = "it takes one address"
+        help = _of_range(facts, placed, param, operand)
+    elif operand.bank in BANKS and not BANKS[operand.bank].is_bit and "C" in slot.cells:
+        help = f"a register takes a number: {placed.spec.name} is for bits, and copy(1, {_source(facts, operand)}) for this"
     problems.add(
         "CG301",
         operand.span,
@@ -89,14 +96,42 @@ def _refuse(placed: Placed, param: Param, operand: Named | Cell | Range, problem
     )
 
 
-def _is_read_only(operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
+def _source(facts: Facts, operand: Operand) -> str:
+    """An operand as the program writes it."""
+    span, source = operand.span, facts.sources.get(operand.span.path)
+    is_shown = source is not None and span.line == span.end_line
+    return source.line(span.line)[span.col - 1 : span.end_col - 1] if source is not None and is_shown else "it"
+
+
+def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str:
+    """The way out for a range in the place of one address: its first, or the instruction that takes ranges."""
+    first = f"{BANKS[operand.bank].dsl}[{operand.first}]"
+    text = _source(facts, operand)
+    if placed.spec is not COPY:
+        return f"it takes one address, such as {first}"
+    if param.slot.access is Access.WRITE:
+        source = placed.action.args.get("source")
+        if isinstance(source, Text):
+            return f"name the first address, {first}: the text goes on from there"
+        if isinstance(source, Constant):
+            return f"to write all of them: copy_fill({_source(facts, source)}, {text})"
+        return f"it takes one address, such as {first}; copy_block copies a range"
+    target = placed.action.args.get("destination")
+    shown = _source(facts, target) if isinstance(target, Cell | Range) else "ds.Name"
+    if operand.bank == "TXT" and not (isinstance(target, Cell) and target.bank == "TXT"):
+        return f"a text of several characters becomes a number with copy_pack({text}, {shown})"
+    if isinstance(target, Range):
+        shown = f"{BANKS[target.bank].dsl}[{target.first}]"
+    return f"a range is copied with copy_block({text}, {shown})"
+
+
+def _is_read_only(facts: Facts, operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
     """Report a target that nothing can write (click-facts, sections 3 and 6)."""
     target = operand.target if isinstance(operand, Immediate) else operand
     reason = READ_ONLY.get(target.bank) if isinstance(target, Named | Cell | Range | Pointer) else None
     if reason and not (isinstance(target, Pointer) and target.bank in slot.pointers and target.bank != "XD"):
-        problems.add(
-            "CG304", operand.span, f"{_shown(target)} is {reason}: no instruction writes it", "write another address"
-        )
+        message = f"{_shown(target)} is {reason}: no instruction writes it"
+        problems.add("CG304", operand.span, message, _instead(facts, target))
         return True
     addresses = (
         [target.address] if isinstance(target, Cell) else target.addresses() if isinstance(target, Range) else []
@@ -112,6 +147,22 @@ def _is_read_only(operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
     return False
 
 
+def _instead(facts: Facts, target: object) -> str:
+    """The way out for what only CLICK itself writes."""
+    bank = getattr(target, "bank", "")
+    name = facts.nickname(target.address) if isinstance(target, Cell) else ""
+    dsl = bank.lower()
+    if isinstance(target, Cell):
+        shown = f"{dsl}.{name}" if name.isidentifier() else f"{dsl}[{target.address.number}]"
+    else:
+        shown = f"{dsl}[1]"
+    if bank in ("T", "CT"):
+        return reset_hint(bank, shown)
+    if bank == "X":
+        return "an input follows its terminal; write an output, y.Name, or a bit of the program, c.Name"
+    return "copy it to a DH register, and write that" if bank == "XD" else "write another address"
+
+
 def _shown(target: object) -> str:
     if isinstance(target, Cell):
         return str(target.address)
@@ -124,11 +175,14 @@ def _shown(target: object) -> str:
 def _check_constant(placed: Placed, param: Param, constant: Operand, problems: Diagnostics) -> None:
     slot, action = param.slot, placed.action
     if form_of(constant) not in slot.constants:
+        help = setpoint_hint(action, param, constant)
+        if isinstance(constant, Text):
+            help = help or text_hint(constant.value)
         problems.add(
             "CG301",
             constant.span,
             f"{placed.spec.name} does not take this constant as {param.name!r}: it takes {slot.describe()}",
-            f"for example: {placed.spec.example}",
+            help or f"for example: {placed.spec.example}",
         )
         return
     if isinstance(constant, Integer) and slot.limits:
@@ -138,9 +192,7 @@ def _check_constant(placed: Placed, param: Param, constant: Operand, problems: D
                 "CG302",
                 constant.span,
                 f"{param.name!r} of {placed.spec.name} is {constant.value}, outside {low}..{high}",
-                "choose a larger unit"
-                if constant.value > high and any(other.kind is ParamKind.UNIT for other in action.spec.params)
-                else f"write a number from {low} to {high}",
+                setpoint_hint(action, param, constant) or f"write a number from {low} to {high}",
             )
             return
     other = action.args.get(param.typed_by)
