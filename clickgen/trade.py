@@ -11,6 +11,8 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from clickgen.device.banks import BANKS as CLICK_BANKS
+
 
 class Advice(NamedTuple):
     """How something is written here. ``text`` has a ``{}`` for each piece of ``code``.
@@ -364,6 +366,18 @@ BANKS = {
     for word in words.split()
 }
 """What a bank is called in other machines."""
+
+
+def bank_hint(name: str, index: str = "") -> str:
+    """What a bank of another machine is here, with the number where it fits; "" for a word that is none."""
+    found = BANKS.get(name.lower())
+    if found is None:
+        return ""
+    bank = CLICK_BANKS[found.upper()]
+    number = int(index) if index.isascii() and index.isdigit() and len(index) < 6 else 0
+    shown = number if bank.has(number) else bank.first
+    return f"{bank.title} are in {bank.name}: write {bank.dsl}[{shown}], or {bank.dsl}.Name"
+
 
 MEMBERS = {
     word: kind

@@ -62,19 +62,19 @@ class _Parser(argparse.ArgumentParser):
 
 
 def _hint(message: str, parser: argparse.ArgumentParser) -> str:
-    """``did you mean --frozen?`` for a near miss of a flag or a command."""
-    import difflib
+    """``did you mean --frozen?`` for a slip in a flag or a command."""
+    from clickgen.diagnostics import did_you_mean
 
     words = message.replace("'", " ").replace(":", " ").split()
     known = [option for action in parser._actions for option in (*action.option_strings, *(action.choices or ()))]
     # These name flags that are spelled right.
     if "are required" in message or "expected" in message:
         return ""
-    unknown = [word for word in words if word.startswith("-") or "invalid choice" in message]
-    for word in unknown:
-        close = difflib.get_close_matches(word, known, n=1, cutoff=0.6)
-        if close and close[0] != word:
-            return f"; did you mean {close[0]}?"
+    for word in words:
+        if word not in known and (word.startswith("-") or "invalid choice" in message):
+            near = did_you_mean(word, [option for option in known if option.startswith("-") == word.startswith("-")])
+            if near:
+                return f"; {near}"
     return ""
 
 

@@ -13,7 +13,7 @@ from clickgen.ir.kept import kept_token
 from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Range, Single
 from clickgen.ir.program import FormulaText, Operands, Pattern, Value, Word
 from clickgen.source import SourceFile
-from clickgen.syntax.conditions import FUNCTIONS, fits_condition, read_condition
+from clickgen.syntax.conditions import FUNCTIONS, as_condition, fits_condition, read_condition
 from clickgen.syntax.context import Context
 from clickgen.syntax.hints import own, replaced
 from clickgen.syntax.modbus import read_remote, read_target
@@ -121,7 +121,7 @@ def _read_pin(context: Context, spec: Spec, param: Param, node: ast.expr) -> Val
         return read_condition(context, node.body)
     condition = node.body if isinstance(node, ast.Lambda) else node
     is_nothing = isinstance(condition, ast.Constant) and condition.value is None
-    shown = "c.Name" if is_nothing else shorten(context.text(condition))
+    shown = "c.Name" if is_nothing else as_condition(context, condition) or shorten(context.text(condition))
     fault = f"{param.name!r} of {spec.name} must be a condition behind lambda:"
     fix = None
     if not isinstance(node, ast.Lambda) and not is_nothing and fits_condition(context, context.text(node)):

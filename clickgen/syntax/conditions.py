@@ -83,6 +83,17 @@ def fits_condition(context: Context, text: str) -> bool:
     return _fault_of(context, text) is None
 
 
+def as_condition(context: Context, node: ast.expr) -> str:
+    """An expression as the text of a condition, and, or and not rewritten; "" where it is none."""
+    text = " ".join(context.text(node).split())
+    if "#" in text:
+        return ""
+    if fits_condition(context, text):
+        return text
+    rewritten = in_language(context, node)
+    return rewritten[0] if rewritten is not None and fits_condition(context, rewritten[0]) else ""
+
+
 def _rewritten(context: Context, node: ast.expr) -> tuple[str, Fix] | None:
     """An expression in the language and the fix that writes it so; None where that would be no condition."""
     rewritten = in_language(context, node)

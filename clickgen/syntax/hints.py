@@ -10,7 +10,7 @@ from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_
 from clickgen.diagnostics import Edit, Fix
 from clickgen.syntax.context import Context, Located
 from clickgen.trade import BANKS as FOREIGN_BANKS
-from clickgen.trade import ARGUMENTS, MEMBERS, Advice, advice
+from clickgen.trade import ARGUMENTS, MEMBERS, Advice, advice, bank_hint
 
 Fits = Callable[[str], bool]
 """True for code that the language takes in this place."""
@@ -120,25 +120,15 @@ def name_hint(name: str) -> str:
     return ""
 
 
-def text_hint(value: str) -> str:
-    """The way out for a text in quotes in the place of an address."""
+def text_hint(value: str, bank: str = "c") -> str:
+    """The way out for a text in quotes in the place of an address, which is likely one of a bank."""
     exact = flat_address(value)
     if exact:
         return f"write {exact}, without quotes"
     shown = f".{value}" if value.isidentifier() else f'["{value}"]'
     if not value or len(value) > 24 or not value.isprintable() or '"' in value or "\\" in value:
         return "an address is written ds[5] or ds.Name, without quotes around it"
-    return f"a nickname follows its bank, without quotes around it all: c{shown} or y{shown}"
-
-
-def bank_hint(name: str, index: str = "") -> str:
-    """What a bank of another machine is here, with the number where it fits; "" for a word that is none."""
-    found = FOREIGN_BANKS.get(name.lower())
-    if found is None:
-        return ""
-    bank = BANK_NAMES[found]
-    number = int(index) if index.isdigit() and len(index) < 6 and bank.has(int(index)) else bank.first
-    return f"{bank.title} are in {bank.name}: write {bank.dsl}[{number}], or {bank.dsl}.Name"
+    return f"a nickname follows its bank, without quotes around it all: {bank}{shown}"
 
 
 def banks_hint() -> str:

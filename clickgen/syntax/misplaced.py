@@ -10,7 +10,7 @@ from clickgen.device.banks import Bank, Kind
 from clickgen.diagnostics import Edit, Fix, did_you_mean
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.syntax.calls import fits_action
-from clickgen.syntax.conditions import fits_condition
+from clickgen.syntax.conditions import as_condition, fits_condition
 from clickgen.syntax.context import Context
 from clickgen.syntax.hints import BANK_NAMES, own, replaced
 from clickgen.trade import ACTIONS, advice
@@ -58,8 +58,7 @@ def way_out(context: Context, node: ast.stmt) -> WayOut:
 
 
 def _while(context: Context, node: ast.While) -> WayOut:
-    test = own(context, node.test)
-    shown = test if test and fits_condition(context, test) else "c.Run"
+    shown = as_condition(context, node.test) or "c.Run"
     always = isinstance(node.test, ast.Constant)
     head = "True" if always else shown
     return WayOut(f"a rung is looked at in every scan: write if {head}:; {_LOOP}", "CLICK has no while")
@@ -161,12 +160,8 @@ def _bit(context: Context, node: ast.Assign, shown: str, value: ast.expr, text: 
         return WayOut(ways, fix=fix if fits_action(context, f"set({shown})") else None)
     if state == "reset":
         return WayOut(f"write reset({shown})", fix=replaced(context, node, f"reset({shown})", is_safe=False))
-    condition = text if fits_condition(context, f"all({text})") else ""
-    if not condition and isinstance(value, ast.BoolOp | ast.UnaryOp | ast.BinOp):
-        return WayOut(f"drive it under its condition, written with all, any and nc: if all(c.A, nc(c.B)): out({shown})")
-    if condition and fits_action(context, f"out({shown})"):
-        return WayOut(f"drive it under its condition: if {condition}: out({shown})")
-    return WayOut(f"drive it under its condition: if c.A: out({shown})")
+    condition = as_condition(context, value) or "c.A"
+    return WayOut(f"drive it under its condition: if {condition}: out({shown})")
 
 
 def _no_variable(name: str, value: ast.expr, text: str) -> str:
@@ -193,7 +188,6 @@ def _no_variable(name: str, value: ast.expr, text: str) -> str:
 
 def _expression(context: Context, node: ast.Expr) -> WayOut:
     value = node.value
-    text = own(context, value)
     if isinstance(value, ast.Name):
         return _word(value.id)
     if isinstance(value, ast.BinOp) and isinstance(value.op, ast.FloorDiv):
@@ -211,10 +205,13 @@ def _expression(context: Context, node: ast.Expr) -> WayOut:
         written = f"copy({own(context, value.comparators[0])}, {own(context, value.left)})"
         if fits_action(context, written):
             return WayOut(f"a comparison stands in an if; to store a value write {written}")
-    if text and fits_condition(context, f"all({text})"):
-        shown = text if fits_condition(context, text) else f"all({text})"
-        return WayOut(f"a condition stands in an if: write if {shown}:")
+    condition = as_condition(context, value) if isinstance(value, _CONDITIONS) else ""
+    if condition:
+        return WayOut(f"a condition stands in an if: write if {condition}:")
     return WayOut()
+
+
+_CONDITIONS = (ast.Attribute, ast.Subscript, ast.Compare, ast.BoolOp, ast.UnaryOp, ast.BinOp)
 
 
 def _word(name: str) -> WayOut:

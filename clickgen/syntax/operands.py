@@ -26,7 +26,6 @@ from clickgen.source import Span
 from clickgen.syntax.context import Context
 from clickgen.syntax.hints import BANK_NAMES as BANK_NAMES
 from clickgen.syntax.hints import (
-    bank_hint,
     banks_hint,
     bit_of_word,
     member_hint,
@@ -36,7 +35,7 @@ from clickgen.syntax.hints import (
     text_hint,
 )
 from clickgen.syntax.options import MODIFIERS, modifier_hint
-from clickgen.trade import CONDITIONS, advice
+from clickgen.trade import CONDITIONS, advice, bank_hint
 
 _CHAR_CODE = re.compile(r"\$[0-9A-Fa-f]{2}")
 _ADDRESS_FORMS = "an address is written ds[5] or ds.Name"

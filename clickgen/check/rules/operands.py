@@ -36,7 +36,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 def _check(facts: Facts, placed: Placed, param: Param, operand: Operand, problems: Diagnostics) -> None:
     slot = param.slot
-    if slot.access is Access.WRITE and _is_read_only(facts, operand, slot, problems):
+    if slot.access is Access.WRITE and _is_read_only(facts, placed, operand, slot, problems):
         return
     if isinstance(operand, Immediate):
         if operand.bank not in slot.immediates:
@@ -87,7 +87,8 @@ def _refuse(
     elif isinstance(operand, Range) and operand.bank in slot.cells:
         help = _of_range(facts, placed, param, operand)
     elif operand.bank in BANKS and not BANKS[operand.bank].is_bit and "C" in slot.cells:
-        help = f"a register takes a number: {placed.spec.name} is for bits, and copy(1, {_source(facts, operand)}) for this"
+        value = 0 if placed.spec.name == "reset" else 1
+        help = f"{placed.spec.name} is for bits; a register gets a number with copy({value}, {_source(facts, operand)})"
     problems.add(
         "CG301",
         operand.span,
@@ -125,13 +126,13 @@ def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str
     return f"a range is copied with copy_block({text}, {shown})"
 
 
-def _is_read_only(facts: Facts, operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
+def _is_read_only(facts: Facts, placed: Placed, operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
     """Report a target that nothing can write (click-facts, sections 3 and 6)."""
     target = operand.target if isinstance(operand, Immediate) else operand
     reason = READ_ONLY.get(target.bank) if isinstance(target, Named | Cell | Range | Pointer) else None
     if reason and not (isinstance(target, Pointer) and target.bank in slot.pointers and target.bank != "XD"):
         message = f"{_shown(target)} is {reason}: no instruction writes it"
-        problems.add("CG304", operand.span, message, _instead(facts, target))
+        problems.add("CG304", operand.span, message, _instead(facts, placed, target))
         return True
     addresses = (
         [target.address] if isinstance(target, Cell) else target.addresses() if isinstance(target, Range) else []
@@ -147,7 +148,7 @@ def _is_read_only(facts: Facts, operand: Operand, slot: Slot, problems: Diagnost
     return False
 
 
-def _instead(facts: Facts, target: object) -> str:
+def _instead(facts: Facts, placed: Placed, target: object) -> str:
     """The way out for what only CLICK itself writes."""
     bank = getattr(target, "bank", "")
     name = facts.nickname(target.address) if isinstance(target, Cell) else ""
@@ -156,6 +157,9 @@ def _instead(facts: Facts, target: object) -> str:
         shown = f"{dsl}.{name}" if name.isidentifier() else f"{dsl}[{target.address.number}]"
     else:
         shown = f"{dsl}[1]"
+    if bank in ("T", "CT") and placed.spec.name in ("out", "set"):
+        what = "timer" if bank == "T" else "counter"
+        return f"its {what} alone turns it on; turn on a bit of the program, {placed.spec.name}(c.Name)"
     if bank in ("T", "CT"):
         return reset_hint(bank, shown)
     if bank == "X":
@@ -177,7 +181,7 @@ def _check_constant(placed: Placed, param: Param, constant: Operand, problems: D
     if form_of(constant) not in slot.constants:
         help = setpoint_hint(action, param, constant)
         if isinstance(constant, Text):
-            help = help or text_hint(constant.value)
+            help = help or text_hint(constant.value, BANKS[slot.cells[0]].dsl if slot.cells else "c")
         problems.add(
             "CG301",
             constant.span,
