@@ -55,11 +55,22 @@ def _table(*rows: tuple[str, str, tuple[str, ...], str]) -> dict[str, Advice]:
 
 _EDGE = "a one-shot is a rising edge in the condition, {}, or oneshot=True in the action: {}"
 _BEFORE = "a condition does not calculate: write {} in a rung before, and compare the result: {}"
+_ABS = "copy the number, {}, and turn it round in a rung below where it is negative: {}"
 _TWO_RUNGS = "CLICK chooses by conditions, in two rungs: {} and {}"
 
 CONDITIONS = _table(
-    ("xic ld lod load str no examine_on normally_open", "write {}: a normally open contact is the bit alone", ("c.A",), "$1"),
-    ("xio ldi ldn ldnot strn examine_off normally_closed", "write {}: a normally closed contact", ("nc(c.A)",), "nc($1)"),
+    (
+        "xic ld lod load str no examine_on normally_open",
+        "write {}: a normally open contact is the bit alone",
+        ("c.A",),
+        "$1",
+    ),
+    (
+        "xio ldi ldn ldnot strn examine_off normally_closed",
+        "write {}: a normally closed contact",
+        ("nc(c.A)",),
+        "nc($1)",
+    ),
     ("not inv inverse negate is_off", "write {}: a normally closed contact", ("nc(c.A)",), "nc($1)"),
     ("and all_of allof every series", "write {}: conditions in series", ("all(c.A, c.B)",), "all($*)"),
     ("or any_of anyof some parallel", "write {}: conditions in parallel", ("any(c.A, c.B)",), "any($*)"),
@@ -107,11 +118,16 @@ CONDITIONS = _table(
     ),
     ("immediate imm xici", "write {}: an immediate contact", ("x[1].immediate",), "$1.immediate"),
     ("xioi", "write {}: an immediate normally closed contact", ("nc(x[1].immediate)",), "nc($1.immediate)"),
-    ("abs", _BEFORE, ('calc("SQRT(df.A ^ 2)", df.Size)', "df.Size > 3.0"), ""),
+    ("abs", "a condition does not calculate; of a size, test both signs: {}", ("any(ds.A > 3, ds.A < -3)",), ""),
     ("sum", _BEFORE, ('calc("SUM(ds[1:11])", ds.Total)', "ds.Total > 5"), ""),
     ("max min limit", "compare each by itself: {} or {}", ("any(ds.A > 5, ds.B > 5)", "all(ds.A > 5, ds.B > 5)"), ""),
     ("afi false never", "sc[1] is always on, so that a rung under {} never runs", ("nc(sc[1])",), ""),
-    ("always true", "a rung that always runs stands under if True:, and a contact that is always on is {}", ("sc[1]",), ""),
+    (
+        "always true",
+        "a rung that always runs stands under if True:, and a contact that is always on is {}",
+        ("sc[1]",),
+        "",
+    ),
     ("first_scan fs s_fs firstscan s:fs", "write {}: the first scan", ("sc._1st_SCAN",), ""),
 )
 """What is written as a condition."""
@@ -148,7 +164,12 @@ ACTIONS = _table(
         "",
     ),
     ("ons osr os one_shot oneshot osri r_trig rise pls difu", _EDGE, ("re(c.A)", "out(c.Pulse, oneshot=True)"), ""),
-    ("osf f_trig fall plf difd", "a falling edge belongs to the condition: {} with {}", ("fe(c.A)", "out(c.Pulse)"), ""),
+    (
+        "osf f_trig fall plf difd",
+        "a falling edge belongs to the condition: {} with {}",
+        ("fe(c.A)", "out(c.Pulse)"),
+        "",
+    ),
     (
         "sr flipflop",
         "set and reset are rungs of their own and the later one wins; with set dominant: first {}, then {}",
@@ -179,13 +200,33 @@ ACTIONS = _table(
     ("count_up_down updown udc", "write {}: a counter for both ways", (_CTUD,), ""),
     # Copies
     ("mov move movw movd mvw mvd assign let", "write {}: a copy of one value", ("copy(ds.A, ds.B)",), "copy($1, $2)"),
-    ("cop cps bmov blkmov blockcopy block_copy move_block", "write {}: a copy of a range", ("copy_block(ds[1:6], ds[10])",), "copy_block($*)"),
-    ("fll fill fmov fill_block", "write {}: a range filled with one value", ("copy_fill(0, ds[1:6])",), "copy_fill($1, $2)"),
+    (
+        "cop cps bmov blkmov blockcopy block_copy move_block",
+        "write {}: a copy of a range",
+        ("copy_block(ds[1:6], ds[10])",),
+        "copy_block($*)",
+    ),
+    (
+        "fll fill fmov fill_block",
+        "write {}: a range filled with one value",
+        ("copy_fill(0, ds[1:6])",),
+        "copy_fill($1, $2)",
+    ),
     ("pack pack_bits packbits", "write {}: bits packed into a word", ("copy_pack(c[1:17], dh.Word)",), "copy_pack($*)"),
     ("pack_words", "write {}: two words packed into one", ("copy_pack(ds[1:3], dd.Long)",), "copy_pack($*)"),
     ("pack_text", "write {}: a text as a number", ("copy_pack(txt[1:5], ds.Number)",), "copy_pack($*)"),
-    ("unpack unpack_to_bits btd", "write {}: a word unpacked into bits", ("copy_unpack(dh.Word, c[1:17])",), "copy_unpack($*)"),
-    ("unpack_to_words", "write {}: a double word unpacked into words", ("copy_unpack(dd.Long, ds[1:3])",), "copy_unpack($*)"),
+    (
+        "unpack unpack_to_bits btd",
+        "write {}: a word unpacked into bits",
+        ("copy_unpack(dh.Word, c[1:17])",),
+        "copy_unpack($*)",
+    ),
+    (
+        "unpack_to_words",
+        "write {}: a double word unpacked into words",
+        ("copy_unpack(dd.Long, ds[1:3])",),
+        "copy_unpack($*)",
+    ),
     ("mvm", "write {}: a masked move", ('math_hex("dh.A AND 0x00FF OR dh.B AND 0xFF00", dh.B)',), ""),
     ("clr clear clearall zero", "a register is cleared with {}, a bit with {}", ("copy(0, ds.A)", "reset(c.A)"), ""),
     # Mathematics
@@ -196,19 +237,49 @@ ACTIONS = _table(
     ("mod modulo", "write {}: a remainder", ('calc("ds.A MOD ds.B", ds.C)',), 'calc("$1 MOD $2", $3)'),
     ("neg", "write {}: the opposite number", ('calc("-ds.A", ds.B)',), 'calc("-$1", $2)'),
     ("sqr sqrt", "write {}: a square root", ('calc("SQRT(df.A)", df.B)',), 'calc("SQRT($1)", $2)'),
-    ("abs", "write {}: the size of a number", ('calc("SQRT(df.A ^ 2)", df.B)',), ""),
+    ("abs", _ABS, ("copy(ds.A, ds.Size)", 'if ds.Size < 0: calc("-ds.Size", ds.Size)'), ""),
     ("avg ave average mean", "write {}: a mean value", ('calc("SUM(ds[1:11]) / 10", ds.Mean)',), ""),
     ("sum total", "write {}: a sum", ('calc("SUM(ds[1:11])", ds.Total)',), ""),
-    ("inc incr increment incp ctinc", "to count up by one, write {}", ('calc("ds.A + 1", ds.A)',), 'calc("$1 + 1", $1)'),
+    (
+        "inc incr increment incp ctinc",
+        "to count up by one, write {}",
+        ('calc("ds.A + 1", ds.A)',),
+        'calc("$1 + 1", $1)',
+    ),
     ("dec decr decrement decp", "to count down by one, write {}", ('calc("ds.A - 1", ds.A)',), 'calc("$1 - 1", $1)'),
     ("cpt compute math eval expr", "write {}: a calculation", ('calc("ds.A * 2", ds.B)',), "calc($*)"),
     ("math_dec mathdec", "write {}: a calculation", ('calc("ds.A * 2", ds.B)',), "calc($*)"),
     ("mathhex hex_math", "write {}: a hexadecimal calculation", ('math_hex("dh.A AND dh.B", dh.C)',), "math_hex($*)"),
-    ("scp scl scale cpt_scale norm_x scale_x", "write {}: scaling", ('calc("(ds.Raw - 819) * 100 / 3276", df.Percent)',), ""),
-    ("and band wand", "write {}: words combined bit by bit", ('math_hex("dh.A AND dh.B", dh.C)',), 'math_hex("$1 AND $2", $3)'),
-    ("or bor wor", "write {}: words combined bit by bit", ('math_hex("dh.A OR dh.B", dh.C)',), 'math_hex("$1 OR $2", $3)'),
-    ("xor bxor wxor", "write {}: words combined bit by bit", ('math_hex("dh.A XOR dh.B", dh.C)',), 'math_hex("$1 XOR $2", $3)'),
-    ("not bnot", "write {}: every bit of a word turned round", ('math_hex("NOT dh.A", dh.B)',), 'math_hex("NOT $1", $2)'),
+    (
+        "scp scl scale cpt_scale norm_x scale_x",
+        "write {}: scaling",
+        ('calc("(ds.Raw - 819) * 100 / 3276", df.Percent)',),
+        "",
+    ),
+    (
+        "and band wand",
+        "write {}: words combined bit by bit",
+        ('math_hex("dh.A AND dh.B", dh.C)',),
+        'math_hex("$1 AND $2", $3)',
+    ),
+    (
+        "or bor wor",
+        "write {}: words combined bit by bit",
+        ('math_hex("dh.A OR dh.B", dh.C)',),
+        'math_hex("$1 OR $2", $3)',
+    ),
+    (
+        "xor bxor wxor",
+        "write {}: words combined bit by bit",
+        ('math_hex("dh.A XOR dh.B", dh.C)',),
+        'math_hex("$1 XOR $2", $3)',
+    ),
+    (
+        "not bnot",
+        "write {}: every bit of a word turned round",
+        ('math_hex("NOT dh.A", dh.B)',),
+        'math_hex("NOT $1", $2)',
+    ),
     (
         "max",
         _TWO_RUNGS,
@@ -242,7 +313,12 @@ ACTIONS = _table(
         ("shift(c[1:9], clock=lambda: c.Clock, reset=lambda: c.Clear)",),
         "",
     ),
-    ("srch find fsc", "write {}: a search through a table", ("search(ds[1:11] >= 100, result=ds.At, found=c.Found)",), ""),
+    (
+        "srch find fsc",
+        "write {}: a search through a table",
+        ("search(ds[1:11] >= 100, result=ds.At, found=c.Found)",),
+        "",
+    ),
     ("print printf log display show", "a text for a panel goes to TXT: {}", ('copy("READY", txt[1])',), ""),
 )
 """What is written as an action."""
@@ -257,7 +333,7 @@ FORMULAS = _table(
     ("log2", "write {}: a logarithm to base 2", ("(LN(df.A) / LN(2))",), "(LN($1) / LN(2))"),
     ("rol", "write {}: a rotation to the left", ("LRO(dh.A, 1)",), "LRO($1, $2)"),
     ("ror", "write {}: a rotation to the right", ("RRO(dh.A, 1)",), "RRO($1, $2)"),
-    ("abs", "write {}: the same", ("SQRT(df.A ^ 2)",), "SQRT($1 ^ 2)"),
+    ("abs", _ABS, ("copy(ds.A, ds.Size)", 'if ds.Size < 0: calc("-ds.Size", ds.Size)'), ""),
     ("sqroot root", "write {}: a square root", ("SQRT(df.A)",), "SQRT($1)"),
     ("add", "write {}: a sum has its sign", ("(ds.A + ds.B)",), "($1 + $2)"),
     ("sub", "write {}: a difference has its sign", ("(ds.A - ds.B)",), "($1 - $2)"),

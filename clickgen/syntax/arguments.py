@@ -61,9 +61,7 @@ def read_argument(context: Context, spec: Spec, param: Param, node: ast.expr) ->
     return _read_word(context, spec, param, node)
 
 
-def _refuse(
-    context: Context, spec: Spec, param: Param, node: ast.expr, hint: str = "", fix: Fix | None = None
-) -> None:
+def _refuse(context: Context, spec: Spec, param: Param, node: ast.expr, hint: str = "", fix: Fix | None = None) -> None:
     help = " ".join(filter(None, (hint, spec.signature)))
     context.problem("CG115", node, f"{param.name!r} of {spec.name} must be {param.kind.value}", help, fix)
 
@@ -101,6 +99,8 @@ def _word_hint(context: Context, spec: Spec, param: Param, node: ast.expr) -> tu
         flag = _FLAGS[word.lower()]
         is_safe = isinstance(node, ast.Name)
         return f"write {param.name}={flag}:", replaced(context, node, flag, is_safe)
+    if param.kind is ParamKind.FLAG and isinstance(node, ast.Attribute | ast.Subscript) and param.name == "oneshot":
+        return f"one address or range at a time; another one gets a line of its own, {spec.name}({word}):", None
     if param.kind is not ParamKind.UNIT:
         return "", None
     exact = _unit(word)
@@ -187,7 +187,7 @@ def _is_plain(node: ast.expr) -> bool:
 
 def _no_formula(node: ast.expr) -> str:
     if isinstance(node, ast.JoinedStr):
-        return "nothing is put into the text: write the address or the number in it"
+        return "nothing is put into the text: write the address or the number in it:"
     return "the formula stands in quotes:" if isinstance(node, ast.BinOp) else ""
 
 

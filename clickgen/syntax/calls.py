@@ -165,6 +165,8 @@ class _Call:
                 hint, fix = self._relative(keyword.arg), None
                 if not hint:
                     hint, fix = no_call.other_argument(self._context, self._spec, keyword, tuple(names))
+                if not hint and keyword.arg in ("oneshot", "one_shot", "os", "ons"):
+                    hint = "it has no one-shot; put an edge into the condition, re(c.A):"
                 hint = hint or did_you_mean(keyword.arg, names)
                 self._fault("CG109", keyword, f"{self._spec.name} has no argument {keyword.arg!r}", hint, fix)
             elif name in self._bound:

@@ -80,7 +80,7 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
 
 def fits_condition(context: Context, text: str) -> bool:
     """True for the text of a condition without a fault."""
-    return _fault_of(context, text) is None
+    return condition_fault(context, text) is None
 
 
 def as_condition(context: Context, node: ast.expr) -> str:
@@ -100,10 +100,10 @@ def _rewritten(context: Context, node: ast.expr) -> tuple[str, Fix] | None:
     if rewritten is None:
         return None
     text, edit = rewritten
-    return (text, Fix((edit,))) if _fault_of(context, text) is None else None
+    return (text, Fix((edit,))) if condition_fault(context, text) is None else None
 
 
-def _fault_of(context: Context, text: str) -> Diagnostic | None:
+def condition_fault(context: Context, text: str) -> Diagnostic | None:
     """What is wrong with a condition of this text; None where nothing is."""
     trial = Context(SourceFile(context.source.path, f"({text})"), Diagnostics())
     try:
@@ -131,7 +131,7 @@ def _in_the_way(context: Context, node: ast.expr) -> str:
         text = context.text(term)
         shown = shorten(text)
         # True is a condition where it stands alone, which it does not here.
-        fault = _fault_of(context, f"all({text})")
+        fault = condition_fault(context, f"all({text})")
         if fault is not None:
             both = _compared_too(context, function, compared, term)
             return f"{shown} has no place in it: {f'compare it as well, {both}' if both else fault.help}"
@@ -150,7 +150,7 @@ def _compared_too(context: Context, function: str, before: ast.Compare | None, t
     first = " ".join(context.text(before).split())
     second = f"{context.text(before.left)} {COMPARISONS[type(before.ops[0])]} {context.text(term)}"
     both = f"{function}({first}, {second})"
-    return both if _fault_of(context, both) is None else ""
+    return both if condition_fault(context, both) is None else ""
 
 
 def _read_contact(context: Context, node: ast.Attribute | ast.Subscript) -> Condition | None:
@@ -278,6 +278,11 @@ def _without_function(context: Context, node: ast.Call, name: str, argument: ast
         if rewritten is not None and fits_condition(context, rewritten[0]):
             return f"write {rewritten[0]}", Fix((Edit(context.span(node), rewritten[0]),), is_safe=False)
     turned = {"re": "fe", "fe": "re"}.get(name, "")
-    if turned and isinstance(argument, ast.Call) and text.startswith("nc(") and fits_condition(context, turned + text[2:]):
+    if (
+        turned
+        and isinstance(argument, ast.Call)
+        and text.startswith("nc(")
+        and fits_condition(context, turned + text[2:])
+    ):
         return f"write {turned}{text[2:]}", None
     return f"put the condition on a bit in a rung before, if {text}: out(c.Edge), and write {name}(c.Edge)", None

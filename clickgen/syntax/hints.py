@@ -9,8 +9,8 @@ from collections.abc import Callable, Sequence
 from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
 from clickgen.diagnostics import Edit, Fix
 from clickgen.syntax.context import Context, Located
-from clickgen.trade import BANKS as FOREIGN_BANKS
 from clickgen.trade import ARGUMENTS, MEMBERS, Advice, advice, bank_hint
+from clickgen.trade import BANKS as FOREIGN_BANKS
 
 Fits = Callable[[str], bool]
 """True for code that the language takes in this place."""
@@ -147,7 +147,7 @@ def bit_of_word(word: str, bank: Bank, index: int | None) -> str:
     source, before = word, ""
     if bank.name not in ("DS", "DD", "DH", "DF"):
         if bank.kind is Kind.TEXT:
-            return "a character has no bits; compare it: txt[1] == \"A\""
+            return 'a character has no bits; compare it: txt[1] == "A"'
         wide = bits == 32
         source = "dd.Word" if wide else "dh.Word" if bank.kind is Kind.HEX else "ds.Word"
         before = f"copy({word}, {source}) and "

@@ -103,7 +103,9 @@ def _assignment(context: Context, node: ast.Assign | ast.AugAssign | ast.AnnAssi
         return WayOut(f"write {written}", fix=replaced(context, node, written, _is_exact(bank, value)))
     other = _bank(value)
     if other is not None and other.is_bit:
-        return WayOut(f"a bit becomes a number in two rungs: if {text}: copy(1, {shown}) and if nc({text}): copy(0, {shown})")
+        return WayOut(
+            f"a bit becomes a number in two rungs: if {text}: copy(1, {shown}) and if nc({text}): copy(0, {shown})"
+        )
     written = formula_call(bank, text, shown)
     if written and not _has_bits(value) and fits_action(context, written):
         return WayOut(f"write {written}", fix=replaced(context, node, written, is_safe=False))
@@ -125,7 +127,7 @@ def _counted(context: Context, node: ast.AugAssign, bank: Bank, shown: str, text
     inner = text if isinstance(node.value, ast.Attribute | ast.Subscript | ast.Constant) else f"({text})"
     written = formula_call(bank, f"{shown} {sign} {inner}", shown) if sign else ""
     if not written or not fits_action(context, written):
-        return WayOut("to change a value write a formula: calc(\"ds.A + 1\", ds.A)")
+        return WayOut('to change a value write a formula: calc("ds.A + 1", ds.A)')
     is_whole = isinstance(node.value, ast.Constant) and type(node.value.value) is int
     is_safe = isinstance(node.op, _EXACT) and is_whole and bank.name in ("DS", "DD") and not _is_part(node.target)
     return WayOut(f"write {written}", fix=replaced(context, node, written, is_safe))
@@ -205,6 +207,8 @@ def _expression(context: Context, node: ast.Expr) -> WayOut:
         written = f"copy({own(context, value.comparators[0])}, {own(context, value.left)})"
         if fits_action(context, written):
             return WayOut(f"a comparison stands in an if; to store a value write {written}")
+    if isinstance(value, ast.UnaryOp) and isinstance(value.op, ast.USub):
+        return WayOut("a comment begins with #")
     condition = as_condition(context, value) if isinstance(value, _CONDITIONS) else ""
     if condition:
         return WayOut(f"a condition stands in an if: write if {condition}:")
@@ -228,7 +232,9 @@ def _word(name: str) -> WayOut:
     return WayOut(found.shown if found else did_you_mean(name, (*INSTRUCTIONS, "return", "pass")))
 
 
-ENDINGS = frozenset(("endif", "end_if", "fi", "endwhile", "end_while", "end_for", "endsub", "end_sub", "end_program", "begin"))
+ENDINGS = frozenset(
+    ("endif", "end_if", "fi", "endwhile", "end_while", "end_for", "endsub", "end_sub", "end_program", "begin")
+)
 """Words that close a block in other languages."""
 
 

@@ -98,14 +98,17 @@ def _of_address(context: Context, node: ast.Call, func: ast.Attribute, fits: Fit
         bank = _bank_of(context, holder)
         if name == "reset" and bank is not None and bank.name in ("T", "CT"):
             return reset_hint(bank.name, own(context, holder))
-    return f"an instruction is called by its name alone: {INSTRUCTIONS['out'].example}; {_LIST}"
+    told = trade_advice(context, func.attr, ACTIONS, (), fits)
+    return told or f"an instruction is called by its name alone: {INSTRUCTIONS['out'].example}; {_LIST}"
 
 
 def _routine(context: Context, name: str) -> str:
     """The function of this file, or one that it imports, which a call means; "" for none."""
     word = re.escape(name)
     text = context.source.text
-    for found in re.finditer(rf"^[ \t]*(?:def[ \t]+({word})[ \t]*\(|from\b[^\n]*\bimport\b[^\n]*\b({word})\b)", text, re.I | re.M):
+    for found in re.finditer(
+        rf"^[ \t]*(?:def[ \t]+({word})[ \t]*\(|from\b[^\n]*\bimport\b[^\n]*\b({word})\b)", text, re.I | re.M
+    ):
         function = found[1] or found[2]
         if function.lower() != "main" and "clickgen.dsl" not in found[0]:
             return function

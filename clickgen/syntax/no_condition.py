@@ -45,7 +45,9 @@ def way_out(context: Context, node: ast.expr, fits: Fits) -> tuple[str, Fix | No
     if isinstance(node, ast.Tuple | ast.List):
         texts = [own(context, element) for element in node.elts]
         series, parallel = (f"{function}({', '.join(texts)})" for function in ("all", "any"))
-        return (f"in series write {series}, in parallel {parallel}", None) if all(texts) and fits(series) else ("", None)
+        return (
+            (f"in series write {series}, in parallel {parallel}", None) if all(texts) and fits(series) else ("", None)
+        )
     if isinstance(node, ast.Lambda):
         text = own(context, node.body)
         return (f"lambda: is for the inputs of a box; write {text} alone" if fits(text) else ""), None
@@ -143,7 +145,10 @@ def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, 
     assert bank is not None
     if _is_bit(right):
         other = own(context, right)
-        same, unlike = f"any(all({text}, {other}), all(nc({text}), nc({other})))", CONDITIONS["xor"].written([text, other])
+        same, unlike = (
+            f"any(all({text}, {other}), all(nc({text}), nc({other})))",
+            CONDITIONS["xor"].written([text, other]),
+        )
         written = same if _SIGNS.get(sign) else unlike
         return (f"write {written}" if sign in _SIGNS and text and other and fits(written) else _bit_help(text)), None
     value = _truth(right)
@@ -220,7 +225,11 @@ def compared_range(context: Context, node: ast.Compare, side: Operand, fits: Fit
         cells = [f"{BANKS[side.bank].dsl}[{number}]" for number in _numbers(side)]
         each = f"all({', '.join(f'{cell} {sign} {text}' for cell in cells)})"
         return f"compare each by itself: {each}" if fits(each) else ""
-    return f"a search looks through a range: search({shown} {sign} {text}, result=ds.FoundAt, found=c.Found)" if sign else ""
+    return (
+        f"a search looks through a range: search({shown} {sign} {text}, result=ds.FoundAt, found=c.Found)"
+        if sign
+        else ""
+    )
 
 
 def _numbers(span: Range) -> Iterator[int]:

@@ -103,6 +103,12 @@ def _calculated(context: Context, node: ast.expr) -> str:
         if text and "'" not in text:
             quote = "'" if '"' in text else '"'
             return f"calculate it first, calc({quote}{text}{quote}, ds.Result), and use ds.Result"
+    if isinstance(node, ast.Constant) and isinstance(node.value, bool):
+        return "a bit is turned on with set(c.Name), off with reset(c.Name); a number is 1 or 0"
+    if isinstance(node, ast.List | ast.Tuple) and node.elts:
+        return (
+            f"addresses are given one by one, each with a line of its own, or as a range: {own(context, node.elts[0])}"
+        )
     if isinstance(node, ast.Name):
         return f"a nickname follows its bank: c.{node.id} for a bit, ds.{node.id} for a number"
     return ""
@@ -219,9 +225,21 @@ def _read_index(context: Context, bank: Bank, node: ast.Subscript) -> Operand | 
         "CG113",
         index,
         f"{bank.dsl}[...] takes a number, a name in quotes, a range or a DS register",
-        "arithmetic belongs into a calc before" if isinstance(index, ast.BinOp) else f"{bank.dsl}[{bank.first}]",
+        _no_index(bank, index),
     )
     return None
+
+
+def _no_index(bank: Bank, index: ast.expr) -> str:
+    """The way out for what stands in brackets and says no number."""
+    if isinstance(index, ast.BinOp):
+        first, last = _whole_number(index.left), _whole_number(index.right)
+        if isinstance(index.op, ast.Sub) and first is not None and last is not None and first < last:
+            return f"a range has a colon, and its end is not included: {bank.dsl}[{first}:{last + 1}]"
+        return 'arithmetic belongs into a calc before: calc("ds.Index + 1", ds.Next)'
+    if isinstance(index, ast.Name):
+        return f"a nickname is written {bank.dsl}.{index.id}, and a pointer goes through a register, {bank.dsl}[ds.{index.id}]"
+    return f"{bank.dsl}[{bank.first}]"
 
 
 def _cell(context: Context, bank: Bank, number: int, span: Span) -> Cell | None:

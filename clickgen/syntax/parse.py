@@ -85,12 +85,19 @@ def _syntax_problem(source: SourceFile, error: SyntaxError, problems: Diagnostic
     if "too many" in error.msg:  # levels of indentation, nested parentheses
         problems.add("CG118", source.span(line, col, line, col + 1), f"this is nested too deeply: {error.msg}", _SPLIT)
         return
-    problems.add(
-        "CG101",
-        source.span(line, col, end_line, end_col),
+    # Heavy, and needed for a file with a fault alone.
+    from clickgen.syntax.slips import said_otherwise, slip
+
+    known = slip(source, line, error.msg)
+    if known is not None:
+        message, span, help, fix = known
+        problems.add("CG101", span, message, help, fix=fix)
+        return
+    general = (
         f"Python cannot read this: {error.msg}",
-        "the language is written in Python's syntax; correct it here or just before",
+        "a program has Python's syntax: look at this line and the one above",
     )
+    problems.add("CG101", source.span(line, col, end_line, end_col), *(said_otherwise(error.msg) or general))
 
 
 def _too_deep(tree: ast.Module) -> ast.AST | None:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from clickgen.diagnostics import Diagnostics, did_you_mean
+from clickgen.diagnostics import Diagnostics, Edit, Fix, did_you_mean
 from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.imports import Import
-from clickgen.ir.operands import Cell, Constant, Integer, Named, Range
+from clickgen.ir.operands import Cell, Constant, Integer, Named, Operand, Range, Text
 from clickgen.ir.program import Action, BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
 from clickgen.source import SourceFile, Span
 from clickgen.syntax.calls import read_call
@@ -18,12 +19,16 @@ from clickgen.syntax.chains import Arm, as_ifs, without_opposite
 from clickgen.syntax.comments import rung_comment
 from clickgen.syntax.conditions import read_condition
 from clickgen.syntax.context import Context
+from clickgen.syntax.hints import flat_address, own, replaced
 from clickgen.syntax.misplaced import WayOut, way_out
 from clickgen.syntax.operands import read_constant, read_operand, shorten
 from clickgen.syntax.parse import parse_tree
+from clickgen.trade import ARGUMENTS
 from clickgen.wording import quoted
 
 _DSL_MODULE = "clickgen.dsl"
+_LIBRARIES = frozenset(("clickgen", "pyrung", "pyclickplc", "clickplc", "laddercodec"))
+"""Python libraries that know CLICK; none of them has a place in a program."""
 
 
 @dataclass(frozen=True)
@@ -88,7 +93,10 @@ def _read_imports(context: Context, node: ast.Import | ast.ImportFrom) -> list[I
         names = tuple((alias.name, _alias_span(context, alias)) for alias in node.names)
         modules = [("" if node.level > 1 else node.module or "", names)]
     help = ""
-    if any(alias.asname for alias in node.names):
+    module = node.module or "" if isinstance(node, ast.ImportFrom) else node.names[0].name
+    if module.partition(".")[0] in _LIBRARIES:
+        help = "leave it out: a program is only read, and its words are known without an import"
+    elif any(alias.asname for alias in node.names):
         help = "a subroutine keeps its name: leave out as"
     elif any(name == "*" for _, names in modules for name, _ in names):
         help = "name the subroutines one by one"
@@ -121,11 +129,19 @@ def _read_routine(context: Context, node: ast.FunctionDef | ast.AsyncFunctionDef
     is_sub = is_titled or (isinstance(mark, ast.Name) and mark.id == "sub")
     is_main = node.name == "main" and not node.decorator_list
     problems = context.problems
+    name = node.name
+    if name != "main" and name.lower() == "main" and not node.decorator_list:
+        # There is one main; that it is meant is certain where nothing else is called so.
+        place = Span(source.path, node.lineno, end - len(name), node.lineno, end)
+        is_only = re.search(r"^def[ \t]+main\b", source.text, re.MULTILINE) is None
+        fix = Fix((Edit(place, "main"),), is_only)
+        problems.add("CG114", span, "main is written in small letters", "write def main():", fix=fix)
+        is_main, name = True, "main"
     if isinstance(node, ast.AsyncFunctionDef):
         problems.add("CG114", span, "a routine is not async", f"def {node.name}():")
     elif ast.unparse(node.args) or node.returns is not None:
         problems.add("CG114", span, "a routine takes no parameters and returns nothing", f"def {node.name}():")
-    if not is_main and (not is_sub or node.name == "main"):
+    if not is_main and (not is_sub or name == "main"):
         if node.name == "main":
             problems.add("CG114", span, "main has no decorators", "def main():")
         else:
@@ -134,14 +150,24 @@ def _read_routine(context: Context, node: ast.FunctionDef | ast.AsyncFunctionDef
                 span,
                 "a subroutine stands under @sub alone",
                 f"write @sub on the line above def {node.name}():",
+                fix=_as_sub(context, node),
             )
     title = _read_title(context, mark) if isinstance(mark, ast.Call) and is_titled and node.name != "main" else None
     before = len(problems.found)
     rungs = _read_rungs(context, node.body, node.lineno)
     is_whole = len(problems.found) == before
     if title is None:
-        return Routine(node.name, rungs, span, node.name == "main", is_whole)
+        return Routine(name, rungs, span, name == "main", is_whole)
     return Routine(str(title.value), rungs, span, False, is_whole, node.name, title.span)
+
+
+def _as_sub(context: Context, node: ast.FunctionDef | ast.AsyncFunctionDef) -> Fix | None:
+    """The fix that writes @sub for what it is called elsewhere: ``@Sub``, ``@subroutine("Auto Mode")``."""
+    mark = node.decorator_list[0] if len(node.decorator_list) == 1 else None
+    named = mark.func if isinstance(mark, ast.Call) else mark
+    if not isinstance(named, ast.Name) or named.id.lower() not in ("sub", "subroutine"):
+        return None
+    return Fix((Edit(context.span(named), "sub"),), is_safe=named.id.lower() == "sub")
 
 
 def _read_title(context: Context, mark: ast.Call) -> Word | None:
@@ -285,13 +311,16 @@ def _read_loop(context: Context, node: ast.For | ast.AsyncFor) -> Loop | None:
         or node.orelse
         or not _is_call_of(node.iter, "range")
     ):
-        context.problem("CG119", node, "a loop is written for _ in range(n):", "the count is a DS register or a number")
+        context.problem("CG119", node, "a loop is written for _ in range(n):", *_counted_loop(context, node))
         return None
     call = node.iter
     assert isinstance(call, ast.Call)
     args: dict[str, Value] = {}
     if len(call.args) != 1 or isinstance(call.args[0], ast.Starred):
-        context.problem("CG119", call, "range takes one count: a DS register or a number", "for _ in range(ds.Count):")
+        bounds = [bound.value for bound in call.args if isinstance(bound, ast.Constant) and type(bound.value) is int]
+        rounds = bounds[1] - bounds[0] if len(bounds) == len(call.args) == 2 else 0
+        help = f"for _ in range({rounds if rounds > 0 else 'ds.Count'}):"
+        context.problem("CG119", call, "range takes one count: a DS register or a number", help)
         return None
     count = read_operand(context, call.args[0])
     for keyword in call.keywords:
@@ -307,6 +336,21 @@ def _read_loop(context: Context, node: ast.For | ast.AsyncFor) -> Loop | None:
     args["count"] = count
     head = Span(context.source.path, *context.span(node)[1:3], *context.span(call)[3:5])
     return Loop(Action(FOR, args, head), body)
+
+
+def _counted_loop(context: Context, node: ast.For | ast.AsyncFor) -> tuple[str, Fix | None]:
+    """The way out for a loop in another form, and the fix for one whose variable nobody uses."""
+    target = node.target
+    is_range = _is_call_of(node.iter, "range") and not node.orelse and isinstance(node, ast.For)
+    if not is_range or not isinstance(target, ast.Name):
+        return "the count is a DS register or a number: for _ in range(ds.Count):", None
+    is_used = any(
+        isinstance(part, ast.Name) and part.id == target.id for child in node.body for part in ast.walk(child)
+    )
+    if is_used:
+        way = "count in a register, and point through it: copy(ds[ds.Row], ds.Value)"
+        return f"the loop has no variable, write _ for {target.id}; {way}", None
+    return f"write _ for {target.id}: for _ in {context.text(node.iter)}:", replaced(context, target, "_", is_safe=True)
 
 
 # -- declarations -----------------------------------------------------------------------------------------------------
@@ -338,17 +382,34 @@ def _read_declaration(context: Context, node: ast.Call) -> Declaration | BlockDe
             kind = "True or False" if keyword.arg == "retentive" else "a text in quotes"
             context.problem("CG115", keyword.value, f"{keyword.arg} must be {kind}", example)
         else:
-            help = did_you_mean(keyword.arg or "", _DECLARED) or example
+            other = ARGUMENTS.get((keyword.arg or "").lower(), "")
+            text = own(context, keyword.value)
+            help = f"write {other}={text}: {example}" if other in _DECLARED and text else ""
+            help = help or did_you_mean(keyword.arg or "", _DECLARED) or example
             context.problem("CG109", keyword, f"nickname has no argument {keyword.arg or '**'!r}", help)
     if named is None or cell is None:
         return None
     if not isinstance(named, Named) or named.part is not None:
-        context.problem("CG115", node.args[0], "the first argument is a name in its bank: ds.MaxAlarms", example)
+        help = _named(context, node, named, cell) or example
+        context.problem("CG115", node.args[0], "the first argument is a name in its bank: ds.MaxAlarms", help)
         return None
     if isinstance(cell, Range) and not cell.is_reversed:
         return BlockDeclaration(named, cell, context.span(node), initial, retentive, comment)
     if not isinstance(cell, Cell):
         help = f"{example}; for a block: nickname(ds.Recipe, ds[100:150])"
+        flat = flat_address(str(cell.value)) if isinstance(cell, Text) else ""
+        help = f"write {flat}, without quotes" if flat else help
         context.problem("CG115", node.args[1], "the second argument is one address or a range forwards", help)
         return None
     return Declaration(named, cell, context.span(node), initial, retentive, comment)
+
+
+def _named(context: Context, node: ast.Call, named: Operand, cell: Operand) -> str:
+    """``nickname(x.Start, x[1])`` for a name in quotes, and for a name and an address in the wrong order."""
+    first, second = (own(context, argument) for argument in node.args)
+    if isinstance(named, Cell) and isinstance(cell, Named) and first and second:
+        return f"the name comes first: nickname({second}, {first})"
+    if isinstance(named, Text) and isinstance(cell, Cell | Range) and named.value:
+        shown = f".{named.value}" if named.value.isidentifier() else f"[{first}]"
+        return f"write nickname({cell.bank.lower()}{shown}, {second})"
+    return ""

@@ -8,7 +8,7 @@ from clickgen.device.banks import BANKS, PADDED_DIGITS, Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.copies import CONVERSIONS, COPY, COPY_FILL
 from clickgen.instructions.spec import Pair, ParamKind
-from clickgen.ir.operands import Cell, Range, Text, form_of
+from clickgen.ir.operands import Cell, Integer, Range, Text, form_of
 from clickgen.ir.program import Action, Options
 from clickgen.ir.reach import reached
 from clickgen.wording import counted
@@ -121,7 +121,10 @@ def _refuse(action: Action, source: str, target: str, pairs: list[Pair], problem
         f"{source} goes to {', '.join(reachable)}" if reachable else f"{action.spec.name} copies nothing from {source}"
     )
     if action.spec is COPY and BANKS.get(target) is not None and BANKS[target].is_bit and source not in BANKS:
-        help = "to turn a bit on or off use set(...) or reset(...)"
+        bit, value = action.args[action.spec.matrix[1]], action.args[action.spec.matrix[0]]
+        shown = f"{bit.bank.lower()}[{bit.address.number}]" if isinstance(bit, Cell) else "c.Name"
+        is_off = isinstance(value, Integer) and value.value == 0
+        help = f"a bit is turned off with reset({shown})" if is_off else f"a bit is turned on with set({shown})"
     problems.add("CG305", action.span, f"CLICK cannot {action.spec.name} from {source} to {target}", help)
 
 

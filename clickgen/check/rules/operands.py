@@ -74,9 +74,7 @@ def _check(facts: Facts, placed: Placed, param: Param, operand: Operand, problem
         )
 
 
-def _refuse(
-    facts: Facts, placed: Placed, param: Param, operand: Named | Cell | Range, problems: Diagnostics
-) -> None:
+def _refuse(facts: Facts, placed: Placed, param: Param, operand: Named | Cell | Range, problems: Diagnostics) -> None:
     slot = param.slot
     what = f"a range of {operand.bank}" if isinstance(operand, Range) else _shown(operand)
     help = f"for example: {placed.spec.example}"
