@@ -107,15 +107,13 @@ def _is_misspelled(written: str, meant: str) -> bool:
     """True where a single word may be a slip for another: the first letter is right, and it is no word itself."""
     if are_opposed(written, meant):
         return False
-    if written in (f"{meant}s", meant.removesuffix("s")) or f"{written}s" == meant:
-        return len(min(written, meant, key=len)) > 2
-    if written in _WORDS or written[:1] != meant[:1]:
-        return False
     if len(meant) <= 2 or len(written) <= 2:
         # Two letters are too few to tell, unless one was typed twice or one of three was left out.
-        doubled = len(meant) == 2 and len(written) == 3 and set(written) == set(meant)
+        doubled = len(meant) == 2 and len(written) == 3 and set(written) == set(meant) and written[0] == meant[0]
         return doubled or (len(meant) == 3 and meant.startswith(written) and len(written) == 2)
-    return True
+    if f"{meant}s" == written or f"{written}s" == meant:
+        return True
+    return written not in _WORDS and written[:1] == meant[:1]
 
 
 def _parts(name: str) -> list[str]:

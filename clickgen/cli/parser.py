@@ -21,7 +21,7 @@ COMMANDS = {
     "workbook": ("clickgen.cli.workbook", "write the project as an Excel workbook"),
     "stubs": ("clickgen.cli.stubs", "write what editors complete and check programs with"),
     "rules": ("clickgen.cli.rules", "list every code"),
-    "explain": ("clickgen.cli.explain", "say what a code means"),
+    "explain": ("clickgen.cli.explain", "say what a code, an instruction or a word means"),
 }
 """Each command's module and what it is for, in the order of the help."""
 
@@ -36,6 +36,7 @@ examples:
   clickgen import plant/ -o plant.py  an existing CLICK project as a program
   clickgen stubs                      what editors complete and check programs with
   clickgen explain CG501              what a code means and what to do
+  clickgen explain ton                what an instruction takes
 """
 
 

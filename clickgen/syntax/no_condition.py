@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
+from itertools import pairwise
 
 from clickgen.device.banks import BANKS, Bank
 from clickgen.diagnostics import Edit, Fix, did_you_mean
@@ -126,7 +127,7 @@ def _between(context: Context, operands: list[ast.expr]) -> str:
     """What stands between the operands of a comparison, comments left out: its signs, and parentheses."""
     gaps: list[str] = []
     spans = [context.span(operand) for operand in operands]
-    for one, other in zip(spans, spans[1:], strict=False):
+    for one, other in pairwise(spans):
         lines = [context.source.line(number) for number in range(one.end_line, other.line + 1)]
         lines[-1] = lines[-1][: other.col - 1]
         lines[0] = lines[0][one.end_col - 1 :]
@@ -139,10 +140,10 @@ def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, 
     left, right, sign = node.left, node.comparators[0], _COMPARED.get(type(node.ops[0]), "")
     if _bank(right) is not None and _is_bit(right) and not _is_bit(left):
         left, right = right, left
-    if not _is_bit(left):
-        return None
     text, bank = own(context, left), _bank(left)
-    assert bank is not None
+    is_terminal = isinstance(left, ast.Attribute) and left.attr == "immediate" and _is_bit(left.value)
+    if bank is None or not (_is_bit(left) or (is_terminal and _truth(right) is not None)) or not fits(text):
+        return None
     if _is_bit(right):
         other = own(context, right)
         same, unlike = (
@@ -186,10 +187,11 @@ def _bank(node: ast.expr) -> Bank | None:
 
 
 def _is_bit(node: ast.expr) -> bool:
+    """True for a single bit by its name or number."""
+    if isinstance(node, ast.Subscript) and not isinstance(node.slice, ast.Constant):
+        return False
     bank = _bank(node) if isinstance(node, ast.Attribute | ast.Subscript) else None
-    inner = node.value if isinstance(node, ast.Attribute | ast.Subscript) else node
-    is_plain = isinstance(inner, ast.Name) or (isinstance(node, ast.Attribute) and node.attr == "immediate")
-    return bank is not None and bank.is_bit and (is_plain or isinstance(node, ast.Subscript))
+    return bank is not None and bank.is_bit and isinstance(getattr(node, "value", None), ast.Name)
 
 
 def listed_values(context: Context, node: ast.Compare, fits: Fits) -> str:

@@ -238,7 +238,8 @@ def _no_index(bank: Bank, index: ast.expr) -> str:
             return f"a range has a colon, and its end is not included: {bank.dsl}[{first}:{last + 1}]"
         return 'arithmetic belongs into a calc before: calc("ds.Index + 1", ds.Next)'
     if isinstance(index, ast.Name):
-        return f"a nickname is written {bank.dsl}.{index.id}, and a pointer goes through a register, {bank.dsl}[ds.{index.id}]"
+        name = index.id
+        return f"a nickname is written {bank.dsl}.{name}; a pointer goes through a register, {bank.dsl}[ds.{name}]"
     return f"{bank.dsl}[{bank.first}]"
 
 
