@@ -171,13 +171,13 @@ def _no_variable(name: str, value: ast.expr, text: str) -> str:
     bank = _bank(value)
     if bank is not None:
         return f"give the address a nickname, nickname({bank.dsl}.{name}, {text}), and write {bank.dsl}.{name}"
-    if isinstance(value, ast.Constant) and type(value.value) in (int, float, bool):
-        number = int(value.value) if isinstance(value.value, bool) else value.value
-        if isinstance(value.value, bool):
-            home = f"nickname(c.{name}, c[1], initial={number})"
+    number = value.value if isinstance(value, ast.Constant) else None
+    if isinstance(number, int | float):
+        if isinstance(number, bool):
+            home = f"nickname(c.{name}, c[1], initial={int(number)})"
         else:
-            in_df, in_dd = isinstance(number, float), not -32768 <= number <= 32767
-            dsl = "df" if in_df else "dd" if in_dd else "ds"
+            is_whole = isinstance(number, int)
+            dsl = "df" if not is_whole else "ds" if -32768 <= number <= 32767 else "dd"
             home = f"nickname({dsl}.{name}, {dsl}[1], initial={text}, retentive=False)"
         return f"write {text} where it is used, or keep it in a register of its own, {home}, and use that"
     if isinstance(value, ast.Constant):

@@ -86,8 +86,8 @@ def _of_address(context: Context, node: ast.Call, func: ast.Attribute, fits: Fit
     holder, method = func.value, func.attr.lower()
     if isinstance(holder, ast.Name) and holder.id.lower() in INSTRUCTIONS:
         if method in ("res", "reset", "rst"):
-            bank = "CT" if holder.id.lower().startswith("ct") else "T"
-            return reset_hint(bank, own(context, node.args[0]) if node.args else f"{bank.lower()}.A")
+            owner = "CT" if holder.id.lower().startswith("ct") else "T"
+            return reset_hint(owner, own(context, node.args[0]) if node.args else f"{owner.lower()}.A")
         return f"an instruction is written alone: {INSTRUCTIONS[holder.id.lower()].example}"
     name = _METHODS.get(method, method)
     if name in INSTRUCTIONS and own(context, holder):

@@ -174,7 +174,7 @@ def _shown(target: object) -> str:
     return f"{'an' if bank[0] == 'X' else 'a'} {bank} address"
 
 
-def _check_constant(placed: Placed, param: Param, constant: Operand, problems: Diagnostics) -> None:
+def _check_constant(placed: Placed, param: Param, constant: Constant, problems: Diagnostics) -> None:
     slot, action = param.slot, placed.action
     if form_of(constant) not in slot.constants:
         help = setpoint_hint(action, param, constant)
