@@ -137,7 +137,8 @@ def _refuse_bank(context: Context, node: ast.Attribute | ast.Subscript, holder: 
     message, lower = f"there is no bank {holder.id!r}", holder.id.lower()
     if lower in BANK_NAMES:
         fix = Fix((Edit(context.span(holder), lower),))
-        context.problem("CG113", holder, message, f"banks are written in small letters: {lower}", fix)
+        shown = lower + own(context, node).removeprefix(holder.id)
+        context.problem("CG113", holder, message, f"banks are written in small letters: {shown}", fix)
         return
     number = _whole_number(node.slice) if isinstance(node, ast.Subscript) else None
     match = re.fullmatch(r"([a-z]+)([0-9]{1,4})", lower)

@@ -353,13 +353,13 @@ SIGN = re.compile(f"[{''.join(_SIGNS)}]")
 def typographic(line: Line, match: re.Match[str]) -> Told:
     edits = tuple((*found.span(), _SIGNS[found[0]]) for found in SIGN.finditer(line.code))
     plain = _SIGNS[match[0]]
-    what = "quotes" if plain in ('"', "'") else "a blank" if not plain.strip() else plain
-    message = "these quotes come from a word processor" if what == "quotes" else f"this sign is not {plain or 'needed'}"
-    if what == "a blank":
-        message = "this blank comes from a word processor"
-    return Told(
-        message, f"write straight quotes, {plain}" if what == "quotes" else f"write {what}", match.span(), edits
-    )
+    if plain in ('"', "'"):
+        help = f"write straight quotes, {plain}"
+        return Told("these quotes come from a word processor", help, match.span(), edits)
+    if not plain.strip():
+        return Told("this blank comes from a word processor", "write a plain blank", match.span(), edits)
+    meant = _condition(line, _after_head(_without(line, list(edits))))
+    return Told("this sign is not on a keyboard", meant or f"write {plain}", match.span(), edits)
 
 
 def comment(line: Line, match: re.Match[str]) -> Told:

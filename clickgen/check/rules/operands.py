@@ -86,7 +86,7 @@ def _refuse(facts: Facts, placed: Placed, param: Param, operand: Named | Cell | 
         help = _of_range(facts, placed, param, operand)
     elif operand.bank in BANKS and not BANKS[operand.bank].is_bit and "C" in slot.cells:
         value = 0 if placed.spec.name == "reset" else 1
-        help = f"{placed.spec.name} is for bits; a register gets a number with copy({value}, {_source(facts, operand)})"
+        help = f"{placed.spec.name} is for bits; a register gets a number with copy({value}, {_text(facts, operand)})"
     problems.add(
         "CG301",
         operand.span,
@@ -95,17 +95,15 @@ def _refuse(facts: Facts, placed: Placed, param: Param, operand: Named | Cell | 
     )
 
 
-def _source(facts: Facts, operand: Operand) -> str:
-    """An operand as the program writes it."""
-    span, source = operand.span, facts.sources.get(operand.span.path)
-    is_shown = source is not None and span.line == span.end_line
-    return source.line(span.line)[span.col - 1 : span.end_col - 1] if source is not None and is_shown else "it"
+def _text(facts: Facts, operand: Operand) -> str:
+    """An operand as the program writes it, on one line."""
+    return " ".join(facts.text(operand.span).split())
 
 
 def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str:
     """The way out for a range in the place of one address: its first, or the instruction that takes ranges."""
     first = f"{BANKS[operand.bank].dsl}[{operand.first}]"
-    text = _source(facts, operand)
+    text = _text(facts, operand)
     if placed.spec is not COPY:
         return f"it takes one address, such as {first}"
     if param.slot.access is Access.WRITE:
@@ -113,10 +111,10 @@ def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str
         if isinstance(source, Text):
             return f"name the first address, {first}: the text goes on from there"
         if isinstance(source, Constant):
-            return f"to write all of them: copy_fill({_source(facts, source)}, {text})"
+            return f"to write all of them: copy_fill({_text(facts, source)}, {text})"
         return f"it takes one address, such as {first}; copy_block copies a range"
     target = placed.action.args.get("destination")
-    shown = _source(facts, target) if isinstance(target, Cell | Range) else "ds.Name"
+    shown = _text(facts, target) if isinstance(target, Cell | Range) else "ds.Name"
     if operand.bank == "TXT" and not (isinstance(target, Cell) and target.bank == "TXT"):
         return f"a text of several characters becomes a number with copy_pack({text}, {shown})"
     if isinstance(target, Range):
