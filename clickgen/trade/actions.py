@@ -13,7 +13,7 @@ _SUB = "a subroutine stands at the top level: @sub on the line above def fill():
 _WAIT = "a scan never waits: start a timer, {}, and let another rung stand on its bit: {}"
 
 ACTIONS = table(
-    ("ote coil output energize oute otei", "write {}: a coil", _OUT, "out($1)"),
+    ("ote coil output energize oute", "write {}: a coil", _OUT, "out($1)"),
     ("otl latch lat set_bit setbit turn_on turnon s", "write {}: a coil that stays on", _SET, "set($1)"),
     (
         "otu unlatch unlat unl delatch rst reset_bit resetbit turn_off turnoff r",
@@ -58,7 +58,7 @@ ACTIONS = table(
     ("rto tonr rtot ret_on retentive_timer acc_timer", "write {}: a retentive timer", (_RTON,), "rton($*)"),
     ("timer", "an on-delay timer is {}, an off-delay timer {}, a retentive one {}", (_TON, _TOF, _RTON), ""),
     (
-        "tp pulse pulse_timer tmp monostable",
+        "tp pulse pulse_timer monostable",
         "CLICK has no pulse timer; three rungs make one: {}, {} and {}",
         ("if re(x[1]): set(c.Pulse)", "if c.Pulse: ton(t.PulseTime, setpoint=500)", "if t.PulseTime: reset(c.Pulse)"),
         "",
@@ -111,7 +111,7 @@ ACTIONS = table(
     ("avg ave average mean", "write {}: a mean value", ('calc("SUM(ds[1:11]) / 10", ds.Mean)',), ""),
     ("sum total", "write {}: a sum", ('calc("SUM(ds[1:11])", ds.Total)',), ""),
     (
-        "inc incr increment incp ctinc",
+        "inc incr increment incp",
         "to count up by one, write {}",
         ('calc("ds.A + 1", ds.A)',),
         'calc("$1 + 1", $1)',
@@ -144,6 +144,10 @@ ACTIONS = table(
         ('math_hex("dh.A XOR dh.B", dh.C)',),
         'math_hex("$1 XOR $2", $3)',
     ),
+    ("shl", "write {}: a word shifted to the left", ('math_hex("dh.A SHL 1", dh.B)',), 'math_hex("$1 SHL $2", $3)'),
+    ("shr", "write {}: a word shifted to the right", ('math_hex("dh.A SHR 1", dh.B)',), 'math_hex("$1 SHR $2", $3)'),
+    ("rol", "write {}: a word rotated to the left", ('math_hex("LRO(dh.A, 1)", dh.B)',), ""),
+    ("ror", "write {}: a word rotated to the right", ('math_hex("RRO(dh.A, 1)", dh.B)',), ""),
     (
         "not bnot",
         "write {}: every bit of a word turned round",
@@ -178,7 +182,7 @@ ACTIONS = table(
     ("loop repeat forloop", "write {}: a loop", ("for _ in range(ds.Count): pass",), ""),
     # Tables, shift registers, drums, messages
     (
-        "bsl bsr shiftreg shift_register sft shl shr rol ror",
+        "bsl bsr shiftreg shift_register sft",
         "write {}: a shift register",
         ("shift(c[1:9], clock=lambda: c.Clock, reset=lambda: c.Clear)",),
         "",

@@ -42,7 +42,7 @@ CONDITIONS = table(
         ("fe(c.A)",),
         "fe($1)",
     ),
-    ("ons osr os oneshot one_shot osri dif difu pls plus", EDGE, ("re(c.A)", "out(c.Pulse, oneshot=True)"), ""),
+    ("ons osr os oneshot one_shot osri dif difu pls", EDGE, ("re(c.A)", "out(c.Pulse, oneshot=True)"), ""),
     ("osf osfi difd plf", "a one-shot at the end of a signal is a falling edge in the condition: {}", ("fe(c.A)",), ""),
     ("equ eq eql equal cmp compare", "write {}: a comparison has its sign", ("ds.A == 5",), "$1 == $2"),
     ("neq ne nequ", "write {}: a comparison has its sign", ("ds.A != 5",), "$1 != $2"),
