@@ -296,6 +296,19 @@ def test_what_is_not_certain_is_no_safe_fix(text: str, tmp_path: Path) -> None:
     assert mended(text, tmp_path, unsafe=True) != text
 
 
+def test_deep_mistakes_are_looked_at_once(tmp_path: Path) -> None:
+    """A way out is tried by reading it, which must not look for further ways out: that doubles with every level."""
+    deep = 60
+    for head, tail in (("nc(", ")"), ("re(", ")"), ("XIC(", ")"), ("all(nc(", "))"), ("0 < ", " < 5")):
+        count = deep // 2 if head.startswith("all") else deep
+        assert errors(condition(head * count + "ds.A" + tail * count), tmp_path)
+
+
+def test_a_comment_sign_that_may_divide_is_left_alone(tmp_path: Path) -> None:
+    text = action("ds.B = ds.A // 2 AND 3")
+    assert mended(text, tmp_path) == text
+
+
 def test_a_chain_with_parentheses_or_calls_is_left_alone(tmp_path: Path) -> None:
     for chain in ("0 < (ds[1]) < 10", "0 < ds[ds.I] < 10", "0 < ds[1] in 5"):
         assert not any(one.fix for one in found(condition(chain).encode(), "CG106", tmp_path))
@@ -332,3 +345,34 @@ def test_a_line_is_looked_at_in_time_that_grows_with_it() -> None:
         source = SourceFile("prog.py", (piece * 2000)[: slips._LINE_MAX])
         slips.slip(source, 1, "invalid syntax")
     assert slips.slip(SourceFile("prog.py", "(" * (slips._LINE_MAX + 1)), 1, "invalid syntax") is None
+
+
+# -- clickgen explain -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "begins"),
+    [
+        (["TON"], "ton\n"),
+        (["for"], "for\n"),
+        (["return"], "return\n"),
+        (["cg501"], "CG501: "),
+        (["conditions"], "Conditions\n"),
+        (["loops"], "Loops and subroutines\n"),
+        (["nc"], "Conditions\n"),
+        (["instructions"], "Instructions\n"),
+        (["XIC"], "In a condition: write c.A"),
+        (["OTU"], "As an action: write reset(y.Motor)"),
+        (["n7"], "As a bank: 16-bit integers are in DS"),
+        ([], "clickgen explain NAME\n"),
+    ],
+)
+def test_explain(words: list[str], begins: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["explain", *words]) == 0
+    assert capsys.readouterr().out.startswith(begins)
+
+
+def test_explain_knows_a_slip(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["explain", "cuont"]) == 2
+    assert main(["explain", "calcc"]) == 2
+    assert "did you mean calc?" in capsys.readouterr().err

@@ -104,7 +104,7 @@ def _word_hint(context: Context, spec: Spec, param: Param, node: ast.expr) -> tu
     if param.kind is not ParamKind.UNIT:
         return "", None
     exact = _unit(word)
-    return (f"write unit={exact}:", replaced(context, node, exact, is_safe=True)) if exact else (_NO_UNIT, None)
+    return (f"write unit={exact}:", replaced(context, node, exact, word.lower() != "m")) if exact else (_NO_UNIT, None)
 
 
 _FLAGS = {"true": "True", "1": "True", "yes": "True", "false": "False", "0": "False", "no": "False"}

@@ -74,7 +74,7 @@ def _is_range_form(node: ast.Call) -> bool:
 
 def fits_action(context: Context, text: str) -> bool:
     """True for the text of an action without a fault."""
-    trial = Context(SourceFile(context.source.path, text), Diagnostics())
+    trial = Context(SourceFile(context.source.path, text), Diagnostics(), is_trial=True)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

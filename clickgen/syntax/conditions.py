@@ -80,7 +80,7 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
 
 def fits_condition(context: Context, text: str) -> bool:
     """True for the text of a condition without a fault."""
-    return condition_fault(context, text) is None
+    return condition_fault(context, text, is_trial=True) is None
 
 
 def as_condition(context: Context, node: ast.expr) -> str:
@@ -100,12 +100,13 @@ def _rewritten(context: Context, node: ast.expr) -> tuple[str, Fix] | None:
     if rewritten is None:
         return None
     text, edit = rewritten
-    return (text, Fix((edit,))) if condition_fault(context, text) is None else None
+    return (text, Fix((edit,))) if fits_condition(context, text) else None
 
 
-def condition_fault(context: Context, text: str) -> Diagnostic | None:
-    """What is wrong with a condition of this text; None where nothing is."""
-    trial = Context(SourceFile(context.source.path, f"({text})"), Diagnostics())
+def condition_fault(context: Context, text: str, is_trial: bool = False) -> Diagnostic | None:
+    """What is wrong with a condition of this text; None where nothing is. A trial finds no ways out."""
+    source = SourceFile(context.source.path, f"({text})")
+    trial = Context(source, Diagnostics(), is_trial or context.is_trial)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -269,6 +270,8 @@ def _read_bit_function(context: Context, node: ast.Call, name: str) -> Condition
 
 def _without_function(context: Context, node: ast.Call, name: str, argument: ast.expr) -> tuple[str, Fix | None]:
     """The way out for ``nc(ds.A == 5)`` and ``re(all(...))``: the opposite, or a bit in a rung before."""
+    if context.is_trial:
+        return "", None
     text = " ".join(context.text(argument).split())
     if "#" in text or not fits_condition(context, f"all({text})"):
         return no_condition.way_out(context, argument, partial(fits_condition, context))[0] or f"{name}(c.A)", None

@@ -17,6 +17,8 @@ Located = ast.expr | ast.stmt | ast.keyword | ast.arg
 class Context:
     source: SourceFile
     problems: Diagnostics
+    is_trial: bool = False
+    """True where it is only asked whether a text can be read: nobody looks for ways out then, which are tried again."""
 
     def span(self, node: Located) -> Span:
         """Where a node stands."""

@@ -83,7 +83,7 @@ def _after_head(text: str) -> str:
     return rest[: comment.start() + 1] if comment else rest
 
 
-LOGIC = re.compile(r"&&|\|\||\b(?:AND|OR|NOT|And|Or|Not)\b|!(?!=)")
+LOGIC = re.compile(r"&&|\|\||\b(?:AND|OR|NOT|And|Or|Not)\b|!(?=\s?[A-Za-z_(])")
 _PYTHON = {"&&": "and", "||": "or", "!": "not"}
 
 
@@ -99,7 +99,12 @@ def logic(line: Line, match: re.Match[str]) -> Told:
         edits.append((*found.span(), spaced))
     help = _condition(line, _after_head(_without(line, edits)))
     general = "in series write all(c.A, c.B), in parallel any(c.A, c.B), for the opposite nc(c.A)"
-    return Told(f"{match[0]} is not part of the language", help or general, match.span(), tuple(edits))
+    return Told(
+        f"{match[0]} is not part of the language",
+        help or general,
+        match.span(),
+        tuple(edits) if _HEAD.match(line.code) else (),
+    )
 
 
 def comparison(*pairs: tuple[str, str]) -> Callable[[Line, re.Match[str]], Told]:
@@ -363,11 +368,15 @@ def typographic(line: Line, match: re.Match[str]) -> Told:
 
 
 def comment(line: Line, match: re.Match[str]) -> Told:
-    edits: tuple[tuple[int, int, str], ...] = ()
-    if match["sign"] == "//" and _depth(line.code[: match.start("sign")]) == 0:
-        edits = ((*match.span("sign"), "#"),)
-    shown = line.text[match.end("sign") :].strip().removesuffix("*/").removesuffix("*)").strip()
+    """``// comment``, which is one for certain on a line of its own, after a call and after a colon."""
+    before = line.code[: match.start("sign")].strip()
+    is_sure = not before or (_depth(before) == 0 and (before.endswith(":") or _CALL.fullmatch(before) is not None))
+    edits = ((*match.span("sign"), "#"),) if is_sure else ()
+    shown = line.text[match.end("sign") :].strip()
     return Told("a comment begins with #", f"write # {shown}".rstrip(), match.span("sign"), edits)
+
+
+_CALL = re.compile(r"[a-z_]+\(.*\)")
 
 
 def old_comment(line: Line, match: re.Match[str]) -> Told | None:
