@@ -107,6 +107,10 @@ CONDITIONS = [
     ("ds.A == 16#FF", "ds.A == 255"),
     ("xd[0][3]", "x[4]"),
     ("1", "sc[1]"),
+    ("ds[1] == True", "ds[1] != 0"),
+    ("ds[1] != True", "ds[1] == 0"),
+    ("c.A + c.B", "any(c.A, c.B)"),
+    ("ds.A - 1", "ds.Result != 0"),
     ("False", "nc(sc[1])"),
 ]
 ACTIONS = [
@@ -224,6 +228,34 @@ def test_a_text_is_compared_by_a_search(tmp_path: Path) -> None:
     assert search in problem.help
     rungs = f"    if True:\n        {search}\n    if c.Found:\n        out(y[1])\n"
     assert not errors(f"def main():\n{rungs}{ENDING}", tmp_path)
+
+
+def test_a_register_is_compared_with_a_text_by_a_search(tmp_path: Path) -> None:
+    block = "nickname(txt.Msg, txt[11:21])\n\n\n"
+    for written, cells in (('txt[1] == "INV"', "txt[1:4]"), ('txt.Msg == "INV"', "txt.Msg[0:3]")):
+        problem = errors(block + condition(written), tmp_path)[-1]
+        search = f'search({cells} == "INV", result=ds.FoundAt, found=c.Found)'
+        assert search in problem.help
+        rungs = f"    if True:\n        {search}\n    if c.Found:\n        out(y[1])\n"
+        assert not errors(f"{block}def main():\n{rungs}{ENDING}", tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ('copy("SETTLE", txt.Msg)', ("txt.Msg[0]", 'copy("SETTLE", txt.Msg[0])')),
+        ("copy(5, ds.Rec)", ("copy_fill(5, ds.Rec)", "copy_fill(5, ds.Rec)")),
+        ("copy(ds.Rec, ds.Other)", ("copy_block(ds.Rec, ds.Other)", "copy_block(ds.Rec, ds.Other)")),
+        ("copy(1, c.Bits)", ("set(c.Bits)", "set(c.Bits)")),
+        ("copy(txt.Msg.as_value(), ds.Q)", ("copy_pack(txt.Msg, ds.Q)", "copy_pack(txt.Msg, ds.Q)")),
+        ("copy(txt.Msg, txt[50])", ("txt.Msg[0]", "copy(txt.Msg[0], txt[50])")),
+    ],
+)
+def test_a_block_in_a_copy(written: str, meant: tuple[str, str], tmp_path: Path) -> None:
+    blocks = "nickname(txt.Msg, txt[1:11])\nnickname(c.Bits, c[1:9])\nnickname(ds.Rec, ds[1:9])\n\n\n"
+    problem = errors(blocks + action(written), tmp_path)[0]
+    assert meant[0] in problem.help
+    assert not errors(blocks + action(meant[1]), tmp_path)
 
 
 def test_a_constant_has_a_register(tmp_path: Path) -> None:

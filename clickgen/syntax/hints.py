@@ -156,6 +156,21 @@ def bit_of_word(word: str, bank: Bank, index: int | None) -> str:
     return f"copy the bits out in a rung before, {unpacked}, and bit {number} is c[{1001 + number}]"
 
 
+def bank_of(node: ast.expr) -> Bank | None:
+    """The bank of an address, be it a name, a number or a range; None for anything else."""
+    inner = node
+    while isinstance(inner, ast.Attribute | ast.Subscript):
+        inner = inner.value
+    is_address = isinstance(node, ast.Attribute | ast.Subscript) and isinstance(inner, ast.Name)
+    return BANK_NAMES.get(inner.id) if is_address and isinstance(inner, ast.Name) else None
+
+
+def has_bits(node: ast.expr) -> bool:
+    """True for an expression with a bit in it, of which no formula takes any."""
+    banks = (bank_of(part) for part in ast.walk(node) if isinstance(part, ast.Attribute | ast.Subscript))
+    return any(bank is not None and bank.is_bit for bank in banks)
+
+
 # -- members ----------------------------------------------------------------------------------------------------------
 
 

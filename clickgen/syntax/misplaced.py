@@ -12,7 +12,7 @@ from clickgen.instructions import INSTRUCTIONS
 from clickgen.syntax.calls import fits_action
 from clickgen.syntax.conditions import as_condition, fits_condition
 from clickgen.syntax.context import Context
-from clickgen.syntax.hints import BANK_NAMES, own, replaced
+from clickgen.syntax.hints import bank_of, has_bits, own, replaced
 from clickgen.trade import ACTIONS, advice
 
 
@@ -87,7 +87,7 @@ def _with(context: Context, node: ast.With) -> str:
 def _assignment(context: Context, node: ast.Assign | ast.AugAssign | ast.AnnAssign) -> WayOut:
     targets = node.targets if isinstance(node, ast.Assign) else [node.target]
     target, value = targets[0], node.value
-    bank = _bank(target)
+    bank = bank_of(target)
     shown, text = own(context, target), own(context, value) if value is not None else ""
     general = "to set a value write copy(value, address) or calc(formula, address)"
     if len(targets) > 1 or value is None or not text or not shown:
@@ -103,21 +103,15 @@ def _assignment(context: Context, node: ast.Assign | ast.AugAssign | ast.AnnAssi
     written = f"copy({text}, {shown})"
     if fits_action(context, written):
         return WayOut(f"write {written}", fix=replaced(context, node, written, _is_exact(bank, value)))
-    other = _bank(value)
+    other = bank_of(value)
     if other is not None and other.is_bit:
         return WayOut(
             f"a bit becomes a number in two rungs: if {text}: copy(1, {shown}) and if nc({text}): copy(0, {shown})"
         )
     written = formula_call(bank, text, shown)
-    if written and not _has_bits(value) and fits_action(context, written):
+    if written and not has_bits(value) and fits_action(context, written):
         return WayOut(f"write {written}", fix=replaced(context, node, written, is_safe=False))
     return WayOut(general)
-
-
-def _has_bits(node: ast.expr) -> bool:
-    """True for an expression with a bit in it, of which no formula takes any."""
-    banks = (_bank(part) for part in ast.walk(node) if isinstance(part, ast.Attribute | ast.Subscript))
-    return any(bank is not None and bank.is_bit for bank in banks)
 
 
 _SIGNS: dict[type[ast.operator], str] = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "/"}
@@ -151,7 +145,7 @@ def _is_exact(bank: Bank, value: ast.expr) -> bool:
     """True where a copy stores just the value: a whole number, or a register of the same bank."""
     if isinstance(value, ast.Constant):
         return type(value.value) is int and bank.name in ("DS", "DD")
-    return _bank(value) is bank
+    return bank_of(value) is bank
 
 
 def _bit(context: Context, node: ast.Assign, shown: str, value: ast.expr, text: str) -> WayOut:
@@ -170,7 +164,7 @@ def _bit(context: Context, node: ast.Assign, shown: str, value: ast.expr, text: 
 
 def _no_variable(name: str, value: ast.expr, text: str) -> str:
     """The way out for a name of its own: CLICK has addresses and no variables."""
-    bank = _bank(value)
+    bank = bank_of(value)
     if bank is not None:
         return f"give the address a nickname, nickname({bank.dsl}.{name}, {text}), and write {bank.dsl}.{name}"
     number = value.value if isinstance(value, ast.Constant) else None
@@ -251,12 +245,3 @@ def _slashes(context: Context, value: ast.BinOp) -> WayOut:
     is_broken = context.span(value).end_line != span.end_line
     place = span._replace(line=span.end_line, col=start, end_col=start + 2)
     return WayOut("a comment begins with #", fix=None if is_broken else Fix((Edit(place, "#"),)))
-
-
-def _bank(node: ast.expr) -> Bank | None:
-    """The bank of an address with a name or a number; None for anything else."""
-    inner = node
-    while isinstance(inner, ast.Attribute | ast.Subscript):
-        inner = inner.value
-    is_address = isinstance(node, ast.Attribute | ast.Subscript) and isinstance(inner, ast.Name)
-    return BANK_NAMES.get(inner.id) if is_address and isinstance(inner, ast.Name) else None

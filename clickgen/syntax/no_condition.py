@@ -7,12 +7,12 @@ import re
 from collections.abc import Iterator
 from itertools import pairwise
 
-from clickgen.device.banks import BANKS, Bank
+from clickgen.device.banks import BANKS
 from clickgen.diagnostics import Edit, Fix, did_you_mean
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.ir.operands import Immediate, Operand, Range
 from clickgen.syntax.context import Context
-from clickgen.syntax.hints import BANK_NAMES, Fits, own, own_advice, replaced, trade_advice
+from clickgen.syntax.hints import Fits, bank_of, has_bits, own, own_advice, replaced, trade_advice
 from clickgen.syntax.operands import address_hint
 from clickgen.trade import ACTIONS, CONDITIONS, advice
 
@@ -57,7 +57,7 @@ def way_out(context: Context, node: ast.expr, fits: Fits) -> tuple[str, Fix | No
     if isinstance(node, ast.BinOp):
         if isinstance(node.op, ast.BitXor):
             return own_advice(context, CONDITIONS["xor"], (node.left, node.right), fits), None
-        return _calculation(context, node)
+        return _calculation(context, node, fits)
     if isinstance(node, ast.Name) and not address_hint(node):
         return f"a nickname follows its bank: x.{node.id}, y.{node.id} or c.{node.id}", None
     return address_hint(node), None
@@ -87,16 +87,25 @@ def _called(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | No
     return address_hint(node) or did_you_mean(name, _FUNCTIONS), None
 
 
-def _calculation(context: Context, node: ast.BinOp) -> tuple[str, Fix | None]:
+def _calculation(context: Context, node: ast.BinOp, fits: Fits) -> tuple[str, Fix | None]:
     """A sum in the place of a condition: most often a name with a sign in it."""
     left = node.left
     if isinstance(node.op, ast.Sub) and isinstance(left, ast.Attribute) and isinstance(node.right, ast.Name):
         return f"CLICK takes no - in a nickname: write {own(context, left)}_{node.right.id}", None
+    if has_bits(node):
+        return _algebra(context, node, fits), None
     text = own(context, node)
     if not text or "'" in text:
         return "", None
     quote = "'" if '"' in text else '"'
     return f"calculate it in a rung before, calc({quote}{text}{quote}, ds.Result), and test ds.Result != 0", None
+
+
+def _algebra(context: Context, node: ast.BinOp, fits: Fits) -> str:
+    """``c.A + c.B`` and ``c.A * c.B``, as boolean algebra writes or and and."""
+    function = {ast.Add: "any", ast.Mult: "all"}.get(type(node.op))
+    text = f"{function}({own(context, node.left)}, {own(context, node.right)})"
+    return f"bits do not calculate; write {text}" if function and fits(text) else ""
 
 
 # -- comparisons ------------------------------------------------------------------------------------------------------
@@ -142,10 +151,12 @@ def _between(context: Context, operands: list[ast.expr]) -> str:
 def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, Fix | None] | None:
     """The way out for a bit that is compared: with True, 0, "ON", another bit; None where no bit is."""
     left, right, sign = node.left, node.comparators[0], _COMPARED.get(type(node.ops[0]), "")
-    if _bank(right) is not None and _is_bit(right) and not _is_bit(left):
+    if bank_of(right) is not None and _is_bit(right) and not _is_bit(left):
         left, right = right, left
-    text, bank = own(context, left), _bank(left)
+    text, bank = own(context, left), bank_of(left)
     is_terminal = isinstance(left, ast.Attribute) and left.attr == "immediate" and _is_bit(left.value)
+    if bank is not None and not bank.is_bit and isinstance(right, ast.Constant) and isinstance(right.value, bool):
+        return f"write {text} {'!=' if right.value is _SIGNS.get(sign, True) else '=='} 0", None
     if bank is None or not (_is_bit(left) or (is_terminal and _truth(right) is not None)) or not fits(text):
         return None
     if _is_bit(right):
@@ -183,18 +194,11 @@ def _truth(node: ast.expr) -> bool | None:
     return True if lower in _ALWAYS else False if lower in _NEVER else None
 
 
-def _bank(node: ast.expr) -> Bank | None:
-    """The bank of an address, be it a name, a number or a range, with or without .immediate."""
-    while isinstance(node, ast.Attribute | ast.Subscript):
-        node = node.value
-    return BANK_NAMES.get(node.id) if isinstance(node, ast.Name) else None
-
-
 def _is_bit(node: ast.expr) -> bool:
     """True for a single bit by its name or number."""
     if isinstance(node, ast.Subscript) and not isinstance(node.slice, ast.Constant):
         return False
-    bank = _bank(node) if isinstance(node, ast.Attribute | ast.Subscript) else None
+    bank = bank_of(node) if isinstance(node, ast.Attribute | ast.Subscript) else None
     return bank is not None and bank.is_bit and isinstance(getattr(node, "value", None), ast.Name)
 
 

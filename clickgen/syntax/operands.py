@@ -28,6 +28,7 @@ from clickgen.syntax.hints import BANK_NAMES as BANK_NAMES
 from clickgen.syntax.hints import (
     banks_hint,
     bit_of_word,
+    has_bits,
     member_hint,
     name_hint,
     own,
@@ -98,7 +99,11 @@ def _calculated(context: Context, node: ast.expr) -> str:
     """The way out for a calculation, or another word, in the place of a value; "" for anything else."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
         return own_advice(context, advice(node.func.id, CONDITIONS), (), lambda _: False)
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub | ast.Mult | ast.Div):
+    if (
+        isinstance(node, ast.BinOp)
+        and isinstance(node.op, ast.Add | ast.Sub | ast.Mult | ast.Div)
+        and not has_bits(node)
+    ):
         text = own(context, node)
         if text and "'" not in text:
             quote = "'" if '"' in text else '"'

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
+
 from clickgen.check.facts import Facts, Placed
 from clickgen.check.setpoints import setpoint_hint
-from clickgen.check.values import constant_fault, value_class
+from clickgen.check.values import constant_fault, copies, value_class
 from clickgen.device.banks import BANKS, READ_ONLY
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.diagnostics import Diagnostics
-from clickgen.instructions.copies import COPY
+from clickgen.instructions.copies import COPY, COPY_BLOCK, COPY_FILL, COPY_PACK
 from clickgen.instructions.data import SEARCH
 from clickgen.instructions.spec import Access, Param, Slot
 from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Operand, Pointer, Range, Text, form_of
@@ -102,24 +104,33 @@ def _text(facts: Facts, operand: Operand) -> str:
 
 def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str:
     """The way out for a range in the place of one address: its first, or the instruction that takes ranges."""
-    first = f"{BANKS[operand.bank].dsl}[{operand.first}]"
     text = _text(facts, operand)
+    first = f"{text}[0]" if _BLOCK.fullmatch(text) else f"{BANKS[operand.bank].dsl}[{operand.first}]"
+    general = f"it takes one address, such as {first}"
     if placed.spec is not COPY:
-        return f"it takes one address, such as {first}"
-    if param.slot.access is Access.WRITE:
-        source = placed.action.args.get("source")
-        if isinstance(source, Text):
+        return general
+    source, target = (placed.action.args.get(name) for name in COPY.matrix)
+    if param.slot.access is Access.WRITE and isinstance(source, Constant):
+        if isinstance(source, Text) and operand.bank == "TXT":
             return f"name the first address, {first}: the text goes on from there"
-        if isinstance(source, Constant):
-            return f"to write all of them: copy_fill({_text(facts, source)}, {text})"
-        return f"it takes one address, such as {first}; copy_block copies a range"
-    target = placed.action.args.get("destination")
-    shown = _text(facts, target) if isinstance(target, Cell | Range) else "ds.Name"
-    if operand.bank == "TXT" and not (isinstance(target, Cell) and target.bank == "TXT"):
-        return f"a text of several characters becomes a number with copy_pack({text}, {shown})"
+        if BANKS[operand.bank].is_bit:
+            off = isinstance(source, Integer) and source.value == 0
+            return f"write {'reset' if off else 'set'}({text})"
+        fills = f"to write all of them: copy_fill({_text(facts, source)}, {text})"
+        return fills if copies(COPY_FILL, source, operand) else general
+    if param.slot.access is Access.WRITE or not isinstance(target, Cell | Range):
+        return general
+    shown = _text(facts, target)
     if isinstance(target, Range):
-        shown = f"{BANKS[target.bank].dsl}[{target.first}]"
-    return f"a range is copied with copy_block({text}, {shown})"
+        shown = f"{shown}[0]" if _BLOCK.fullmatch(shown) else f"{BANKS[target.bank].dsl}[{target.first}]"
+    if copies(COPY_PACK, operand, target) and operand.bank == "TXT":
+        return f"a text of several characters becomes a number with copy_pack({text}, {shown})"
+    block = f"a range is copied with copy_block({text}, {shown})"
+    return block if copies(COPY_BLOCK, operand, target) else general
+
+
+_BLOCK = re.compile(r"[a-z]+(\.\w+|\[\"[^\"]*\"\])")
+"""A name without an index, which is a block where it is a range."""
 
 
 def _is_read_only(facts: Facts, placed: Placed, operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
