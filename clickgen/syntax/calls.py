@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import warnings
 from functools import partial
 
 from clickgen.device.banks import READ_ONLY
@@ -18,6 +17,7 @@ from clickgen.syntax import no_call
 from clickgen.syntax.arguments import read_argument
 from clickgen.syntax.conditions import read_series
 from clickgen.syntax.context import Context
+from clickgen.syntax.hints import expression_of
 from clickgen.syntax.operands import shorten
 from clickgen.syntax.options import modifier_of, read_modifier
 from clickgen.syntax.searches import read_range_comparison
@@ -75,12 +75,7 @@ def _is_range_form(node: ast.Call) -> bool:
 def fits_action(context: Context, text: str) -> bool:
     """True for the text of an action without a fault."""
     trial = Context(SourceFile(context.source.path, text), Diagnostics(), is_trial=True)
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            node = ast.parse(text, mode="eval").body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
+    node = expression_of(text)
     action = read_call(trial, node) if isinstance(node, ast.Call) else None
     return action is not None and not trial.problems.found and _takes_all(action)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+import warnings
 from collections.abc import Callable, Sequence
 
 from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
@@ -22,6 +23,23 @@ _OWN_MAX = 120
 _FLAT = re.compile(r"([A-Za-z]+?)([0-9]{1,4}[uU]?)")
 _SURE_MEMBERS = frozenset(("done", "dn", "q", "acc", "accum", "accumulator", "et", "cv", "current"))
 """Members of a timer or counter that mean one thing only."""
+
+
+def expression_of(text: str) -> ast.expr | None:
+    """The syntax tree of an expression; None where Python cannot read it."""
+    node = statement_of(text)
+    return node.value if isinstance(node, ast.Expr) else None
+
+
+def statement_of(text: str) -> ast.stmt | None:
+    """The syntax tree of a single statement; None where Python cannot read it."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            body = ast.parse(text).body
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            return None
+    return body[0] if len(body) == 1 else None
 
 
 def own(context: Context, node: ast.expr) -> str:

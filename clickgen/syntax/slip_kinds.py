@@ -17,7 +17,7 @@ from clickgen.source import SourceFile
 from clickgen.syntax.calls import fits_action
 from clickgen.syntax.conditions import as_condition, condition_fault
 from clickgen.syntax.context import Context
-from clickgen.syntax.hints import BANK_NAMES, bit_of_word
+from clickgen.syntax.hints import BANK_NAMES, bit_of_word, expression_of, statement_of
 from clickgen.syntax.misplaced import way_out
 from clickgen.trade import ACTIONS, UNITS, advice, bank_hint
 
@@ -55,9 +55,8 @@ _HEAD = re.compile(r"\s*(?:if|elif|while)\b\s*", re.IGNORECASE)
 def _condition(line: Line, text: str) -> str:
     """``write if all(...):`` for the text of an if without its slip; what is wrong with it then, or ""."""
     expression = text.strip().rstrip(":;").strip()
-    try:
-        node = ast.parse(expression, mode="eval").body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    node = expression_of(expression)
+    if node is None:
         return ""
     context = Context(SourceFile(line.context.source.path, expression), Diagnostics())
     written = as_condition(context, node)
@@ -176,9 +175,8 @@ def no_colon(line: Line, match: re.Match[str]) -> Told | None:
 
 def comma(line: Line, match: re.Match[str]) -> Told | None:
     """``if c.A, c.B:``"""
-    try:
-        node = ast.parse(_after_head(line.text).strip().rstrip(":"), mode="eval").body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    node = expression_of(_after_head(line.text).strip().rstrip(":"))
+    if node is None:
         return None
     if not isinstance(node, ast.Tuple):
         return None
@@ -280,9 +278,8 @@ def assigned(line: Line, match: re.Match[str]) -> Told | None:
     if _HEAD.match(line.text):
         return _equals_sign(line, match)
     text = f"{line.text[: match.start()].strip()} = {line.text[match.end() :].strip().rstrip(';')}"
-    try:
-        (node,) = ast.parse(text).body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    node = statement_of(text)
+    if node is None:
         return Told(":= is not part of the language", "to store a value write copy(5, ds.A)", match.span())
     help = way_out(Context(SourceFile(line.context.source.path, text), Diagnostics()), node).help
     return Told(":= is not part of the language", help, match.span(), ((*match.span(), "="),))
