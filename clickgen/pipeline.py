@@ -36,7 +36,7 @@ from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
 from clickgen.settings import TABLE_NAME, Settings
 from clickgen.source import SourceFile
-from clickgen.syntax.files import read_program
+from clickgen.syntax.files import importers, read_program
 from clickgen.syntax.parse import decode
 
 __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "KnownNames", "Settings", "build", "check", "known_names"]
@@ -360,6 +360,17 @@ def _check(state: _Build) -> None:
         if state.settings.is_part:
             # A part has no main of its own.
             state.problems.drop("CG401")
+        elif state.program is not None and state.program.main is None:
+            _name_programs(state)
+
+
+def _name_programs(state: _Build) -> None:
+    """Tell of a file without a main which programs it is a part of."""
+    programs = importers(state.shown, partial(_bytes_of, state))
+    if programs:
+        help = f"this file is a part of {' and of '.join(programs[:3])}: build {programs[0]}"
+        found = state.problems.found
+        state.problems.found = [one._replace(help=help) if one.code == "CG401" else one for one in found]
 
 
 def _placed(state: _Build, resolved: Resolved) -> frozenset[Address]:

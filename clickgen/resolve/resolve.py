@@ -293,6 +293,10 @@ class _Resolver:
         self.addresses[use.bank, use.name.lower()] = address
         self.allocated.append(self.table.named(address, use.name))
 
+    def _named_in(self, bank: str) -> list[str]:
+        """The names that belong to a bank."""
+        return [name for name, meaning in self.meanings.items() if meaning.address.bank == bank]
+
     def _closed(self, use: Named) -> str:
         """How much of a bank the settings keep free, for a message."""
         count = sum(address.bank == use.bank for address in self.reserved)
@@ -308,7 +312,7 @@ class _Resolver:
                 "CG207",
                 use.span,
                 f"there is no {kind} {use.name!r}",
-                did_you_mean(use.name, self.meanings)
+                did_you_mean(use.name, self._named_in(CURRENT_VALUE_OF[use.bank]))
                 or f"use {bit}.{use.name} in the program, or give the name to an address with nickname(...)",
             )
         elif not bank.allocatable and use.bank not in CURRENT_VALUE_OF:
