@@ -21,6 +21,7 @@ from clickgen.emit.listing import listing
 from clickgen.emit.nickname_csv import nickname_csv
 from clickgen.emit.sourcemap import source_map
 from clickgen.emit.write import put_in_place
+from clickgen.files import read_file, read_if_there
 from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Program
 from clickgen.lower.place import PlaceScratch
@@ -29,7 +30,7 @@ from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
 from clickgen.resolve.layers import beside_workbook
 from clickgen.resolve.read_table import TableUnreadable, read_table
-from clickgen.resolve.record import record_beside, with_placed
+from clickgen.resolve.record import read_record, record_beside, with_placed
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
@@ -133,11 +134,13 @@ def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
     removals: list[Path] = []
     tables: dict[str, tuple[Path, bytes | None, bytes]] = {}
     placed: dict[Path, list[Row]] = {}
+    no_links: list[Path] = []
     for result, folder in results:
         if not result.ok:
             raise CouldNotRun("a program with errors is not written")
         outputs = {name: text.encode() for name, text in result.files.items()}
         writes.update((folder / name, data) for name, data in outputs.items())
+        no_links += (folder / name for name in outputs)
         try:
             removals += stale_files(folder, outputs)
         except ForeignFiles as error:
@@ -155,16 +158,16 @@ def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
     unchanged: dict[Path, bytes | None] = {}
     for path, before, after in tables.values():
         # A result that is written a second time finds the table as it wants it.
-        written = path.is_file() and path.read_bytes() == after
+        written = read_if_there(path) == after
         unchanged[path] = after if written else before
         if after != before:
             writes[path] = after
     for path, rows in placed.items():
-        data = path.read_bytes() if path.is_file() else None
+        data = read_record(path)
         record = with_placed(data, rows)
         if record is not None and record != data:
             writes[path], unchanged[path] = record, data
-    return put_in_place(writes, removals, unchanged)
+    return put_in_place(writes, removals, unchanged, [*no_links, *placed])
 
 
 @dataclass(frozen=True)
@@ -326,7 +329,7 @@ def _read_source(state: _Build) -> None:
 def _bytes_of(state: _Build, path: str) -> bytes:
     state.reads[path] = None
     data = state.settings.overlay.get(os.path.realpath(path))
-    state.reads[path] = data = Path(path).read_bytes() if data is None else data
+    state.reads[path] = data = read_file(path) if data is None else data
     return data
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from clickgen.diagnostics import CouldNotRun, Diagnostic
+from clickgen.files import read_file
 
 _FORMAT = 1
 
@@ -31,7 +32,7 @@ def keys_of(
 def read_baseline(path: Path) -> Counter[Key] | None:
     """How often each finding was there; None when there is no such file. Raises CouldNotRun."""
     try:
-        tree = json.loads(path.read_text("utf-8"))
+        tree = json.loads(read_file(path).decode("utf-8"))
         if tree["format"] != _FORMAT:
             raise CouldNotRun(f"{path} is a baseline of another clickgen; delete it and make it anew")
         return Counter({(row["file"], row["code"], row["line"]): int(row["count"]) for row in tree["findings"]})

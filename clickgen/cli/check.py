@@ -289,7 +289,7 @@ def _put_in_file(path: Path, text: str) -> None:
     from clickgen.emit.write import put_in_place
 
     # A file name that is no text cannot be written as UTF-8.
-    put_in_place({path: text.encode(errors="backslashreplace")})
+    put_in_place({path: text.encode(errors="backslashreplace")}, no_links=[path])
 
 
 @contextmanager

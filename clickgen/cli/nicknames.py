@@ -392,7 +392,7 @@ def _rename(options: argparse.Namespace) -> int:
 
 def _why(options: argparse.Namespace) -> int:
     from clickgen.nicknames.why import suggestion, why
-    from clickgen.resolve.record import record_beside
+    from clickgen.resolve.record import read_record, record_beside
 
     found = _jobs(options, options.programs)
     results = [build(job.program, settings=job.settings) for job in found]
@@ -404,8 +404,7 @@ def _why(options: argparse.Namespace) -> int:
         return PROBLEMS
     said = []
     for job, result in zip(found, results, strict=True):
-        record = record_beside(result.table_path)
-        data = record.read_bytes() if record.is_file() else None
+        data = read_record(record_beside(result.table_path))
         said += why(options.name, result, job.settings.reserved, data)
     if not said:
         hint = suggestion(options.name, results)

@@ -15,6 +15,7 @@ from clickgen.cli import OK, PROBLEMS, complain
 from clickgen.cli.jobs import Job, jobs, near, settings_of
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
+from clickgen.files import read_file
 from clickgen.pipeline import KnownNames, known_names
 from clickgen.stubs.stub import MARK, builtins_stub
 from clickgen.wording import counted
@@ -53,7 +54,7 @@ def run(options: argparse.Namespace) -> int:
     stale = {path: text for path, text in stubs.items() if _is_stale(path, text)}
     if options.check:
         return _say_stale(stale, _command(programs, nicknames, frozen, config))
-    put_in_place(stale)
+    put_in_place(stale, no_links=stale)
     for path in stubs:
         print(f"{path}: {'written' if path in stale else 'nothing has changed'}")
     return OK
@@ -100,7 +101,7 @@ def _stub(names: Sequence[KnownNames]) -> bytes:
 def _is_stale(path: Path, text: bytes) -> bool:
     """True where a file is missing or says something else. Raises CouldNotRun where it is not clickgen's."""
     try:
-        stands = path.read_bytes().replace(b"\r\n", b"\n")
+        stands = read_file(path).replace(b"\r\n", b"\n")
     except FileNotFoundError:
         return True
     if not stands.startswith(MARK.encode()):

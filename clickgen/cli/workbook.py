@@ -11,6 +11,7 @@ from clickgen.cli import OK, PROBLEMS, complain
 from clickgen.cli.jobs import Job, jobs
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
+from clickgen.files import read_if_there
 from clickgen.pipeline import BuildResult, build
 from clickgen.report.frames import summary, write_problems
 from clickgen.wording import counted
@@ -47,7 +48,7 @@ def run(options: argparse.Namespace) -> int:
     if not result.ok:
         complain(f"{noted}; nothing was written")
         return PROBLEMS
-    put_in_place({path: _workbook(result, job)}, unchanged={path: before})
+    put_in_place({path: _workbook(result, job)}, unchanged={path: before}, no_links=[path])
     print(_report(result, path, noted))
     return OK
 
@@ -68,9 +69,9 @@ def _former(path: Path, job: Job) -> bytes | None:
     table = job.settings.nicknames
     if table is not None and os.path.realpath(path) == os.path.realpath(table):
         raise CouldNotRun(f"{path} is the address table; choose another file with -o")
-    if not path.is_file():
+    before = read_if_there(path)
+    if before is None:
         return None
-    before = path.read_bytes()
     if not is_ours(before):
         raise CouldNotRun(
             f"{path} was not written by clickgen, or somebody has saved it since; move it away, or choose another "

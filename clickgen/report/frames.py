@@ -9,6 +9,7 @@ from typing import TextIO
 
 from clickgen.codes import Severity
 from clickgen.diagnostics import Diagnostic
+from clickgen.files import read_file
 from clickgen.report import use_color
 from clickgen.source import SourceFile, Span
 from clickgen.wording import counted
@@ -97,8 +98,8 @@ def source_lines(sources: Iterable[SourceFile]) -> Callable[[str, int], str]:
     def line_of(path: str, number: int) -> str:
         if path not in cache:
             try:
-                with open(path, encoding="utf-8-sig", errors="replace", newline="") as file:
-                    cache[path] = file.read().replace("\r\n", "\n").replace("\r", "\n").split("\n")
+                text = read_file(path).decode("utf-8-sig", "replace")
+                cache[path] = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
             except OSError:
                 cache[path] = []
         lines = cache[path]

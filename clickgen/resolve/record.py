@@ -11,9 +11,32 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from clickgen.device.banks import Address, parse_address
+from clickgen.diagnostics import CouldNotRun
+from clickgen.files import leads_elsewhere, read_if_there
 from clickgen.resolve.rows import Row
 
 _HEAD = "# Names that clickgen placed. Commit this file with the address table."
+_ADDRESS_MAX = 16
+"""No address is longer, and a word of thousands of digits is no business of int()."""
+
+
+def read_record(path: Path) -> bytes | None:
+    """The bytes of a record; None where there is none.
+
+    Raises CouldNotRun for a link to another place, and for a file that is no record: clickgen would write over it.
+    """
+    if leads_elsewhere(path):
+        raise CouldNotRun(f"{path} is a link to another place; clickgen keeps its own record there: take the link away")
+    try:
+        data = read_if_there(path)
+    except OSError as error:
+        raise CouldNotRun(f"{path} cannot be read: {error.strerror or error}") from None
+    lines = _lines(data)
+    if _HEAD not in lines and not all(line.startswith("#") or _entry(line) for line in lines):
+        raise CouldNotRun(
+            f"{path} is not the record of clickgen, which is kept under this name: give the file another name"
+        )
+    return data
 
 
 def record_beside(table: Path) -> Path:
@@ -24,23 +47,28 @@ def record_beside(table: Path) -> Path:
 
 def placed_in(data: bytes | None) -> dict[Address, str]:
     """The nickname that clickgen gave to each address; lines that say no such thing are passed over."""
-    placed: dict[Address, str] = {}
-    for line in (data or b"").decode("utf-8", "replace").splitlines():
-        word, _, nickname = line.partition(" ")
-        address = parse_address(word)
-        if address is not None and nickname:
-            placed[address] = nickname
-    return placed
+    return dict(entry for line in _lines(data) if (entry := _entry(line)))
 
 
-def record_of(placed: dict[Address, str]) -> bytes:
-    """The file, in CLICK's order."""
+def record_of(placed: dict[Address, str], data: bytes | None = None) -> bytes:
+    """The file, in CLICK's order. What else a person has written into the former one, ``data``, stays in it."""
+    others = [line for line in _lines(data) if line != _HEAD and not _entry(line)]
     lines = [f"{address} {placed[address]}" for address in sorted(placed, key=lambda address: address.sort_key)]
-    return "\n".join((_HEAD, *lines, "")).encode()
+    return "\n".join((_HEAD, *others, *lines, "")).encode("utf-8", "surrogateescape")
+
+
+def _lines(data: bytes | None) -> list[str]:
+    return [line for line in (data or b"").decode("utf-8", "surrogateescape").splitlines() if line.strip()]
+
+
+def _entry(line: str) -> tuple[Address, str] | None:
+    word, _, nickname = line.partition(" ")
+    address = parse_address(word) if len(word) <= _ADDRESS_MAX else None
+    return (address, nickname) if address is not None and nickname else None
 
 
 def with_placed(data: bytes | None, rows: Iterable[Row]) -> bytes | None:
     """The record with these rows in it; as it is where it has them."""
     placed = placed_in(data)
     new = {row.address: row.nickname for row in rows if placed.get(row.address) != row.nickname}
-    return record_of(placed | new) if new else data
+    return record_of(placed | new, data) if new else data
