@@ -10,7 +10,19 @@ from pathlib import Path
 import pytest
 
 PACKAGE = Path(__file__).parents[1] / "clickgen"
-BELOW = ("wording", "formats", "codes", "files", "source", "diagnostics", "fixing", "device", "config", "instructions", "dsl")
+BELOW = (
+    "wording",
+    "formats",
+    "codes",
+    "files",
+    "source",
+    "diagnostics",
+    "fixing",
+    "device",
+    "config",
+    "instructions",
+    "dsl",
+)
 ROAD = (
     "ir",
     "formula",

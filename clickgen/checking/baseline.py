@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from clickgen.diagnostics import CouldNotRun, Diagnostic
 from clickgen.files import read_file
+from clickgen.wording import json_text
 
 _FORMAT = 1
 
@@ -47,7 +48,7 @@ def read_baseline(path: Path) -> Counter[Key] | None:
 def baseline_text(keys: Iterable[Key]) -> str:
     """The baseline as a file, one finding on a line so that it diffs well."""
     rows = [
-        json.dumps({"file": file, "code": code, "line": line, "count": count}, ensure_ascii=False)
+        json_text({"file": file, "code": code, "line": line, "count": count})
         for (file, code, line), count in sorted(Counter(keys).items())
     ]
     body = ",\n    ".join(rows)

@@ -56,11 +56,10 @@ class Judge(NamedTuple):
         if len(targets) < _MANY or cores < 2:
             yield from ((target, judge(target, self.selection, self.reserved, self.overlay)) for target in targets)
             return
-        from concurrent.futures import ProcessPoolExecutor
+        from clickgen.checking.pool import in_processes
 
-        with ProcessPoolExecutor(cores) as pool:
-            tasks = [pool.submit(judge, target, self.selection, self.reserved, self.overlay) for target in targets]
-            yield from ((target, task.result()) for target, task in zip(targets, tasks, strict=True))
+        tasks = [(target, self.selection, self.reserved, self.overlay) for target in targets]
+        yield from zip(targets, in_processes(judge, tasks, cores), strict=True)
 
 
 def judge(target: Target, selection: Selection, reserved: tuple[Address, ...], overlay: Mapping[str, bytes]) -> Judged:

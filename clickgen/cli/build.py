@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from clickgen.cli import OK, PROBLEMS, complain
+from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near
 from clickgen.diagnostics import CouldNotRun
 from clickgen.pipeline import BuildResult, build_all, write_all
@@ -50,7 +50,7 @@ def run(options: argparse.Namespace) -> int:
         return PROBLEMS
     write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
     for job, result in zip(jobs, results, strict=True):
-        print(_report(result, job.folder))
+        tell(*_report(result, job.folder))
     return OK
 
 
@@ -71,7 +71,7 @@ def _jobs(
     return found
 
 
-def _report(result: BuildResult, folder: Path) -> str:
+def _report(result: BuildResult, folder: Path) -> list[str]:
     main, subroutines = result.main, result.subroutines
     counts = [f"{counted(len(main.rungs), 'rung')} in main"]
     if subroutines:
@@ -91,7 +91,7 @@ def _report(result: BuildResult, folder: Path) -> str:
         steps.append(f"in CLICK: create {counted(len(subroutines), 'subroutine')} by hand, named {names}")
     steps.append(f"in ClickNick: Ladder > Open in Guided Paste, {folder}")
     lines += [f"  {number}. {step}" for number, step in enumerate(steps, 1)]
-    return "\n".join(lines)
+    return lines
 
 
 def _summary(results: Iterable[BuildResult]) -> str:

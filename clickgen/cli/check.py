@@ -7,7 +7,7 @@ import os
 import re
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,13 +15,14 @@ from typing import TYPE_CHECKING
 from clickgen.check.select import Selection
 from clickgen.checking.run import Outcome, Request, add_ignores
 from clickgen.checking.run import run as run_check
-from clickgen.cli import OK, PROBLEMS, complain
+from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.codes import CODES
 from clickgen.config import Config, code_prefix, find_config, read_config
 from clickgen.diagnostics import CouldNotRun, did_you_mean
+from clickgen.files import READ_MAX, require_size
 from clickgen.formats import FORMATS
 from clickgen.report import Report, render, shown_path, use_color
-from clickgen.wording import counted
+from clickgen.wording import counted, escaped
 
 if TYPE_CHECKING:
     from clickgen.checking.baseline import Baseline
@@ -93,9 +94,11 @@ def run(options: argparse.Namespace) -> int:
     """Check what the command line names; returns the exit code."""
     _refuse_contradictions(options)
     config = read_config(Path(options.config)) if options.config else find_config(Path.cwd())
+    _refuse_input(options, _inputs(options, config))
     with _progress() as progress:
         request = _request(options, config, progress)
         outcome = run_check(request, options.fix or options.diff, options.unsafe_fixes)
+    _refuse_input(options, outcome.checked)
     for folder in outcome.empty:
         complain(f"no program in {folder}")
     if options.baseline and request.baseline is None:
@@ -122,7 +125,7 @@ def _tell_diff(options: argparse.Namespace, outcome: Outcome) -> int:
     if left.findings and not options.quiet:
         from clickgen.report.text import summary_line
 
-        print(f"clickgen: besides what this mends: {summary_line(left)}", file=sys.stderr)
+        tell(f"clickgen: besides what this mends: {summary_line(left)}", file=sys.stderr)
     return PROBLEMS if (diff or left.fails) and not options.exit_zero else OK
 
 
@@ -132,7 +135,7 @@ def _silence(options: argparse.Namespace, outcome: Outcome) -> int:
     done = f"{counted(silenced.fixed, 'finding')} silenced in {counted(len(silenced.after), 'file')}"
     left = len(outcome.findings) - silenced.fixed
     rest = f"; {counted(left, 'finding')} that no comment silences: see clickgen check" if left else ""
-    print(done + rest, file=sys.stderr)
+    tell(done + rest, file=sys.stderr)
     return PROBLEMS if left and not options.exit_zero else OK
 
 
@@ -158,6 +161,34 @@ def _refuse_contradictions(options: argparse.Namespace) -> None:
         raise _Wrong(f"--statistics is told as {' or '.join(_COUNTED)}")
 
 
+_NO_REPORTS = (".py", ".pyi", ".csv", ".placed", ".toml", ".xlsx", ".xlsm")
+"""The endings of programs, tables and settings, which no report has."""
+
+
+def _inputs(options: argparse.Namespace, config: Config) -> Iterator[str | os.PathLike[str] | None]:
+    """The files that this check is about to read, as far as they are known before it."""
+    yield from (options.config, config.file, options.baseline)
+    for program in config.programs:
+        yield from (program.path, program.nicknames)
+    yield from (path for path in options.paths if os.path.isfile(path))
+
+
+def _refuse_input(options: argparse.Namespace, inputs: Iterable[str | os.PathLike[str] | None]) -> None:
+    """A report takes the place of an earlier one, and of nothing else. Raises CouldNotRun."""
+    if not options.output:
+        return
+    place = os.path.realpath(options.output)
+    is_input = any(os.path.realpath(path) == place or _is_same(path, place) for path in inputs if path is not None)
+    if is_input or options.output.lower().endswith(_NO_REPORTS):
+        what = "is read by this check" if is_input else "has the name of a program, a table or settings"
+        raise _Wrong(f"-o {options.output} {what}, and a report would take its place: name another file")
+
+
+def _is_same(path: str | os.PathLike[str], place: str) -> bool:
+    """True for two names of one file, as where capitals do not count."""
+    return os.path.exists(path) and os.path.exists(place) and os.path.samefile(path, place)
+
+
 def _request(options: argparse.Namespace, config: Config, progress: Callable[[int, int], None]) -> Request:
     settings = config.check
     select = _joined(options.select)
@@ -167,8 +198,9 @@ def _request(options: argparse.Namespace, config: Config, progress: Callable[[in
         (*(settings.ignore if select is None else ()), *(_joined(options.ignore) or ())),
     )
     paths = tuple(options.paths)
-    stdin = sys.stdin.buffer.read() if paths == ("-",) else None
+    stdin = sys.stdin.buffer.read(READ_MAX + 1) if paths == ("-",) else None
     if stdin is not None:
+        require_size(stdin, "the standard input")
         paths = (options.stdin_filename or "stdin.py",)
     return Request(
         config,
@@ -231,7 +263,7 @@ def _begin_baseline(path: Path, outcome: Outcome) -> Outcome:
     findings = [finding for finding in outcome.findings if not finding.is_error]
     keys = keys_of(findings, _named_from(path), outcome.line_of)
     _put_in_file(path, baseline_text(keys))
-    print(f"clickgen: {counted(len(keys), 'finding')} written to {path}", file=sys.stderr)
+    tell(f"clickgen: {counted(len(keys), 'finding')} written to {path}", file=sys.stderr)
     news = Baseline(Counter(keys), _named_from(path)).news(list(outcome.findings), outcome.line_of)
     return outcome._replace(findings=tuple(news), known=len(keys))
 
@@ -268,7 +300,8 @@ def _diffs(outcome: Outcome) -> Iterator[str]:
 
     for path, new in sorted(outcome.after.items()):
         old = outcome.before[path].decode("utf-8")
-        lines = difflib.unified_diff(_lines(old), _lines(new.decode("utf-8")), path, path)
+        name = escaped(path)
+        lines = difflib.unified_diff(_lines(old), _lines(new.decode("utf-8")), name, name)
         for line in lines:
             yield line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
 

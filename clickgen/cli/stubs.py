@@ -11,7 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from clickgen.checking.discover import targets
-from clickgen.cli import OK, PROBLEMS, complain
+from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
@@ -56,7 +56,7 @@ def run(options: argparse.Namespace) -> int:
         return _say_stale(stale, _command(programs, nicknames, frozen, config))
     put_in_place(stale, no_links=stale)
     for path in stubs:
-        print(f"{path}: {'written' if path in stale else 'nothing has changed'}")
+        tell(f"{path}: {'written' if path in stale else 'nothing has changed'}")
     return OK
 
 
@@ -111,7 +111,7 @@ def _is_stale(path: Path, text: bytes) -> bool:
 
 def _say_stale(stale: Mapping[Path, bytes], command: str) -> int:
     for path in stale:
-        print(f"{path} is {'stale' if path.exists() else 'missing'}", file=sys.stderr)
+        tell(f"{path} is {'stale' if path.exists() else 'missing'}", file=sys.stderr)
     if not stale:
         return OK
     complain(f"run {command} and commit what it writes")

@@ -7,7 +7,7 @@ import os
 import sys
 from pathlib import Path
 
-from clickgen.cli import OK, PROBLEMS, complain
+from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
@@ -49,7 +49,7 @@ def run(options: argparse.Namespace) -> int:
         complain(f"{noted}; nothing was written")
         return PROBLEMS
     put_in_place({path: _workbook(result, job)}, unchanged={path: before}, no_links=[path])
-    print(_report(result, path, noted))
+    tell(*_report(result, path, noted))
     return OK
 
 
@@ -96,7 +96,7 @@ def _workbook(result: BuildResult, job: Job) -> bytes:
     )
 
 
-def _report(result: BuildResult, path: Path, noted: str) -> str:
+def _report(result: BuildResult, path: Path, noted: str) -> list[str]:
     rungs = sum(len(routine.rungs) for routine in result.routines)
     lines = [f"Wrote {path}: {counted(rungs, 'rung')}, {counted(len(result.rows), 'address', 'addresses')}."]
     new = len(result.new_rows)
@@ -108,4 +108,4 @@ def _report(result: BuildResult, path: Path, noted: str) -> str:
         )
     if noted:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
-    return "\n".join(lines)
+    return lines
