@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain, tell
-from clickgen.cli.jobs import Job, jobs, near
-from clickgen.diagnostics import CouldNotRun
+from clickgen.cli.jobs import Job, jobs, near, settle
+from clickgen.diagnostics import CouldNotRun, Diagnostic
+from clickgen.emit.lock import locked
+from clickgen.emit.write import ChangedMeanwhile
 from clickgen.pipeline import BuildResult, build_all, write_all
 from clickgen.report.frames import summary, write_problems
 from clickgen.wording import counted
@@ -42,16 +45,39 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Build and write, without a program every configured one, all of them or none; returns the exit code."""
     jobs = _jobs(options.program, options.output, options.nicknames, options.frozen, options.config)
-    results = build_all((job.program, job.settings) for job in jobs)
-    for result in results:
-        write_problems(result.diagnostics, result.sources, sys.stderr)
+    settle(jobs, options.config)
+    results = _built(jobs)
     if not all(result.ok for result in results):
         complain(f"{_summary(results)}; nothing was written")
         return PROBLEMS
-    write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
     for job, result in zip(jobs, results, strict=True):
         tell(*_report(result, job.folder))
     return OK
+
+
+_TRIES = 5
+
+
+def _built(jobs: Sequence[Job]) -> list[BuildResult]:
+    """Build and write; where a table changed in between, again, now with the folders locked against other builds."""
+    told: set[Diagnostic] = set()
+    with ExitStack() as stack:
+        for left in reversed(range(_TRIES)):
+            results = build_all((job.program, job.settings) for job in jobs)
+            # What is shown of a table is what was read, so before anything is written.
+            for result in results:
+                write_problems((each for each in result.diagnostics if each not in told), result.sources, sys.stderr)
+                told.update(result.diagnostics)
+            if not all(result.ok for result in results):
+                break
+            try:
+                write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
+                break
+            except ChangedMeanwhile:
+                if not left:
+                    raise
+                stack.enter_context(locked(folder for job in jobs for folder in job.folders if folder.is_dir()))
+    return results
 
 
 def _jobs(

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from clickgen.cli import OK, PROBLEMS, complain, tell
-from clickgen.cli.jobs import Job, jobs, near, settings_of
+from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
 from clickgen.emit.write import put_in_place
 from clickgen.nicknames.changes import KINDS, RENAMED, SWAPPED
@@ -122,7 +122,10 @@ def _jobs(options: argparse.Namespace, programs: Iterable[str]) -> list[Job]:
 def _sync(options: argparse.Namespace) -> int:
     from clickgen.nicknames.sync import sync
 
-    result = sync(_jobs(options, options.programs), settings_of(options.config), options.prune)
+    found = _jobs(options, options.programs)
+    if not options.dry_run:
+        settle(found, options.config)
+    result = sync(found, settings_of(options.config), options.prune)
     if not result.ok:
         for each in result.results:
             write_problems(each.diagnostics, each.sources, sys.stderr)
@@ -221,6 +224,8 @@ def _merge(options: argparse.Namespace) -> int:
     kinds = _kinds(options.accept)
     target = _table_to_merge(options)
     path = target.table
+    if not options.dry_run:
+        settle(target.jobs, options.config)
     table, before = _read(path, bool(options.nicknames) and target.workbook is None, target.workbook)
     export, _ = _read(Path(options.export), must_exist=True)
     around = programs_around(target.jobs, settings_of(options.config), Files(), [path])
@@ -369,6 +374,8 @@ def _rename(options: argparse.Namespace) -> int:
     from clickgen.nicknames.rename import rename
 
     found = _jobs(options, options.programs)
+    if not options.dry_run:
+        settle(found, options.config)
     result = rename(options.old, options.new, found, settings_of(options.config))
     if not options.dry_run:
         put_in_place(result.writes, (), result.unchanged)

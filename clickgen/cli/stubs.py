@@ -12,7 +12,7 @@ from pathlib import Path
 
 from clickgen.checking.discover import targets
 from clickgen.cli import OK, PROBLEMS, complain, tell
-from clickgen.cli.jobs import Job, jobs, near, settings_of
+from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
 from clickgen.files import read_file
@@ -49,6 +49,8 @@ def run(options: argparse.Namespace) -> int:
     """Write the stub file of every folder with a program, or say which are stale; returns the exit code."""
     programs, nicknames, frozen, config = options.programs, options.nicknames, options.frozen, options.config
     named = jobs(programs, nicknames, frozen, config)
+    if not options.check:
+        settle(named, config)
     names = _names([*named, *_beside(named, frozen, config)])
     stubs = {near(folder / STUB_NAME): _stub(found) for folder, found in names.items()}
     stale = {path: text for path, text in stubs.items() if _is_stale(path, text)}

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain, tell
-from clickgen.cli.jobs import Job, jobs
+from clickgen.cli.jobs import Job, jobs, settle
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
 from clickgen.files import read_if_there
@@ -40,6 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Write the workbook of a program; returns the exit code."""
     (job,) = jobs([options.program], options.nicknames, config=options.config)
+    settle([job], options.config)
     path = _place(job, options.output)
     before = _former(path, job)
     result = build(job.program, settings=job.settings)

@@ -180,7 +180,9 @@ class _Work:
             note = Note(folders, tuple(step.noted for step in self.steps if str(step.target.parent) == folder))
             path = Path(folder, journal_name(self.name))
             self.notes.append(path)
-            _write(path, note.to_bytes(folder))
+            # Under another name until it is whole: half a note says nothing.
+            _write(path.with_suffix(".new"), note.to_bytes(folder))
+            os.rename(path.with_suffix(".new"), path)
 
     def apply(self) -> None:
         self._note()
@@ -220,7 +222,7 @@ class _Work:
     def commit(self) -> None:
         """Everything is in place: from here on there is only to tidy up."""
         if self.notes:
-            os.replace(self.notes[-1], self.notes[-1].with_name(done_name(self.name)))
+            os.rename(self.notes[-1], self.notes[-1].with_name(done_name(self.name)))
         self.is_done = True
         written.extend(self.changed)
         self.tidy()
@@ -230,7 +232,7 @@ class _Work:
         for note in self.notes[-1:]:
             done = note.with_name(done_name(self.name))
             if os.path.lexists(done):
-                os.replace(done, note)
+                os.rename(done, note)
         for step in reversed(self.steps):
             try:
                 try:
@@ -242,7 +244,8 @@ class _Work:
                 cause.add_note(f"{step.path} could not be put back ({error.strerror or error}){kept}")
         if not getattr(cause, "__notes__", None):
             # In the order in which they were written: the last one says that it is not done.
-            for path in (*(step.staged for step in self.steps), *self.notes):
+            half = [note.with_suffix(".new") for note in self.notes]
+            for path in (*(step.staged for step in self.steps), *half, *self.notes):
                 if path is not None:
                     with contextlib.suppress(OSError):
                         _remove(path)
