@@ -226,10 +226,12 @@ def _let_readers_go() -> None:
     for name, forgives in (("stdout", _is_gone), ("stderr", lambda _: True)):
         stream = getattr(sys, name)
         buffer = getattr(stream, "buffer", None)
-        raw = getattr(buffer, "raw", buffer)  # With PYTHONUNBUFFERED there is no buffer.
+        raw = getattr(buffer, "raw", buffer)
         if isinstance(raw, io.RawIOBase) and not stream.isatty():
             output = io.BufferedWriter(_Output(stream, raw, forgives))
-            text = io.TextIOWrapper(output, stream.encoding, stream.errors, line_buffering=stream.line_buffering)
+            # With PYTHONUNBUFFERED there is no buffer.
+            by_line = stream.line_buffering or raw is buffer
+            text = io.TextIOWrapper(output, stream.encoding, stream.errors, line_buffering=by_line)
             setattr(sys, name, text)
 
 
