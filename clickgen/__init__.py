@@ -12,8 +12,6 @@ does, before anything is silenced::
         result.write(Path("out"))
 """
 
-from __future__ import annotations
-
 TYPE_CHECKING = False
 """As in typing, whose import would be a good part of the time that ``clickgen --version`` takes."""
 

@@ -11,6 +11,6 @@ import sys
 if not sys.flags.safe_path and sys.path and os.path.realpath(sys.path[0]) != os.path.realpath(f"{__file__}/../.."):
     del sys.path[0]
 
-from clickgen.cli import run
+from clickgen.start import run
 
 run()

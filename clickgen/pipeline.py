@@ -38,6 +38,7 @@ from clickgen.settings import TABLE_NAME, Settings
 from clickgen.source import SourceFile
 from clickgen.syntax.files import read_program
 from clickgen.syntax.parse import decode
+from clickgen.wording import escaped
 
 __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "KnownNames", "Settings", "build", "check", "known_names"]
 
@@ -460,7 +461,7 @@ def _emit(state: _Build) -> None:
     rows = _rows(state)
     state.files = {name: ladder_csv(part) for name, part in state.parts.items()}
     state.files[TABLE_NAME] = nickname_csv(rows.values())
-    state.files["listing.txt"] = listing(state.path.stem, state.routines, _nicknames(state))
+    state.files["listing.txt"] = listing(escaped(state.path.stem), state.routines, _nicknames(state))
     base = os.path.dirname(state.shown)
     names = [*state.files, "sources.json"]
     state.files["sources.json"] = source_map(state.routines, state.scratch_rows, names, base)

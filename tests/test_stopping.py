@@ -83,6 +83,22 @@ def test_what_is_said_of_an_interrupt_is_true(
     assert not list(folder.rglob(".clickgen-*"))
 
 
+@pytest.mark.parametrize(("number", "code", "word"), SIGNALS, ids=["Ctrl-C", "SIGTERM"])
+def test_an_interrupt_while_modules_are_loaded_shows_no_traceback(number: int, code: int, word: str) -> None:
+    program = (
+        "import builtins, os\n"
+        "really = builtins.__import__\n"
+        "def loading(name, *arguments):\n"
+        "    if name == 'clickgen.cli':\n"
+        f"        os.kill(os.getpid(), {number})\n"
+        "    return really(name, *arguments)\n"
+        "builtins.__import__ = loading\n"
+        "import clickgen.start\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, encoding="utf-8")
+    assert (done.returncode, done.stderr) == (code, f"clickgen: {word}; nothing was written\n")
+
+
 def test_an_interrupt_after_all_is_written_says_so(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -122,6 +138,20 @@ def test_a_standard_error_that_takes_nothing_changes_no_exit_code() -> None:
         done = subprocess.run([*COMMAND, "check", "prog.py"], stdout=full, stderr=subprocess.PIPE)
     assert done.returncode == 2
     assert done.stderr.startswith(b"clickgen: the output could not be shown: ")
+
+
+def test_no_word_of_a_signal_that_is_ignored() -> None:
+    """Who starts a command in the background lets it ignore Ctrl-C."""
+    program = (
+        "import signal\n"
+        "signal.signal(signal.SIGINT, signal.SIG_IGN)\n"
+        "import clickgen.start\n"
+        "from clickgen.cli import _signals\n"
+        "_signals.take()\n"
+        "assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN\n"
+        "assert signal.getsignal(signal.SIGTERM) == _signals._stop\n"
+    )
+    subprocess.run([sys.executable, "-c", program], check=True)
 
 
 # -- several processes ------------------------------------------------------------------------------------------------

@@ -92,7 +92,7 @@ _NAMED_MAX = 5
 def _what_was_written() -> str:
     """What a command that does not come to its end has already done."""
     write = sys.modules.get("clickgen.emit.write")
-    written: list[object] = write.written if write else []
+    written: list[object] = getattr(write, "written", [])  # It may be half loaded.
     if not written:
         return "nothing was written"
     more = f" and {len(written) - _NAMED_MAX} more" if len(written) > _NAMED_MAX else ""

@@ -76,7 +76,7 @@ def _built(jobs: Sequence[Job]) -> list[BuildResult]:
             except ChangedMeanwhile:
                 if not left:
                     raise
-                stack.enter_context(locked(folder for job in jobs for folder in job.folders if folder.is_dir()))
+                stack.enter_context(locked(folder for job in jobs for folder in job.folders[1:] if folder.is_dir()))
     return results
 
 

@@ -95,6 +95,8 @@ def run(options: argparse.Namespace) -> int:
     _refuse_contradictions(options)
     config = read_config(Path(options.config)) if options.config else find_config(Path.cwd())
     _refuse_input(options, _inputs(options, config))
+    if options.fix or options.add_ignore:
+        _put_back(options, config)
     with _progress() as progress:
         request = _request(options, config, progress)
         outcome = run_check(request, options.fix or options.diff, options.unsafe_fixes)
@@ -171,6 +173,15 @@ def _inputs(options: argparse.Namespace, config: Config) -> Iterator[str | os.Pa
     for program in config.programs:
         yield from (program.path, program.nicknames)
     yield from (path for path in options.paths if os.path.isfile(path))
+
+
+def _put_back(options: argparse.Namespace, config: Config) -> None:
+    """Put back what a killed command left where this one is about to write."""
+    from clickgen.cli.jobs import put_back
+
+    named = [Path(path) for path in options.paths or ["."]]
+    programs = [program.path for program in config.programs]
+    put_back(path if path.is_dir() else path.parent for path in (*named, *programs))
 
 
 def _refuse_input(options: argparse.Namespace, inputs: Iterable[str | os.PathLike[str] | None]) -> None:

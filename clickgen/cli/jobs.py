@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -57,10 +57,14 @@ def settle(found: Sequence[Job], config: str | None) -> None:
 
     Raises CouldNotRun and OSError.
     """
+    programs = [*found, *(jobs([], config=config) if settings_of(config).programs else [])]
+    put_back(folder for job in programs for folder in job.folders)
+
+
+def put_back(folders: Iterable[Path]) -> None:
+    """Put back what a killed command left half written in these folders. Raises CouldNotRun and OSError."""
     from clickgen.emit.journal import recover
 
-    programs = [*found, *(jobs([], config=config) if settings_of(config).programs else [])]
-    folders = [folder for job in programs for folder in job.folders]
     for path in recover(dict.fromkeys(folders)):
         complain(f"{path} is again as it was before a command that was stopped while it wrote")
 
