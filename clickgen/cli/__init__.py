@@ -30,6 +30,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from clickgen.cli.parser import parse
 
         _speak_utf8()
+        _written().clear()
         code = parse(sys.argv[1:] if arguments is None else arguments)
         sys.stdout.flush()  # What cannot be shown is an error only while it can be told.
         return code
@@ -91,12 +92,17 @@ _NAMED_MAX = 5
 
 def _what_was_written() -> str:
     """What a command that does not come to its end has already done."""
-    write = sys.modules.get("clickgen.emit.write")
-    written: list[object] = getattr(write, "written", [])  # It may be half loaded.
+    written = _written()
     if not written:
         return "nothing was written"
     more = f" and {len(written) - _NAMED_MAX} more" if len(written) > _NAMED_MAX else ""
     return f"already written: {', '.join(map(str, written[:_NAMED_MAX]))}{more}"
+
+
+def _written() -> list[object]:
+    """The files that this command has put in place, where it has come so far as to load what does that."""
+    found: list[object] = getattr(sys.modules.get("clickgen.emit.write"), "written", [])
+    return found
 
 
 # -- being stopped ----------------------------------------------------------------------------------------------------

@@ -32,10 +32,9 @@ def stale_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     Raises ForeignFiles when an output would replace a file that is not an earlier output, and when other CSV files
     are there: ClickNick's guided paste takes every CSV file of the folder as ladder (click-facts, section 7).
     """
-    away = [folder / name for name in sorted({name.partition("/")[0] for name in files if "/" in name})]
-    away = [path for path in (*away, folder / "subroutines") if leads_elsewhere(path)]
-    if away:
-        raise ForeignFiles(f"{away[0]} is a link to another place; take it away, or choose another folder with -o")
+    away = folder / "subroutines"
+    if leads_elsewhere(away):
+        raise ForeignFiles(f"{away} is a link to another place; take it away, or choose another folder with -o")
     noted = _Noted.read(folder)
     there = {path.relative_to(folder).as_posix(): path for path in _csv_files(folder)}
     leftovers = {name: path for name, path in there.items() if name not in files}
