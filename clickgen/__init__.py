@@ -12,9 +12,8 @@ does, before anything is silenced::
         result.write(Path("out"))
 """
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Any
+TYPE_CHECKING = False
+"""As in typing, whose import would be a good part of the time that ``clickgen --version`` takes."""
 
 if TYPE_CHECKING:
     from clickgen.diagnostics import CouldNotRun
@@ -24,7 +23,7 @@ __version__ = "0.1.0"
 __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "Settings", "__version__", "build", "check"]
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     """Load the pipeline at first use: ``clickgen --version`` needs none of it."""
     if name in __all__:
         import clickgen.pipeline

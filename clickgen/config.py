@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from clickgen.codes import CODES
 from clickgen.diagnostics import CouldNotRun, did_you_mean
+from clickgen.files import MIB, read_file
 
 if TYPE_CHECKING:
     from clickgen.device.banks import Address
 
+_FILE_MAX = MIB
 OWN_FILE, PROJECT_FILE = "clickgen.toml", "pyproject.toml"
 
 
@@ -107,7 +109,8 @@ def _read(path: Path, optional: bool) -> Config | None:
     import tomllib
 
     try:
-        tree: object = tomllib.loads(path.read_text("utf-8-sig"))
+        text = read_file(path, _FILE_MAX).decode("utf-8-sig")
+        tree: object = tomllib.loads(text.replace("\r\n", "\n").replace("\r", "\n"))
     except OSError as error:
         raise ConfigError(f"{path} cannot be read: {error.strerror or error}") from None
     except RecursionError:

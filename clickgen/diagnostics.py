@@ -13,7 +13,14 @@ TRACEBACK = "CLICKGEN_TRACEBACK"
 
 
 class CouldNotRun(Exception):
-    """There is nothing to judge: a file is missing or unreadable, an output folder unusable. The message says which."""
+    """There is nothing to judge: a file is missing or unreadable, an output folder unusable. The message says which.
+
+    ``lines`` are the message and what is listed below it.
+    """
+
+    def __init__(self, message: str = "", *more: str) -> None:
+        super().__init__("\n".join((message, *more)))
+        self.lines = (message, *more)
 
 
 class Label(NamedTuple):

@@ -21,6 +21,7 @@ from clickgen.emit.listing import listing
 from clickgen.emit.nickname_csv import nickname_csv
 from clickgen.emit.sourcemap import source_map
 from clickgen.emit.write import put_in_place
+from clickgen.files import read_file, read_if_there
 from clickgen.fixes.judge import judge_proposals
 from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Program
@@ -30,7 +31,7 @@ from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
 from clickgen.resolve.layers import beside_workbook
 from clickgen.resolve.read_table import TableUnreadable, read_table
-from clickgen.resolve.record import left_in, placed_in, record_beside, with_placed
+from clickgen.resolve.record import left_in, placed_in, read_record, record_beside, with_placed
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
@@ -38,6 +39,7 @@ from clickgen.settings import TABLE_NAME, Settings
 from clickgen.source import SourceFile
 from clickgen.syntax.files import importers, read_program
 from clickgen.syntax.parse import decode
+from clickgen.wording import escaped
 
 __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "KnownNames", "Settings", "build", "check", "known_names"]
 
@@ -137,11 +139,13 @@ def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
     tables: dict[str, tuple[Path, bytes | None, bytes]] = {}
     placed: dict[Path, list[Row]] = {}
     left: dict[Path, dict[Address, Address]] = {}
+    no_links: list[Path] = []
     for result, folder in results:
         if not result.ok:
             raise CouldNotRun("a program with errors is not written")
         outputs = {name: text.encode() for name, text in result.files.items()}
         writes.update((folder / name, data) for name, data in outputs.items())
+        no_links += (folder / name for name in outputs)
         try:
             removals += stale_files(folder, outputs)
         except ForeignFiles as error:
@@ -161,16 +165,16 @@ def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
     unchanged: dict[Path, bytes | None] = {}
     for path, before, after in tables.values():
         # A result that is written a second time finds the table as it wants it.
-        written = path.is_file() and path.read_bytes() == after
+        written = read_if_there(path) == after
         unchanged[path] = after if written else before
         if after != before:
             writes[path] = after
     for path, rows in placed.items():
-        data = path.read_bytes() if path.is_file() else None
+        data = read_record(path)
         record = with_placed(data, rows, left[path])
         if record is not None and record != data:
             writes[path], unchanged[path] = record, data
-    return put_in_place(writes, removals, unchanged)
+    return put_in_place(writes, removals, unchanged, [*no_links, *placed])
 
 
 @dataclass(frozen=True)
@@ -334,7 +338,7 @@ def _read_source(state: _Build) -> None:
 def _bytes_of(state: _Build, path: str) -> bytes:
     state.reads[path] = None
     data = state.settings.overlay.get(os.path.realpath(path))
-    state.reads[path] = data = Path(path).read_bytes() if data is None else data
+    state.reads[path] = data = read_file(path) if data is None else data
     return data
 
 
@@ -375,12 +379,17 @@ def _name_programs(state: _Build) -> None:
 
 def _placed(state: _Build, resolved: Resolved) -> frozenset[Address]:
     """The addresses that clickgen chose: those of this build, and those of its record that still have their names."""
-    path = record_beside(state.table_path)
-    data = path.read_bytes() if path.is_file() else None
-    state.reads[str(path)] = data
     rows = state.table.by_address
-    kept = (at for at, name in placed_in(data).items() if at in rows and rows[at].nickname == name)
+    kept = (at for at, name in placed_in(_record(state)).items() if at in rows and rows[at].nickname == name)
     return frozenset((*kept, *(row.address for row in resolved.allocated)))
+
+
+def _record(state: _Build) -> bytes | None:
+    """The record of what clickgen placed in the table, read once."""
+    path = record_beside(state.table_path)
+    if str(path) not in state.reads:
+        state.reads[str(path)] = read_record(path)
+    return state.reads[str(path)]
 
 
 def _check_kept(facts: Facts, problems: Diagnostics) -> None:
@@ -429,11 +438,7 @@ def _find_left(state: _Build) -> None:
     assert state.resolved is not None
     if state.settings.is_part or state.facts is None:
         return
-    path = record_beside(state.table_path)
-    try:
-        record = state.reads[str(path)] = path.read_bytes() if path.is_file() else None
-    except OSError as error:
-        raise CouldNotRun(f"{path} cannot be read: {error.strerror or error}") from None
+    record = _record(state)
     if record is None:
         return
     rows = [row for row in state.table.own_rows if row.line]
@@ -508,7 +513,7 @@ def _emit(state: _Build) -> None:
     rows = _rows(state)
     state.files = {name: ladder_csv(part) for name, part in state.parts.items()}
     state.files[TABLE_NAME] = nickname_csv(rows.values())
-    state.files["listing.txt"] = listing(state.path.stem, state.routines, _nicknames(state))
+    state.files["listing.txt"] = listing(escaped(state.path.stem), state.routines, _nicknames(state))
     base = os.path.dirname(state.shown)
     names = [*state.files, "sources.json"]
     state.files["sources.json"] = source_map(state.routines, state.scratch_rows, names, base)

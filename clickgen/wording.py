@@ -1,6 +1,8 @@
-"""Numbers and names in messages."""
+"""Numbers and names in messages, and what of a text can be shown."""
 
 from __future__ import annotations
+
+import re
 
 
 def counted(number: int, noun: str, plural: str = "") -> str:
@@ -14,14 +16,64 @@ def quoted(text: str) -> str:
     return shown if '"' in text else f'"{shown[1:-1]}"'
 
 
-def as_utf8(text: str) -> str:
-    """Text that UTF-8 can hold: the bytes of a file name that is no text become escapes such as ``\\udcff``."""
-    return text.encode(errors="backslashreplace").decode()
-
-
 def no_opposite(shown: str, is_negated: bool = False) -> str:
     """The way out for what has no opposite; ``is_negated`` where a ``not`` asks for it, not an else."""
     nothing, then = "nothing", "test the bit"
     if is_negated:
         nothing, then = "nothing in the language", "write nc(...) of that bit"
     return f"{nothing} is the opposite of {shown}: put it on a bit with out(...) in a rung before, and {then}"
+
+
+_WRITTEN = {"\n": "\\n", "\r": "\\r", "\t": "\\t"}
+_LOG_COMMAND = re.compile(r"#(#(?:vso)?\[)")
+"""What runners of GitHub and Azure Pipelines take for a command anywhere in a line of a log."""
+
+
+def escaped(text: str) -> str:
+    """One line of text, whatever it holds: a name, a message. What steers a terminal or a log is written out.
+
+    A line break becomes ``\\n``, other controls, marks of the writing direction and the like ``\\x1b`` or ``\\u202e``.
+    """
+    if not (text.isascii() and text.isprintable()):
+        text = "".join(character if _is_harmless(character) else _written(character) for character in text)
+    return _LOG_COMMAND.sub("#\N{MIDDLE DOT}\\1", text) if "##" in text else text
+
+
+def printable(text: str) -> str:
+    """Source text of one line or several, each character in its column: a control character becomes a dot.
+
+    A tab becomes four spaces.
+    """
+    if not (text.isascii() and text.isprintable()):
+        text = "".join(
+            character if _is_harmless(character) or character == "\n" else _DOTS.get(character, "\N{MIDDLE DOT}")
+            for character in text
+        )
+    return _LOG_COMMAND.sub("\N{MIDDLE DOT}\\1", text) if "##" in text else text
+
+
+_DOTS = {"\t": "    "}
+
+
+def json_text(tree: object, indent: int | None = None) -> str:
+    """A tree as JSON that a person can read, without characters that steer a terminal or turn the writing."""
+    import json
+
+    text = json.dumps(tree, indent=indent, ensure_ascii=False)
+    if text.replace("\n", "").isprintable():
+        return text
+    return "".join(
+        character if _is_harmless(character) or character == "\n" else json.dumps(character)[1:-1] for character in text
+    )
+
+
+def _is_harmless(character: str) -> bool:
+    if character.isprintable():
+        return True
+    import unicodedata
+
+    return unicodedata.category(character) == "Zs"  # spaces of another width
+
+
+def _written(character: str) -> str:
+    return _WRITTEN.get(character) or character.encode("unicode_escape", "surrogatepass").decode()

@@ -14,6 +14,7 @@ BELOW = (
     "wording",
     "formats",
     "codes",
+    "files",
     "source",
     "suggest",
     "diagnostics",

@@ -11,8 +11,9 @@ from pathlib import Path
 import pytest
 
 from clickgen.checking import discover as module
-from clickgen.checking.cache import Cache, Cached, key_of
+from clickgen.checking.cache import Cache, Cached, _mark, key_of
 from clickgen.checking.discover import Target, discover, is_program, matches, targets, wholly_judged
+from clickgen.checking.secret import user_secret
 from clickgen.cli import main
 from clickgen.config import Config, ConfigError, find_config
 from clickgen.device.banks import BANKS
@@ -444,10 +445,17 @@ def test_a_pattern_that_can_never_meet_is_refused(key: str, pattern: str) -> Non
     ids=json.dumps,
 )
 def test_a_damaged_entry_is_no_cache(damage: dict[str, object]) -> None:
+    """Also where it bears the mark of this user: the mark says who wrote it, not that it is sound."""
     file = write("p.py", CLEAN)
     cache, key = Cache(Path.cwd() / "cache"), key_of("p.py")
     cache.put(key, Cached((), ("p.py",)), {"p.py": file.read_bytes()})
     assert cache.get(key) == Cached((), ("p.py",))
-    (entry,) = Path("cache").glob("*.json")
-    entry.write_text(json.dumps(json.loads(entry.read_text("utf-8")) | damage), "utf-8")
+    (path,) = Path("cache").glob("*.json")
+    entry = json.loads(path.read_text("utf-8")) | damage
+    path.write_text(json.dumps(entry), "utf-8")
+    assert cache.get(key) is None
+    del entry["mark"]
+    secret = user_secret(Path.cwd())
+    assert secret is not None
+    path.write_text(json.dumps({**entry, "mark": _mark(entry, secret)}), "utf-8")
     assert cache.get(key) is None

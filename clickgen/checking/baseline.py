@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from clickgen.diagnostics import CouldNotRun, Diagnostic
+from clickgen.files import read_file
+from clickgen.wording import json_text
 
 _FORMAT = 1
 
@@ -31,7 +33,7 @@ def keys_of(
 def read_baseline(path: Path) -> Counter[Key] | None:
     """How often each finding was there; None when there is no such file. Raises CouldNotRun."""
     try:
-        tree = json.loads(path.read_text("utf-8"))
+        tree = json.loads(read_file(path).decode("utf-8"))
         if tree["format"] != _FORMAT:
             raise CouldNotRun(f"{path} is a baseline of another clickgen; delete it and make it anew")
         return Counter({(row["file"], row["code"], row["line"]): int(row["count"]) for row in tree["findings"]})
@@ -46,7 +48,7 @@ def read_baseline(path: Path) -> Counter[Key] | None:
 def baseline_text(keys: Iterable[Key]) -> str:
     """The baseline as a file, one finding on a line so that it diffs well."""
     rows = [
-        json.dumps({"file": file, "code": code, "line": line, "count": count}, ensure_ascii=False)
+        json_text({"file": file, "code": code, "line": line, "count": count})
         for (file, code, line), count in sorted(Counter(keys).items())
     ]
     body = ",\n    ".join(rows)

@@ -1,7 +1,12 @@
-"""What a check found, kept by the contents that it was found in: an unchanged program is not judged again."""
+"""What a check found, kept by the contents that it was found in: an unchanged program is not judged again.
+
+The cache lies in the repository, so whoever made the repository could have put anything there. Each entry is therefore
+signed with a secret of this user; one that is not counts for nothing.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 import os
@@ -11,12 +16,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from clickgen import __version__
+from clickgen.checking.secret import user_secret
 from clickgen.codes import CODES
 from clickgen.diagnostics import Diagnostic, Edit, Fix, Label
+from clickgen.files import leads_elsewhere, read_file
 from clickgen.source import Span
 
 FOLDER = ".clickgen_cache"
-_FORMAT = 1
+_FORMAT = 2
 
 
 class Cached(NamedTuple):
@@ -30,22 +37,27 @@ class Cache:
     """One file for each program in a folder that git ignores. A cache that cannot be used is no cache."""
 
     def __init__(self, folder: Path | None) -> None:
-        self._folder = folder
+        usable = folder is not None and not leads_elsewhere(folder)
+        self._folder = folder if usable else None
+        self._secret = user_secret(folder.parent) if folder is not None and usable else None
 
     def get(self, key: str) -> Cached | None:
         """What is known of a program, when every file that it was made of is as it was."""
-        if self._folder is None:
+        if self._folder is None or self._secret is None:
             return None
         try:
-            entry = json.loads((self._folder / _name(key)).read_bytes())
-            if entry["key"] != key or not _is_as_it_was(entry["reads"]):
+            entry = json.loads(read_file(self._folder / _name(key)))
+            if entry.pop("mark") != _mark(entry, self._secret) or entry["key"] != key:
                 return None
-            return Cached(tuple(map(_finding, entry["findings"])), _sources(entry))
-        except (OSError, ValueError, LookupError, TypeError, RecursionError):
+            if not _is_as_it_was(entry["reads"]):
+                return None
+            sources = _sources(entry)
+            return Cached(tuple(_finding(finding, sources) for finding in entry["findings"]), sources)
+        except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
             return None
 
     def put(self, key: str, cached: Cached, reads: Mapping[str, bytes | None]) -> None:
-        if self._folder is None:
+        if self._folder is None or self._secret is None:
             return
         entry = {
             "key": key,
@@ -53,22 +65,33 @@ class Cache:
             "findings": [_entry(finding) for finding in cached.findings],
             "sources": cached.sources,
         }
+        data = json.dumps({**entry, "mark": _mark(entry, self._secret)}).encode()
         try:
             self._folder.mkdir(exist_ok=True)
-            ignore = self._folder / ".gitignore"
-            if not ignore.exists():
-                ignore.write_text("*\n", "utf-8")
+            with contextlib.suppress(FileExistsError):
+                _write_new(self._folder / ".gitignore", b"*\n")
             path = self._folder / _name(key)
-            staged = path.with_suffix(f".{os.getpid()}")
-            staged.write_text(json.dumps(entry), "utf-8")
+            staged = path.with_suffix(f".{os.urandom(8).hex()}")
+            _write_new(staged, data)
             staged.replace(path)
         except OSError:
             return
 
 
+def _write_new(path: Path, data: bytes) -> None:
+    """Write a file that is not there yet, not even as a link. Raises OSError."""
+    with open(path, "xb") as file:
+        file.write(data)
+
+
+def _mark(entry: object, secret: bytes) -> str:
+    """What only this user could have written into the entry."""
+    return hashlib.blake2b(json.dumps(entry).encode(), key=secret, digest_size=32).hexdigest()
+
+
 def key_of(*parts: object) -> str:
     """What a program's findings depend on beside its files: settings, and clickgen itself."""
-    return json.dumps([_FORMAT, __version__, _own_state(), *map(str, parts)])
+    return json.dumps([_FORMAT, __version__, _own_state(), os.getcwd(), *map(str, parts)])
 
 
 @cache
@@ -92,8 +115,7 @@ def _digest(data: bytes) -> str:
 
 def _digest_of(path: str) -> str | None:
     try:
-        with open(path, "rb") as file:
-            return _digest(file.read())
+        return _digest(read_file(path))
     except FileNotFoundError:
         return None
 
@@ -127,7 +149,7 @@ def _entry(finding: Diagnostic) -> list[object]:
     ]
 
 
-def _finding(entry: list[object]) -> Diagnostic:
+def _finding(entry: list[object], sources: tuple[str, ...]) -> Diagnostic:
     code, message, span, help, labels, fix = entry
     if code not in CODES or not isinstance(labels, list):
         raise ValueError("this is no finding")
@@ -137,15 +159,19 @@ def _finding(entry: list[object]) -> Diagnostic:
         _span(span),
         str(help),
         tuple(Label(_sure(_span(place)), str(text)) for place, text in labels),
-        _fix(fix),
+        _fix(fix, sources),
     )
 
 
-def _fix(entry: object) -> Fix | None:
+def _fix(entry: object, sources: tuple[str, ...]) -> Fix | None:
     if not isinstance(entry, list):
         return None
     edits: Iterable[list[object]] = entry[0]
-    return Fix(tuple(Edit(_sure(_span(place)), str(text)) for place, text in edits), entry[1] is True, entry[2] is True)
+    fix = Fix(tuple(Edit(_sure(_span(place)), str(text)) for place, text in edits), entry[1] is True, entry[2] is True)
+    paths = {edit.span.path for edit in fix.edits}
+    if len(paths) != 1 or not paths <= {*sources}:
+        raise ValueError("a fix changes one source file of the program")
+    return fix
 
 
 def _span(entry: object) -> Span | None:

@@ -12,6 +12,7 @@ from typing import NamedTuple, NoReturn
 
 from clickgen.config import Config
 from clickgen.diagnostics import CouldNotRun
+from clickgen.files import READ_MAX, open_file, require_size
 
 _USUAL_EXCLUDES = ("build", "dist", "venv", "node_modules", "__pycache__", "site-packages")
 """Folders that hold no sources; those with a dot in front are left out too."""
@@ -291,8 +292,8 @@ class _Repository:
         if real in self._overlay:
             return self._overlay[real].decode("utf-8-sig", "replace").replace("\r\n", "\n")
         try:
-            with open(path, encoding="utf-8-sig", errors="replace") as file:
-                return file.read()
+            with open(path, encoding="utf-8-sig", errors="replace", opener=open_file) as file:
+                return require_size(file.read(READ_MAX + 1), path)
         except OSError as error:
             error.filename = path
             _give_up(error)

@@ -63,11 +63,10 @@ class Judge(NamedTuple):
         if len(targets) < _MANY or cores < 2:
             yield from ((target, judged(target, self.selection, self.reserved, self.overlay)) for target in targets)
             return
-        from concurrent.futures import ProcessPoolExecutor
+        from clickgen.checking.pool import in_processes
 
-        with ProcessPoolExecutor(cores) as pool:
-            tasks = [pool.submit(judged, target, self.selection, self.reserved, self.overlay) for target in targets]
-            yield from ((target, task.result()) for target, task in zip(targets, tasks, strict=True))
+        tasks = [(target, self.selection, self.reserved, self.overlay) for target in targets]
+        yield from zip(targets, in_processes(judged, tasks, cores), strict=True)
 
 
 def judged_at_any_rate(

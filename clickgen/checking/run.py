@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -16,6 +16,7 @@ from clickgen.checking.judge import Judge
 from clickgen.codes import CODES, LEFT
 from clickgen.config import Config
 from clickgen.diagnostics import Diagnostic, Diagnostics, Fix
+from clickgen.files import read_file
 
 if TYPE_CHECKING:
     from clickgen.checking.baseline import Baseline
@@ -97,7 +98,7 @@ def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
     after: dict[str, bytes] = {}
     count = 0
     for _ in range(_ROUNDS_MAX):
-        changed = _mended(outcome.findings, overlay, unsafe)
+        changed = _mended(outcome, overlay, unsafe)
         if not changed:
             break
         for path, (old, new, number) in changed.items():
@@ -116,7 +117,7 @@ def add_ignores(outcome: Outcome) -> Outcome:
     after: dict[str, bytes] = {}
     count = 0
     for path in outcome.checked:
-        data = Path(path).read_bytes()
+        data = read_file(path)
         source = _decoded(path, data)
         fix = ignoring(source, outcome.findings) if source else None
         if source is not None and fix is not None:
@@ -194,7 +195,7 @@ def _decoded(path: str, data: bytes) -> SourceFile | None:
 
 def _bytes(path: str, overlay: Mapping[str, bytes]) -> bytes:
     data = overlay.get(os.path.realpath(path)) if overlay else None
-    return Path(path).read_bytes() if data is None else data
+    return read_file(path) if data is None else data
 
 
 class _Ignored:
@@ -226,14 +227,18 @@ def _judged_codes(request: Request, path: str, judged: Mapping[Target, Cached]) 
 # -- mending ----------------------------------------------------------------------------------------------------------
 
 
-def _mended(
-    findings: Iterable[Diagnostic], overlay: Mapping[str, bytes], unsafe: bool
-) -> dict[str, tuple[bytes, bytes, int]]:
-    """The files that these findings' fixes change: each before and after, and how many fixes went in."""
+def _mended(outcome: Outcome, overlay: Mapping[str, bytes], unsafe: bool) -> dict[str, tuple[bytes, bytes, int]]:
+    """The source files that the fixes change: each before and after, and how many fixes went in.
+
+    A fix changes one file, which is one of those that were checked.
+    """
+    programs = {*outcome.checked}
     fixes: dict[str, list[Fix]] = {}
-    for finding in findings:
+    for finding in outcome.findings:
         if finding.fix and (finding.fix.is_safe or unsafe):
-            fixes.setdefault(finding.fix.edits[0].span.path, []).append(finding.fix)
+            paths = {edit.span.path for edit in finding.fix.edits}
+            if len(paths) == 1 and paths <= programs:
+                fixes.setdefault(paths.pop(), []).append(finding.fix)
     changed: dict[str, tuple[bytes, bytes, int]] = {}
     for path, wanted in fixes.items():
         old = _bytes(path, overlay)

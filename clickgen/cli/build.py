@@ -5,14 +5,17 @@ from __future__ import annotations
 import argparse
 import sys
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from contextlib import ExitStack
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from clickgen.cli import OK, PROBLEMS, complain
-from clickgen.cli.jobs import Job, jobs, near, settings_of
-from clickgen.diagnostics import CouldNotRun
+from clickgen.cli import OK, PROBLEMS, complain, tell
+from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
+from clickgen.diagnostics import CouldNotRun, Diagnostic
+from clickgen.emit.lock import locked
+from clickgen.emit.write import ChangedMeanwhile
 from clickgen.nicknames.elsewhere import build_among
 from clickgen.pipeline import BuildResult, write_all
 from clickgen.report.frames import summary, write_problems
@@ -50,16 +53,39 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Build and write, without a program every configured one, all of them or none; returns the exit code."""
     jobs = _jobs(options.program, options.output, options.nicknames, options.frozen, options.config)
-    results = build_among(jobs, partial(settings_of, options.config))
-    for result in results:
-        write_problems(result.diagnostics, result.sources, sys.stderr)
+    settle(jobs, options.config)
+    results = _built(jobs, options.config)
     if not all(result.ok for result in results):
         complain(f"{_summary(results)}; nothing was written")
         return PROBLEMS
-    write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
     for job, result in zip(jobs, results, strict=True):
-        print(_report(result, job.folder))
+        tell(*_report(result, job.folder))
     return OK
+
+
+_TRIES = 5
+
+
+def _built(jobs: Sequence[Job], config: str | None) -> list[BuildResult]:
+    """Build and write; where a table changed in between, again, now with the folders locked against other builds."""
+    told: set[Diagnostic] = set()
+    with ExitStack() as stack:
+        for left in reversed(range(_TRIES)):
+            results = build_among(jobs, partial(settings_of, config))
+            # What is shown of a table is what was read, so before anything is written.
+            for result in results:
+                write_problems((each for each in result.diagnostics if each not in told), result.sources, sys.stderr)
+                told.update(result.diagnostics)
+            if not all(result.ok for result in results):
+                break
+            try:
+                write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
+                break
+            except ChangedMeanwhile:
+                if not left:
+                    raise
+                stack.enter_context(locked(folder for job in jobs for folder in job.folders[1:] if folder.is_dir()))
+    return results
 
 
 def _jobs(
@@ -79,7 +105,7 @@ def _jobs(
     return found
 
 
-def _report(result: BuildResult, folder: Path) -> str:
+def _report(result: BuildResult, folder: Path) -> list[str]:
     main, subroutines = result.main, result.subroutines
     counts = [f"{counted(len(main.rungs), 'rung')} in main"]
     if subroutines:
@@ -100,7 +126,7 @@ def _report(result: BuildResult, folder: Path) -> str:
         steps.append(f"in CLICK: create {counted(len(subroutines), 'subroutine')} by hand, named {names}")
     steps.append(f"in ClickNick: Ladder > Open in Guided Paste, {folder}")
     lines += [f"  {number}. {step}" for number, step in enumerate(steps, 1)]
-    return "\n".join(lines)
+    return lines
 
 
 def _new_names(result: BuildResult) -> list[str]:

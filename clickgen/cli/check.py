@@ -7,7 +7,7 @@ import os
 import re
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack, contextmanager
 from functools import partial
 from pathlib import Path
@@ -17,13 +17,14 @@ from clickgen.check.select import Selection
 from clickgen.checking.discover import Target
 from clickgen.checking.run import Outcome, Request, add_ignores
 from clickgen.checking.run import run as run_check
-from clickgen.cli import OK, PROBLEMS, complain
+from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.codes import CODES
 from clickgen.config import Config, code_prefix, find_config, read_config
 from clickgen.diagnostics import CouldNotRun, did_you_mean
+from clickgen.files import READ_MAX, require_size
 from clickgen.formats import FORMATS
 from clickgen.report import Report, render, shown_path, use_color
-from clickgen.wording import counted
+from clickgen.wording import counted, escaped
 
 if TYPE_CHECKING:
     from clickgen.checking.baseline import Baseline
@@ -95,9 +96,13 @@ def run(options: argparse.Namespace) -> int:
     """Check what the command line names; returns the exit code."""
     _refuse_contradictions(options)
     config = read_config(Path(options.config)) if options.config else find_config(Path.cwd())
+    _refuse_input(options, _inputs(options, config))
+    if options.fix or options.add_ignore:
+        _put_back(options, config)
     with _progress() as progress:
         request = _request(options, config, progress)
         outcome = run_check(request, options.fix or options.diff, options.unsafe_fixes)
+    _refuse_input(options, outcome.checked)
     for folder in outcome.empty:
         complain(f"no program in {folder}")
     if options.baseline and request.baseline is None:
@@ -124,7 +129,7 @@ def _tell_diff(options: argparse.Namespace, outcome: Outcome) -> int:
     if left.findings and not options.quiet:
         from clickgen.report.text import summary_line
 
-        print(f"clickgen: besides what this mends: {summary_line(left)}", file=sys.stderr)
+        tell(f"clickgen: besides what this mends: {summary_line(left)}", file=sys.stderr)
     return PROBLEMS if (diff or left.fails) and not options.exit_zero else OK
 
 
@@ -134,7 +139,7 @@ def _silence(options: argparse.Namespace, outcome: Outcome) -> int:
     done = f"{counted(silenced.fixed, 'finding')} silenced in {counted(len(silenced.after), 'file')}"
     left = len(outcome.findings) - silenced.fixed
     rest = f"; {counted(left, 'finding')} that no comment silences: see clickgen check" if left else ""
-    print(done + rest, file=sys.stderr)
+    tell(done + rest, file=sys.stderr)
     return PROBLEMS if left and not options.exit_zero else OK
 
 
@@ -160,6 +165,43 @@ def _refuse_contradictions(options: argparse.Namespace) -> None:
         raise _Wrong(f"--statistics is told as {' or '.join(_COUNTED)}")
 
 
+_NO_REPORTS = (".py", ".pyi", ".csv", ".placed", ".toml", ".xlsx", ".xlsm")
+"""The endings of programs, tables and settings, which no report has."""
+
+
+def _inputs(options: argparse.Namespace, config: Config) -> Iterator[str | os.PathLike[str] | None]:
+    """The files that this check is about to read, as far as they are known before it."""
+    yield from (options.config, config.file, options.baseline)
+    for program in config.programs:
+        yield from (program.path, program.nicknames)
+    yield from (path for path in options.paths if os.path.isfile(path))
+
+
+def _put_back(options: argparse.Namespace, config: Config) -> None:
+    """Put back what a killed command left where this one is about to write."""
+    from clickgen.cli.jobs import put_back
+
+    named = [Path(path) for path in options.paths or ["."]]
+    programs = [program.path for program in config.programs]
+    put_back(path if path.is_dir() else path.parent for path in (*named, *programs))
+
+
+def _refuse_input(options: argparse.Namespace, inputs: Iterable[str | os.PathLike[str] | None]) -> None:
+    """A report takes the place of an earlier one, and of nothing else. Raises CouldNotRun."""
+    if not options.output:
+        return
+    place = os.path.realpath(options.output)
+    is_input = any(os.path.realpath(path) == place or _is_same(path, place) for path in inputs if path is not None)
+    if is_input or options.output.lower().endswith(_NO_REPORTS):
+        what = "is read by this check" if is_input else "has the name of a program, a table or settings"
+        raise _Wrong(f"-o {options.output} {what}, and a report would take its place: name another file")
+
+
+def _is_same(path: str | os.PathLike[str], place: str) -> bool:
+    """True for two names of one file, as where capitals do not count."""
+    return os.path.exists(path) and os.path.exists(place) and os.path.samefile(path, place)
+
+
 def _request(options: argparse.Namespace, config: Config, progress: Callable[[int, int], None]) -> Request:
     settings = config.check
     select = _joined(options.select)
@@ -171,6 +213,7 @@ def _request(options: argparse.Namespace, config: Config, progress: Callable[[in
     paths = tuple(options.paths)
     stdin = _standard_input() if paths == ("-",) else None
     if stdin is not None:
+        require_size(stdin, "the standard input")
         paths = (options.stdin_filename or "stdin.py",)
     return Request(
         config,
@@ -190,7 +233,7 @@ def _standard_input() -> bytes:
     """The program on the standard input. Raises CouldNotRun when whoever started the command closed it."""
     if sys.stdin is None:
         raise CouldNotRun("the standard input is closed: clickgen check - < prog.py")
-    return sys.stdin.buffer.read()
+    return sys.stdin.buffer.read(READ_MAX + 1)
 
 
 def _named_elsewhere(config: Config, target: Target) -> frozenset[str]:
@@ -251,7 +294,7 @@ def _begin_baseline(path: Path, outcome: Outcome) -> Outcome:
     findings = [finding for finding in outcome.findings if not finding.is_error]
     keys = keys_of(findings, _named_from(path), outcome.line_of)
     _put_in_file(path, baseline_text(keys))
-    print(f"clickgen: {counted(len(keys), 'finding')} written to {path}", file=sys.stderr)
+    tell(f"clickgen: {counted(len(keys), 'finding')} written to {path}", file=sys.stderr)
     news = Baseline(Counter(keys), _named_from(path)).news(list(outcome.findings), outcome.line_of)
     return outcome._replace(findings=tuple(news), known=len(keys))
 
@@ -288,7 +331,8 @@ def _diffs(outcome: Outcome) -> Iterator[str]:
 
     for path, new in sorted(outcome.after.items()):
         old = outcome.before[path].decode("utf-8")
-        lines = difflib.unified_diff(_lines(old), _lines(new.decode("utf-8")), path, path)
+        name = escaped(path)
+        lines = difflib.unified_diff(_lines(old), _lines(new.decode("utf-8")), name, name)
         for line in lines:
             yield line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n"
 
@@ -309,7 +353,7 @@ def _put_in_file(path: Path, text: str) -> None:
     from clickgen.emit.write import put_in_place
 
     # A file name that is no text cannot be written as UTF-8.
-    put_in_place({path: text.encode(errors="backslashreplace")})
+    put_in_place({path: text.encode(errors="backslashreplace")}, no_links=[path])
 
 
 @contextmanager

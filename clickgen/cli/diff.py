@@ -16,9 +16,10 @@ from clickgen.diffing.run import diff
 from clickgen.diffing.sides import BrokenProgram
 from clickgen.diffing.text import Line, report, summary
 from clickgen.report import use_color
-from clickgen.report.frames import printable, write_problems
 from clickgen.report.frames import summary as counts
+from clickgen.report.frames import write_problems
 from clickgen.settings import Settings
+from clickgen.wording import escaped
 
 _COLORS = {"-": "31", "+": "32"}
 
@@ -80,10 +81,10 @@ def run(options: argparse.Namespace) -> int:
     else:
         lines = (Line(" ", line) for line in summary(difference, names)) if options.quiet else report(difference, names)
         color = use_color(sys.stdout)
-        sys.stdout.write("".join(f"{_painted(line) if color else printable(line.text)}\n" for line in lines))
+        sys.stdout.write("".join(f"{_painted(line) if color else escaped(line.text)}\n" for line in lines))
     return PROBLEMS if difference.differs else OK
 
 
 def _painted(line: Line) -> str:
     style = _COLORS.get(line.mark)
-    return f"\x1b[{style}m{printable(line.text)}\x1b[0m" if style else printable(line.text)
+    return f"\x1b[{style}m{escaped(line.text)}\x1b[0m" if style else escaped(line.text)

@@ -8,7 +8,7 @@ import shlex
 import sys
 from pathlib import Path
 
-from clickgen.cli import OK, PROBLEMS, complain
+from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import near, settings_of
 from clickgen.diagnostics import CouldNotRun
 from clickgen.importing.run import ImportResult, Target, import_project
@@ -63,10 +63,10 @@ def run(options: argparse.Namespace) -> int:
     if options.output == "-":
         sys.stdout.flush()
         sys.stdout.buffer.write(result.files[target.program])
-        print(_verified(result), file=sys.stderr)
+        tell(*_verified(result), file=sys.stderr)
         return OK if result.ok else PROBLEMS
     result.write(options.force)
-    print(_report(result, noted))
+    tell(*_report(result, noted))
     return OK if result.ok else PROBLEMS
 
 
@@ -88,9 +88,9 @@ def _target(output: str, config: str | None) -> Target:
     )
 
 
-def _report(result: ImportResult, noted: str) -> str:
+def _report(result: ImportResult, noted: str) -> list[str]:
     place = result.target.program.parent if result.target.is_folder else result.target.program
-    lines = [f"Imported {result.source} into {near(place)}: {_counts(result)}.", _verified(result)]
+    lines = [f"Imported {result.source} into {near(place)}: {_counts(result)}.", *_verified(result)]
     if result.left_out:
         marked = f"{counted(result.left_out, 'rung')} could not be kept"
         lines.append(f"{marked}: look for not_imported in the program; a build refuses it until then.")
@@ -101,7 +101,7 @@ def _report(result: ImportResult, noted: str) -> str:
     program = shlex.quote(str(near(result.target.program)))
     if result.ok and result.is_whole:
         lines += ["Next:", f"  1. clickgen check {program}", f"  2. clickgen build {program}"]
-    return "\n".join(lines)
+    return lines
 
 
 def _counts(result: ImportResult) -> str:
@@ -114,9 +114,9 @@ def _counts(result: ImportResult) -> str:
     return ", ".join(parts)
 
 
-def _verified(result: ImportResult) -> str:
+def _verified(result: ImportResult) -> list[str]:
     if result.verdict is None:
-        return f"0 of {counted(result.rungs, 'rung')} verified: --no-verify was given."
+        return [f"0 of {counted(result.rungs, 'rung')} verified: --no-verify was given."]
     verdict = result.verdict
     identical = verdict.verified - len(verdict.redrawn)
     lines = [f"{verdict.verified} of {counted(result.rungs, 'rung')} verified, {identical} identical cell by cell."]
@@ -125,4 +125,4 @@ def _verified(result: ImportResult) -> str:
         names = [f"{routine.name} rung {rung.number}" for routine, rung in drawn if rung]
         more = f" and {len(names) - _SHOWN_MAX} more" if len(names) > _SHOWN_MAX else ""
         lines.append(f"Drawn otherwise, the same logic: {', '.join(names[:_SHOWN_MAX])}{more}.")
-    return "\n".join(lines)
+    return lines

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import os
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from clickgen.cli import complain
 from clickgen.config import Config, ProgramSettings, find_config, read_config
 from clickgen.diagnostics import CouldNotRun
 from clickgen.settings import Settings
@@ -18,6 +20,12 @@ class Job:
     program: str
     settings: Settings
     folder: Path
+
+    @property
+    def folders(self) -> list[Path]:
+        """Where files are written: beside the program and its table, and in the output folder."""
+        table = Path(os.path.realpath(self.settings.table_of(Path(self.program))))
+        return [Path(self.program).parent, table.parent, self.folder, self.folder / "subroutines"]
 
 
 def settings_of(config: str | None) -> Config:
@@ -42,6 +50,23 @@ def _job(program: str, own: ProgramSettings, nicknames: str | None, frozen: bool
     folder = own.output or root / "build" / Path(program).stem
     table = nicknames if nicknames is not None else own.nicknames and near(own.nicknames)
     return Job(program, Settings(table, nicknames is not None, frozen, config.reserved), near(folder))
+
+
+def settle(found: Sequence[Job], config: str | None) -> None:
+    """Put back what a killed command left half written where these and the configured programs are.
+
+    Raises CouldNotRun and OSError.
+    """
+    programs = [*found, *(jobs([], config=config) if settings_of(config).programs else [])]
+    put_back(folder for job in programs for folder in job.folders)
+
+
+def put_back(folders: Iterable[Path]) -> None:
+    """Put back what a killed command left half written in these folders. Raises CouldNotRun and OSError."""
+    from clickgen.emit.journal import recover
+
+    for path in recover(dict.fromkeys(folders)):
+        complain(f"{path} is again as it was before a command that was stopped while it wrote")
 
 
 def near(path: Path) -> Path:

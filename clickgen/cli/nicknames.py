@@ -11,8 +11,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-from clickgen.cli import OK, PROBLEMS, complain
-from clickgen.cli.jobs import Job, jobs, near, settings_of
+from clickgen.cli import OK, PROBLEMS, complain, tell
+from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
 from clickgen.emit.write import put_in_place
 from clickgen.nicknames.changes import KINDS, RENAMED, SWAPPED
@@ -123,7 +123,10 @@ def _jobs(options: argparse.Namespace, programs: Iterable[str]) -> list[Job]:
 def _sync(options: argparse.Namespace) -> int:
     from clickgen.nicknames.sync import sync
 
-    result = sync(_jobs(options, options.programs), settings_of(options.config), options.prune)
+    found = _jobs(options, options.programs)
+    if not options.dry_run:
+        settle(found, options.config)
+    result = sync(found, settings_of(options.config), options.prune)
     if not result.ok:
         for each in result.results:
             write_problems(each.diagnostics, each.sources, sys.stderr)
@@ -135,7 +138,7 @@ def _sync(options: argparse.Namespace) -> int:
     if not options.dry_run:
         put_in_place(result.writes, (), result.unchanged)
     for table in result.tables:
-        print("\n".join(_table_lines(table, options.dry_run)))
+        tell(*_table_lines(table, options.dry_run))
     return OK
 
 
@@ -184,13 +187,13 @@ def _check(options: argparse.Namespace) -> int:
         return PROBLEMS
     lacking = [table for table in sync(found, settings_of(options.config)).tables if table.added or table.changed]
     for table in lacking:
-        print("\n".join(_table_lines(replace(table, unused=()), is_dry=True)))
+        tell(*_table_lines(replace(table, unused=()), is_dry=True))
     if lacking:
         complain("run clickgen nicknames sync and commit the table")
         return PROBLEMS
     tables = {str(result.table_path): len(result.rows) for result in results}
     for path, count in tables.items():
-        print(f"{path}: {counted(count, 'address', 'addresses')}, in agreement with {_programs(results, path)}")
+        tell(f"{path}: {counted(count, 'address', 'addresses')}, in agreement with {_programs(results, path)}")
     return OK
 
 
@@ -222,6 +225,8 @@ def _merge(options: argparse.Namespace) -> int:
     kinds = _kinds(options.accept)
     target = _table_to_merge(options)
     path = target.table
+    if not options.dry_run:
+        settle(target.jobs, options.config)
     table, before = _read(path, bool(options.nicknames) and target.workbook is None, target.workbook)
     export, _ = _read(Path(options.export), must_exist=True)
     around = programs_around(target.jobs, settings_of(options.config), Files(), [path])
@@ -229,19 +234,19 @@ def _merge(options: argparse.Namespace) -> int:
     names = [_seen_from_here(file) for program in own for file in program.names]
     result = merge(table, export, places_in(names), ProgramsSay(names))
     conflicts = conflict_lines(result, kinds)
-    print("\n".join([f"{options.export}: {summary(result)}", *_indented(diff_lines(result))]))
+    tell(f"{options.export}: {summary(result)}", *_indented(diff_lines(result)))
     if conflicts:
-        print("\n".join(["cannot be taken so:", *_indented(conflicts)]), file=sys.stderr)
+        tell("cannot be taken so:", *_indented(conflicts), file=sys.stderr)
         return PROBLEMS
     after = result.taken(kinds).to_bytes()
     if not options.dry_run and after != before and (before is not None or result.of(kinds)):
         put_in_place({path: after}, (), {path: before})
     never = never_lines(result, kinds)
     if never:
-        print("\n".join(["cannot be taken at all:", *_indented(never)]))
+        tell("cannot be taken at all:", *_indented(never))
     if result.changes:
-        print(_merged(result, kinds, options.dry_run))
-    print("".join(f"{line}\n" for line in _after_renames(options, result, kinds, own)), end="")
+        tell(_merged(result, kinds, options.dry_run))
+    tell(*_after_renames(options, result, kinds, own))
     return OK if all(change.kind in kinds for change in result.changes) else PROBLEMS
 
 
@@ -379,24 +384,26 @@ def _adoption_lines(result: Rename, is_dry: bool) -> Iterator[str]:
 
 def _rename(options: argparse.Namespace) -> int:
     found = _jobs(options, options.programs)
+    if not options.dry_run:
+        settle(found, options.config)
     result = rename(options.old, options.new, found, settings_of(options.config))
     if not options.dry_run:
         put_in_place(result.writes, (), result.unchanged)
     would = "would be " if options.dry_run else ""
     for path, count in sorted((near(path), count) for path, count in result.counts.items()):
-        print(f"{path}: {counted(count, 'time')} {would}renamed")
+        tell(f"{path}: {counted(count, 'time')} {would}renamed")
     for path, count in sorted((near(path), count) for path, count in result.comments.items()):
-        print(f"{path}: {counted(count, 'comment')} still {'say' if count > 1 else 'says'} {result.old}")
+        tell(f"{path}: {counted(count, 'comment')} still {'say' if count > 1 else 'says'} {result.old}")
     for span in result.left:
         place = f"{near(Path(span.path))}:{span.line}"
-        print(f"{place} says {result.old} too, in a file that no program imports: it stays as it is")
+        tell(f"{place} says {result.old} too, in a file that no program imports: it stays as it is")
     if result.adoption is not None:
-        print("\n".join(_adoption_lines(result, options.dry_run)))
+        tell(*_adoption_lines(result, options.dry_run))
         return OK
     becomes, stays = ("would become", "would be") if options.dry_run else ("is", "is")
     now = "" if options.dry_run else " now"
     programs = ", ".join(str(near(Path(program))) for program in result.programs)
-    print(f"{result.old} {becomes} {result.new}{now}; the ladder of {programs} {stays} the same")
+    tell(f"{result.old} {becomes} {result.new}{now}; the ladder of {programs} {stays} the same")
     return OK
 
 
@@ -405,7 +412,7 @@ def _rename(options: argparse.Namespace) -> int:
 
 def _why(options: argparse.Namespace) -> int:
     from clickgen.nicknames.why import suggestion, why
-    from clickgen.resolve.record import record_beside
+    from clickgen.resolve.record import read_record, record_beside
 
     found = _jobs(options, options.programs)
     results = [build(job.program, settings=job.settings) for job in found]
@@ -417,14 +424,13 @@ def _why(options: argparse.Namespace) -> int:
         return PROBLEMS
     said = []
     for job, result in zip(found, results, strict=True):
-        record = record_beside(result.table_path)
-        data = record.read_bytes() if record.is_file() else None
+        data = read_record(record_beside(result.table_path))
         said += why(options.name, result, job.settings.reserved, data)
     if not said:
         hint = suggestion(options.name, results)
         complain(f"no program knows {options.name}{f'; {hint}' if hint else ''}")
         return PROBLEMS
-    print("\n".join(said))
+    tell(*said)
     return OK
 
 

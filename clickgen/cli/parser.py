@@ -11,6 +11,8 @@ from types import ModuleType
 from typing import NoReturn
 
 from clickgen import __version__
+from clickgen.cli import begin
+from clickgen.wording import escaped
 
 COMMANDS = {
     "build": ("clickgen.cli.build", "build a program into what CLICK takes in"),
@@ -59,7 +61,7 @@ class _Help(argparse.RawDescriptionHelpFormatter):
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        self.exit(2, f"clickgen: {message}{_hint(message, self)}\nsee {self.prog} --help\n")
+        self.exit(2, f"clickgen: {escaped(message)}{_hint(message, self)}\nsee {self.prog} --help\n")
 
 
 def _hint(message: str, parser: argparse.ArgumentParser) -> str:
@@ -104,6 +106,7 @@ def parse(arguments: Sequence[str]) -> int:
     if run is None:
         parser.print_help(sys.stderr)
         return 2
+    begin()
     return run(options)
 
 

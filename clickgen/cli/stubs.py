@@ -11,10 +11,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from clickgen.checking.discover import targets
-from clickgen.cli import OK, PROBLEMS, complain
-from clickgen.cli.jobs import Job, jobs, near, settings_of
+from clickgen.cli import OK, PROBLEMS, complain, tell
+from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
+from clickgen.files import read_file
 from clickgen.pipeline import KnownNames, known_names
 from clickgen.stubs.stub import MARK, builtins_stub
 from clickgen.wording import counted
@@ -48,14 +49,16 @@ def run(options: argparse.Namespace) -> int:
     """Write the stub file of every folder with a program, or say which are stale; returns the exit code."""
     programs, nicknames, frozen, config = options.programs, options.nicknames, options.frozen, options.config
     named = jobs(programs, nicknames, frozen, config)
+    if not options.check:
+        settle(named, config)
     names = _names([*named, *_beside(named, frozen, config)])
     stubs = {near(folder / STUB_NAME): _stub(found) for folder, found in names.items()}
     stale = {path: text for path, text in stubs.items() if _is_stale(path, text)}
     if options.check:
         return _say_stale(stale, _command(programs, nicknames, frozen, config))
-    put_in_place(stale)
+    put_in_place(stale, no_links=stale)
     for path in stubs:
-        print(f"{path}: {'written' if path in stale else 'nothing has changed'}")
+        tell(f"{path}: {'written' if path in stale else 'nothing has changed'}")
     return OK
 
 
@@ -100,7 +103,7 @@ def _stub(names: Sequence[KnownNames]) -> bytes:
 def _is_stale(path: Path, text: bytes) -> bool:
     """True where a file is missing or says something else. Raises CouldNotRun where it is not clickgen's."""
     try:
-        stands = path.read_bytes().replace(b"\r\n", b"\n")
+        stands = read_file(path).replace(b"\r\n", b"\n")
     except FileNotFoundError:
         return True
     if not stands.startswith(MARK.encode()):
@@ -110,7 +113,7 @@ def _is_stale(path: Path, text: bytes) -> bool:
 
 def _say_stale(stale: Mapping[Path, bytes], command: str) -> int:
     for path in stale:
-        print(f"{path} is {'stale' if path.exists() else 'missing'}", file=sys.stderr)
+        tell(f"{path} is {'stale' if path.exists() else 'missing'}", file=sys.stderr)
     if not stale:
         return OK
     complain(f"run {command} and commit what it writes")

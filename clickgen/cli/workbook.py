@@ -8,10 +8,11 @@ import sys
 from functools import partial
 from pathlib import Path
 
-from clickgen.cli import OK, PROBLEMS, complain
-from clickgen.cli.jobs import Job, jobs, settings_of
+from clickgen.cli import OK, PROBLEMS, complain, tell
+from clickgen.cli.jobs import Job, jobs, settings_of, settle
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
+from clickgen.files import read_if_there
 from clickgen.nicknames.elsewhere import build_among
 from clickgen.pipeline import BuildResult
 from clickgen.report.frames import summary, write_problems
@@ -41,6 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Write the workbook of a program; returns the exit code."""
     (job,) = jobs([options.program], options.nicknames, config=options.config)
+    settle([job], options.config)
     path = _place(job, options.output)
     before = _former(path, job)
     (result,) = build_among([job], partial(settings_of, options.config))
@@ -49,8 +51,8 @@ def run(options: argparse.Namespace) -> int:
     if not result.ok:
         complain(f"{noted}; nothing was written")
         return PROBLEMS
-    put_in_place({path: _workbook(result, job)}, unchanged={path: before})
-    print(_report(result, path, noted))
+    put_in_place({path: _workbook(result, job)}, unchanged={path: before}, no_links=[path])
+    tell(*_report(result, path, noted))
     return OK
 
 
@@ -70,9 +72,9 @@ def _former(path: Path, job: Job) -> bytes | None:
     table = job.settings.nicknames
     if table is not None and os.path.realpath(path) == os.path.realpath(table):
         raise CouldNotRun(f"{path} is the address table; choose another file with -o")
-    if not path.is_file():
+    before = read_if_there(path)
+    if before is None:
         return None
-    before = path.read_bytes()
     if not is_ours(before):
         raise CouldNotRun(
             f"{path} was not written by clickgen, or somebody has saved it since; move it away, or choose another "
@@ -97,7 +99,7 @@ def _workbook(result: BuildResult, job: Job) -> bytes:
     )
 
 
-def _report(result: BuildResult, path: Path, noted: str) -> str:
+def _report(result: BuildResult, path: Path, noted: str) -> list[str]:
     rungs = sum(len(routine.rungs) for routine in result.routines)
     lines = [f"Wrote {path}: {counted(rungs, 'rung')}, {counted(len(result.rows), 'address', 'addresses')}."]
     new = len(result.new_rows)
@@ -109,4 +111,4 @@ def _report(result: BuildResult, path: Path, noted: str) -> str:
         )
     if noted:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
-    return "\n".join(lines)
+    return lines

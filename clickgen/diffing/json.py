@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
-
 from clickgen.diffing.changes import KINDS, Difference, RoutineChange, RungChange
 from clickgen.diffing.names import NameChanges
 from clickgen.diffing.text import change_lines, summary
 from clickgen.diffing.words import WordedRung, named
 from clickgen.emit.listing import Names
+from clickgen.wording import json_text
 
 VERSION = 1
 
@@ -30,7 +29,7 @@ def render(difference: Difference, names: NameChanges) -> str:
         "nicknames": list(names.lines),
         "notes": list(difference.notes),
     }
-    return json.dumps(tree, indent=2, ensure_ascii=False) + "\n"
+    return json_text(tree, indent=2) + "\n"
 
 
 def _routine(routine: RoutineChange, difference: Difference) -> dict[str, object]:

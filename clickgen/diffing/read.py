@@ -56,7 +56,7 @@ def read_side(text: str, wanted: Wanted, folder: Path, note: Callable[[str], Non
     except BrokenProgram as error:
         raise _reworded(error, tree) from None
     except CouldNotRun as error:
-        raise CouldNotRun(tree.reworded(str(error))) from None
+        raise CouldNotRun(*map(tree.reworded, error.lines)) from None
 
 
 @dataclass(frozen=True)

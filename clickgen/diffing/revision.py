@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 import posixpath
 import re
-import subprocess
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
 from clickgen.diagnostics import CouldNotRun
+from clickgen.diffing.git import run_git
+from clickgen.files import MIB, READ_MAX
 
 _DRIVE = re.compile(r"[A-Za-z]:([\\/]|$)")
 _LFS = b"version https://git-lfs.github.com/spec/"
@@ -198,14 +199,20 @@ def _contents(names: list[str], named: Named) -> list[bytes]:
     """The contents of blobs, in their order."""
     if not names:
         return []
-    data = _git(named, "cat-file", "--batch", given="".join(f"{name}\n" for name in names).encode())
+    given = "".join(f"{name}\n" for name in names).encode()
+    sizes = [line.split() for line in _git(named, "cat-file", "--batch-check", given=given).splitlines()]
+    if any(len(words) == 3 and int(words[2]) > READ_MAX for words in sizes):
+        raise CouldNotRun(f"{named}: a file of the revision has more than {READ_MAX // MIB} MB")
+    data = _git(named, "cat-file", "--batch", given=given)
     found: list[bytes] = []
     start = 0
     for name in names:
         end = data.find(b"\n", start)
         words = data[start:end].split()
         if len(words) != 3:
-            raise CouldNotRun(f"{named}: git has no content of {name}; is this a partial clone?")
+            raise CouldNotRun(
+                f"{named}: git has no content of {name}; is this a partial clone? clickgen downloads nothing"
+            )
         size = int(words[2])
         found.append(data[end + 1 : end + 1 + size])
         start = end + 1 + size + 1
@@ -213,9 +220,8 @@ def _contents(names: list[str], named: Named) -> list[bytes]:
 
 
 def _git(named: Named, *words: str, given: bytes | None = None, may_fail: bool = False) -> bytes:
-    environment = {**os.environ, "LC_ALL": "C", "GIT_OPTIONAL_LOCKS": "0", "GIT_LITERAL_PATHSPECS": "0"}
     try:
-        done = subprocess.run(["git", *words], input=given, capture_output=True, env=environment, check=False)
+        done = run_git(*words, given=given)
     except FileNotFoundError:
         raise CouldNotRun(
             f"{named}: there is no such file or folder, and a revision needs git, which is not here"

@@ -47,7 +47,7 @@ class Damaged(CouldNotRun):
         lines = list(dict.fromkeys(f"  {problem}" for problem in problems))
         more = len(lines) - _PROBLEMS_SHOWN
         lines = [*lines[:_PROBLEMS_SHOWN], *([f"  and {more} more"] if more > 0 else [])]
-        super().__init__("\n".join([f"{shown} is damaged; what is left is not compared:", *lines]))
+        super().__init__(f"{shown} is damaged; what is left is not compared:", *lines)
 
 
 @dataclass(frozen=True)

@@ -1,12 +1,25 @@
-"""The output folder: what an earlier build left in it, and what must not be there."""
+"""The output folder: what an earlier build left in it, and what must not be there.
+
+The source map of the last build says what it made. Anybody can write a source map, so a file counts as made by a build
+only where it also looks as a build makes it: with the head of its kind, and as many rungs as the map has for it.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+import re
+import stat
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from clickgen.emit.ladder_csv import HEADER as LADDER_COLUMNS
+from clickgen.files import leads_elsewhere, read_file, read_if_there
+from clickgen.resolve.rows import HEADER as NICKNAME_HEAD
+
 _MAP = "sources.json"
+_LADDER_HEAD = ",".join(LADDER_COLUMNS)
+_MAIN_PART = re.compile(r"main(_[0-9]+)?\.csv")
+_SUBROUTINE = re.compile(r"subroutines/([^/]+)\.csv")
 
 
 class ForeignFiles(Exception):
@@ -19,15 +32,23 @@ def stale_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     Raises ForeignFiles when an output would replace a file that is not an earlier output, and when other CSV files
     are there: ClickNick's guided paste takes every CSV file of the folder as ladder (click-facts, section 7).
     """
-    made_before = _made_before(folder)
+    away = folder / "subroutines"
+    if leads_elsewhere(away):
+        raise ForeignFiles(f"{away} is a link to another place; take it away, or choose another folder with -o")
+    noted = _Noted.read(folder)
     there = {path.relative_to(folder).as_posix(): path for path in _csv_files(folder)}
-    in_the_way = [path for name, path in there.items() if name not in files and name not in made_before]
+    leftovers = {name: path for name, path in there.items() if name not in files}
+    in_the_way = [path for name, path in leftovers.items() if not noted.may_go(name)]
     if in_the_way:
         raise ForeignFiles(_message(folder, "ClickNick would take these for ladder", in_the_way))
-    taken = [folder / name for name, data in files.items() if name not in made_before and _differs(folder / name, data)]
+    taken = [
+        folder / name
+        for name, data in files.items()
+        if _differs(folder / name, data) and not noted.may_be_replaced(name)
+    ]
     if taken:
         raise ForeignFiles(_message(folder, "these are not an earlier build's", taken))
-    return [path for name, path in there.items() if name not in files]
+    return [*leftovers.values()]
 
 
 def _csv_files(folder: Path) -> list[Path]:
@@ -37,7 +58,7 @@ def _csv_files(folder: Path) -> list[Path]:
 
 
 def _differs(path: Path, data: bytes) -> bool:
-    return path.is_file() and path.read_bytes() != data
+    return path.is_file() and read_file(path) != data
 
 
 def _message(folder: Path, why: str, paths: list[Path]) -> str:
@@ -47,11 +68,59 @@ def _message(folder: Path, why: str, paths: list[Path]) -> str:
     )
 
 
-def _made_before(folder: Path) -> set[str]:
-    """The outputs that the last build noted in its source map."""
-    try:
-        noted = json.loads((folder / _MAP).read_text("utf-8"))
-    except (OSError, ValueError, RecursionError):
-        return set()
-    files = noted.get("files") if isinstance(noted, dict) and noted.get("generator") == "clickgen" else None
-    return {name for name in files if isinstance(name, str)} if isinstance(files, list) else set()
+class _Noted:
+    """What the source map of the last build says of the folder, and what of it is to be believed."""
+
+    def __init__(self, folder: Path, files: Iterable[object], routines: Mapping[str, object]) -> None:
+        self._folder = folder
+        self._files = {name for name in files if isinstance(name, str)}
+        self._routines = routines
+
+    @classmethod
+    def read(cls, folder: Path) -> _Noted:
+        try:
+            noted = json.loads(read_file(folder / _MAP))
+        except (OSError, ValueError, RecursionError):
+            noted = None
+        is_ours = isinstance(noted, dict) and noted.get("generator") == "clickgen"
+        files, routines = (noted.get("files"), noted.get("routines")) if is_ours else (None, None)
+        return cls(folder, files if isinstance(files, list) else (), routines if isinstance(routines, dict) else {})
+
+    def may_be_replaced(self, name: str) -> bool:
+        """True for an output that is noted and begins as a build's; an empty file holds nothing that could be lost."""
+        if name not in self._files:
+            return False
+        try:
+            is_file = stat.S_ISREG((self._folder / name).lstat().st_mode)
+            data = read_file(self._folder / name) if is_file else None
+        except OSError:
+            return False
+        if data is None:
+            return False
+        head = data.split(b"\n", 1)[0].rstrip(b"\r").decode("utf-8", "replace")
+        if name == "listing.txt":
+            return not data or head.startswith("CLICK program ")
+        if name == "nicknames.csv":
+            return not data or head == NICKNAME_HEAD
+        is_ladder = _MAIN_PART.fullmatch(name) or _SUBROUTINE.fullmatch(name)
+        return name == _MAP or not data or (is_ladder is not None and head == _LADDER_HEAD)
+
+    def may_go(self, name: str) -> bool:
+        """True for a leftover that a build made: it also has as many rungs as the map knows of its routine."""
+        if not self.may_be_replaced(name):
+            return False
+        match = _SUBROUTINE.fullmatch(name)
+        if match:
+            return self._rungs([name]) == self._count(match[1])
+        if not _MAIN_PART.fullmatch(name):
+            return False
+        return self._rungs(part for part in self._files if _MAIN_PART.fullmatch(part)) == self._count("main")
+
+    def _rungs(self, names: Iterable[str]) -> int:
+        """How many rungs these files hold together."""
+        held = (read_if_there(self._folder / name) or b"" for name in names)
+        return sum(len(re.findall(rb"(?m)^R,", data)) for data in held)
+
+    def _count(self, routine: str) -> int:
+        rungs = self._routines.get(routine)
+        return len(rungs) if isinstance(rungs, list) else -1

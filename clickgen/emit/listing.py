@@ -21,7 +21,7 @@ from clickgen.ir.walk import condition_operands
 from clickgen.lower.split import ClickRoutine, ClickRung
 from clickgen.lower.tokens import NEVER_CONTACT, action_token, operand_token, pin_token
 from clickgen.lower.words import condition_words, term_words
-from clickgen.wording import as_utf8, counted
+from clickgen.wording import counted, escaped
 
 _KEYWORD = re.compile(r"[a-z_]+=")
 _KEPT_HEAD = 3
@@ -64,7 +64,7 @@ def listing(title: str, routines: Iterable[ClickRoutine], nicknames: Mapping[Add
     """The whole listing: counts, every routine rung by rung, and the cross-reference."""
     routines = tuple(routines)
     names = Names(nicknames)
-    lines = [f"CLICK program {as_utf8(title)}", ""]
+    lines = [f"CLICK program {escaped(title)}", ""]
     width = max(len(routine.name) for routine in routines)
     for routine in routines:
         rows = sum(len(rung.grid) for rung in routine.rungs)

@@ -9,7 +9,7 @@ from functools import cache
 
 from clickgen.lower.split import ClickRoutine
 from clickgen.resolve.rows import Row
-from clickgen.wording import as_utf8
+from clickgen.wording import json_text
 
 FORMAT = 1
 """The version of the file's form."""
@@ -24,15 +24,12 @@ def source_map(routines: Iterable[ClickRoutine], scratch: Iterable[Row], files: 
     rows = []
     for routine in routines:
         rungs = [
-            as_utf8(  # JSON knows these escapes
-                json.dumps(
-                    {
-                        "rung": number,
-                        "file": _relative(rung.span.path, base),
-                        "lines": [rung.span.line, rung.span.end_line],
-                    },
-                    ensure_ascii=False,
-                )
+            json_text(
+                {
+                    "rung": number,
+                    "file": _relative(rung.span.path, base),
+                    "lines": [rung.span.line, rung.span.end_line],
+                }
             )
             for number, rung in enumerate(routine.rungs, 1)
         ]

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from clickgen.diagnostics import CouldNotRun, Diagnostic
 from clickgen.emit.write import put_in_place
+from clickgen.files import read_file, read_if_there
 from clickgen.importing.declarations import declarations
 from clickgen.importing.files import a_file_each
 from clickgen.importing.nicknames import Nicknames, nicknames_of, no_nicknames
@@ -112,12 +113,12 @@ class ImportResult:
         if taken and not replaces:
             names = ", ".join(map(str, taken))
             raise CouldNotRun(f"{names} would be overwritten: choose another place with -o, or add --force")
-        unchanged = {path: path.read_bytes() if path.is_file() else None for path in self.files}
-        return put_in_place(self.files, (), unchanged)
+        unchanged = {path: read_if_there(path) for path in self.files}
+        return put_in_place(self.files, (), unchanged, no_links=self.files)
 
 
 def _holds_otherwise(path: Path, data: bytes) -> bool:
-    return path.exists() and not (path.is_file() and path.read_bytes() == data)
+    return path.exists() and not (path.is_file() and read_file(path) == data)
 
 
 def import_project(

@@ -13,6 +13,7 @@ from pathlib import Path
 from clickgen.device.limits import SUBROUTINE_NAME_MAX
 from clickgen.device.project_file import is_click_project
 from clickgen.diagnostics import CouldNotRun
+from clickgen.files import read_file, read_start
 from clickgen.ladder.binary import ProgramHeader, program_header, read_clipboard, read_program
 from clickgen.ladder.calls import call_of
 from clickgen.ladder.grid import DrawnRung, Ladder, decode_ladder, read_ladder
@@ -214,7 +215,7 @@ def _stem(path: Path) -> str:
 def _order_of_build(path: Path, names: Iterable[str]) -> list[str] | None:
     """The subroutines as the source map has them; None without one, and where it is that of another program."""
     try:
-        noted = json.loads(path.read_text("utf-8"))
+        noted = json.loads(read_file(path))
     except (OSError, ValueError, RecursionError):
         return None
     routines = noted.get("routines") if isinstance(noted, dict) and noted.get("generator") == "clickgen" else None
@@ -281,8 +282,7 @@ def _bytes(path: Path) -> bytes:
 
 def _head(path: Path) -> bytes:
     """As much of a file as says of which kind it is."""
-    with path.open("rb") as file:
-        return file.read(HEAD_BYTES)
+    return read_start(path, HEAD_BYTES)
 
 
 def _shown(path: Path) -> str:

@@ -11,6 +11,7 @@ from typing import NamedTuple, Protocol
 from clickgen.checking.discover import Target, targets
 from clickgen.config import CheckSettings, Config
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
+from clickgen.files import read_file
 from clickgen.nicknames.uses import FileNames, read_names
 from clickgen.resolve.layers import is_workbook
 from clickgen.settings import TABLE_NAME, Settings
@@ -46,7 +47,7 @@ class Files:
         """The bytes of a file, None where there is none. Raises OSError."""
         real = os.path.realpath(path)
         if real not in self.contents:
-            self.contents[real] = Path(path).read_bytes() if os.path.lexists(path) else None
+            self.contents[real] = read_file(path) if os.path.lexists(path) else None
             self.shown[real] = path
         return self.contents[real]
 

@@ -18,6 +18,7 @@ from clickgen.nicknames.programs import Files, Job, Program, programs_around
 from clickgen.nicknames.prove import Side, errors_of, prove_same
 from clickgen.nicknames.tables import Table, read_tables
 from clickgen.nicknames.uses import FileNames, comments_with, read_names, word_pattern
+from clickgen.resolve.record import read_record
 from clickgen.resolve.rows import is_scratch, looks_like_scratch
 from clickgen.source import Span
 from clickgen.syntax.parse import decode
@@ -220,6 +221,7 @@ def _records(tables: Iterable[Table], old: str, new: str, files: Files) -> dict[
         if table.row(old) is not None:
             data = table.record_renamed(files.look(str(table.record)), old, new)
             if data is not None:
+                read_record(table.record)  # refuses what is not clickgen's
                 renamed[os.path.realpath(table.record)] = data
     return renamed
 

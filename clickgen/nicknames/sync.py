@@ -13,7 +13,7 @@ from clickgen.diagnostics import CouldNotRun, Diagnostics
 from clickgen.nicknames.programs import Files, Job, Program, programs_around
 from clickgen.pipeline import BuildResult, build, build_all
 from clickgen.resolve.read_table import read_table
-from clickgen.resolve.record import left_in, placed_in, record_beside, record_of
+from clickgen.resolve.record import left_in, placed_in, read_record, record_beside, record_of
 from clickgen.resolve.rows import Row, is_scratch
 from clickgen.resolve.table import AddressTable
 
@@ -97,7 +97,7 @@ class _Table:
         self._strangers = [each for each in others if each.table_key != key and not os.path.exists(each.table_key)]
         others = [each for each in others if each.table_key == key]
         self._before = own[0].table_before
-        self._record = _bytes(record_beside(self._path))
+        self._record = read_record(record_beside(self._path))
         self._placed = placed_in(self._record)
         self._placed |= {row.address: row.nickname for result in own for row in result.placed_rows}
         self._left = left_in(self._record)
@@ -147,7 +147,7 @@ class _Table:
         """The table and the record beside it: what they should hold, and what they held."""
         rows = {row.address: row.nickname for row in self._table.own_rows}
         placed = {address: name for address, name in self._placed.items() if rows.get(address) == name}
-        record = record_of(placed, self._left) if placed or self._record is not None else None
+        record = record_of(placed, self._left, self._record) if placed or self._record is not None else None
         data = None if self._before is None and not rows else self._table.to_bytes()
         return [
             (self._path, data, self._before),
@@ -160,10 +160,6 @@ def _contents(path: Path, data: bytes | None) -> dict[Address, object]:
     if data is None:
         return {}
     return {row.address: row.content for row in read_table(path, str(path), Diagnostics(), data).own_rows}
-
-
-def _bytes(path: Path) -> bytes | None:
-    return path.read_bytes() if path.is_file() else None
 
 
 def _read(programs: Iterable[Program], path: Path, table: AddressTable) -> tuple[list[BuildResult], list[str]]:

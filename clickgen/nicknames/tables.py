@@ -57,7 +57,7 @@ class Table:
         row, placed = self.row(old), placed_in(data)
         if row is None or placed.get(row.address) != row.nickname:
             return None
-        return record_of(placed | {row.address: new}, left_in(data))
+        return record_of(placed | {row.address: new}, left_in(data), data)
 
     def stand_in(self, old: str, new: str) -> tuple[Path, bytes] | None:
         """Where the table was renamed already and the sources were not: the table as it was before, and its place."""

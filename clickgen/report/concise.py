@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from clickgen.report import Report
-from clickgen.report.frames import printable
+from clickgen.wording import escaped
 
 
 def render(report: Report) -> str:
@@ -11,6 +11,5 @@ def render(report: Report) -> str:
     for finding in report.findings:
         place = f"{finding.span}: " if finding.span else ""
         fixable = " [*]" if finding.fix and finding.fix.is_safe else ""
-        message = " ".join(printable(finding.message).split("\n"))
-        lines.append(f"{printable(place)}{finding.code}{fixable} {message}\n")
+        lines.append(f"{escaped(place)}{finding.code}{fixable} {escaped(finding.message)}\n")
     return "".join(lines)

@@ -9,9 +9,10 @@ from typing import TextIO
 
 from clickgen.codes import Severity
 from clickgen.diagnostics import Diagnostic
+from clickgen.files import read_file
 from clickgen.report import use_color
 from clickgen.source import SourceFile, Span
-from clickgen.wording import counted
+from clickgen.wording import counted, escaped, printable
 
 _COLORS = {Severity.ERROR: "31", Severity.WARNING: "33", Severity.INFO: "36"}
 _FRAME_WIDTH = 110
@@ -34,16 +35,16 @@ class Renderer:
     def render(self, problem: Diagnostic) -> str:
         severity = self._severity_of(problem)
         head = self._paint(f"{severity.value}[{problem.code}]", f"1;{_COLORS[severity]}")
-        place = f"{printable(str(problem.span))}: " if problem.span else ""
-        lines = [f"{self._paint(place, '1')}{head}: {printable(problem.message)}"]
+        place = f"{escaped(str(problem.span))}: " if problem.span else ""
+        lines = [f"{self._paint(place, '1')}{head}: {escaped(problem.message)}"]
         if problem.span:
             lines += self._frame(problem.span, "^", _COLORS[severity])
         for label in problem.labels:
             where = label.span.seen_from(problem.span) if problem.span else str(label.span)
-            lines.append(f"  {self._paint('note', '1')}: {printable(label.text)} ({printable(where)})")
+            lines.append(f"  {self._paint('note', '1')}: {escaped(label.text)} ({escaped(where)})")
             lines += self._frame(label.span, "-", "36")
         if problem.help:
-            lines.append(f"  {self._paint('help', '1;32')}: {printable(problem.help)}")
+            lines.append(f"  {self._paint('help', '1;32')}: {escaped(problem.help)}")
         return "\n".join(lines)
 
     def _frame(self, span: Span, mark: str, color: str) -> Iterator[str]:
@@ -62,16 +63,6 @@ class Renderer:
 
     def _paint(self, text: str, style: str) -> str:
         return f"\x1b[{style}m{text}\x1b[0m" if self._color and text else text
-
-
-def printable(text: str) -> str:
-    """Text without control characters: a file must not steer the terminal. A tab becomes four spaces."""
-    if text.isascii() and text.isprintable():
-        return text
-    return "".join(
-        character if character.isprintable() or character == "\n" else "    " if character == "\t" else "\N{MIDDLE DOT}"
-        for character in text
-    )
 
 
 def _width(text: str) -> int:
@@ -97,8 +88,8 @@ def source_lines(sources: Iterable[SourceFile]) -> Callable[[str, int], str]:
     def line_of(path: str, number: int) -> str:
         if path not in cache:
             try:
-                with open(path, encoding="utf-8-sig", errors="replace", newline="") as file:
-                    cache[path] = file.read().replace("\r\n", "\n").replace("\r", "\n").split("\n")
+                text = read_file(path).decode("utf-8-sig", "replace")
+                cache[path] = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
             except OSError:
                 cache[path] = []
         lines = cache[path]

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from clickgen.codes import Severity
 from clickgen.diagnostics import Diagnostic
 from clickgen.report import Report, message_of, shown_path
-from clickgen.report.frames import printable, summary
+from clickgen.report.frames import summary
 from clickgen.source import Span
+from clickgen.wording import printable
 
 LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
 LIMIT = 10

@@ -11,6 +11,7 @@ from pathlib import Path
 from clickgen.device.banks import BANKS, Address, parse_address
 from clickgen.device.project_file import is_click_project
 from clickgen.diagnostics import Diagnostics, Label
+from clickgen.files import read_start
 from clickgen.resolve.judge_row import (
     Fault,
     address_comment_fault,
@@ -63,8 +64,7 @@ def read_bounded(path: Path, limit: int, shown: str) -> bytes:
     mode = path.stat().st_mode
     if not stat.S_ISREG(mode) and not stat.S_ISDIR(mode):
         raise TableUnreadable(f"{shown} is a pipe or a device; name a file")
-    with path.open("rb") as file:
-        return file.read(limit)
+    return read_start(path, limit)
 
 
 def bytes_of_table(path: Path, shown: str) -> bytes:

@@ -13,10 +13,31 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from clickgen.device.banks import Address, parse_address
+from clickgen.diagnostics import CouldNotRun
+from clickgen.files import leads_elsewhere, read_if_there
 from clickgen.resolve.rows import Row
 
 _LEFT = re.compile(r"left (\S+) for (\S+)")
 _HEAD = "# Names that clickgen placed. Commit this file with the address table."
+
+
+def read_record(path: Path) -> bytes | None:
+    """The bytes of a record; None where there is none.
+
+    Raises CouldNotRun for a link to another place, and for a file that is no record: clickgen would write over it.
+    """
+    if leads_elsewhere(path):
+        raise CouldNotRun(f"{path} is a link to another place; clickgen keeps its own record there: take the link away")
+    try:
+        data = read_if_there(path)
+    except OSError as error:
+        raise CouldNotRun(f"{path} cannot be read: {error.strerror or error}") from None
+    lines = _lines(data)
+    if _HEAD not in lines and not all(line.startswith("#") or _entry(line) or _left(line) for line in lines):
+        raise CouldNotRun(
+            f"{path} is not the record of clickgen, which is kept under this name: give the file another name"
+        )
+    return data
 
 
 def record_beside(table: Path) -> Path:
@@ -27,29 +48,42 @@ def record_beside(table: Path) -> Path:
 
 def placed_in(data: bytes | None) -> dict[Address, str]:
     """The nickname that clickgen gave to each address; lines that say no such thing are passed over."""
-    placed: dict[Address, str] = {}
-    for line in (data or b"").decode("utf-8", "replace").splitlines():
-        word, _, nickname = line.partition(" ")
-        address = parse_address(word)
-        if address is not None and nickname:
-            placed[address] = nickname
-    return placed
+    return dict(entry for line in _lines(data) if (entry := _entry(line)))
 
 
 def left_in(data: bytes | None) -> dict[Address, Address]:
     """By the address of each name that came when another one left its program: the address where that one stays."""
-    lines = (data or b"").decode("utf-8", "replace").splitlines()
-    found = (_LEFT.fullmatch(line) for line in lines)
-    pairs = ((parse_address(match[2]), parse_address(match[1])) for match in found if match)
-    return {came: left for came, left in pairs if came is not None and left is not None}
+    return dict(pair for line in _lines(data) if (pair := _left(line)))
 
 
-def record_of(placed: Mapping[Address, str], left: Mapping[Address, Address] | None = None) -> bytes:
-    """The file, in CLICK's order. Of ``left`` it keeps what speaks of names that are in it."""
+def record_of(
+    placed: Mapping[Address, str], left: Mapping[Address, Address] | None = None, data: bytes | None = None
+) -> bytes:
+    """The file, in CLICK's order. Of ``left`` it keeps what speaks of names that are in it.
+
+    What else a person has written into the former one, ``data``, stays in it.
+    """
+    others = [line for line in _lines(data) if line != _HEAD and not _entry(line) and not _left(line)]
     lines = [f"{address} {placed[address]}" for address in sorted(placed, key=lambda address: address.sort_key)]
     pairs = sorted((left or {}).items(), key=lambda pair: pair[0].sort_key)
     lines += [f"left {old} for {new}" for new, old in pairs if old in placed and new in placed]
-    return "\n".join((_HEAD, *lines, "")).encode()
+    return "\n".join((_HEAD, *others, *lines, "")).encode("utf-8", "surrogateescape")
+
+
+def _lines(data: bytes | None) -> list[str]:
+    return [line for line in (data or b"").decode("utf-8", "surrogateescape").splitlines() if line.strip()]
+
+
+def _entry(line: str) -> tuple[Address, str] | None:
+    word, _, nickname = line.partition(" ")
+    address = parse_address(word)
+    return (address, nickname) if address is not None and nickname else None
+
+
+def _left(line: str) -> tuple[Address, Address] | None:
+    match = _LEFT.fullmatch(line)
+    old, new = (parse_address(match[1]), parse_address(match[2])) if match else (None, None)
+    return (new, old) if new is not None and old is not None else None
 
 
 def with_placed(data: bytes | None, rows: Iterable[Row], left: Mapping[Address, Address] | None = None) -> bytes | None:
@@ -57,4 +91,4 @@ def with_placed(data: bytes | None, rows: Iterable[Row], left: Mapping[Address, 
     placed, known = placed_in(data), left_in(data)
     new = {row.address: row.nickname for row in rows if placed.get(row.address) != row.nickname}
     gone = {came: old for came, old in (left or {}).items() if known.get(came) != old}
-    return record_of(placed | new, known | gone) if new or gone else data
+    return record_of(placed | new, known | gone, data) if new or gone else data
