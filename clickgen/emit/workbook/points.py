@@ -35,8 +35,10 @@ def inputs_and_outputs(project: Project) -> Sheet:
 def _slot(project: Project, word: Address) -> Iterator[Cells]:
     points = points_of(word)
     slot = f"{points[0]}-{points[-1]}"
-    if all(project.states.at(point) is State.FREE for point in points):
-        yield tuple(Marked(text, Look.FAINT) for text in (slot, str(word), slot, "", "", f"free: {len(points)} points"))
+    states = {project.states.at(point) for point in points}
+    if states in ({State.FREE}, {State.RESERVED}):
+        what = f"{states.pop().words}: {len(points)} points"
+        yield tuple(Marked(text, Look.FAINT) for text in (slot, str(word), slot, "", "", what))
         return
     for point in points:
         state = project.states.at(point)
