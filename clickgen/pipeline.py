@@ -25,6 +25,7 @@ from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Program
 from clickgen.lower.place import PlaceScratch
 from clickgen.lower.scratch import Scratch
+from clickgen.lower.serves import served
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
 from clickgen.resolve.layers import beside_workbook
@@ -388,7 +389,9 @@ def _place_scratch(state: _Build) -> None:
     """Every address is known now: the scratch cells get theirs, and the table its new rows."""
     assert state.resolved is not None
     resolved = state.resolved
-    placed = state.scratch.assign(state.table, resolved.allocator, state.settings.frozen, state.problems)
+    nicknames = _nicknames(state)
+    serves = served(state.routines, state.scratch.ends, lambda address: nicknames.get(address, ""))
+    placed = state.scratch.assign(serves, state.table, resolved.allocator, state.settings.frozen, state.problems)
     if len(placed) < len(state.scratch.uses):
         return
     if placed:

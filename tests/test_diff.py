@@ -379,6 +379,21 @@ def test_the_word_rung_in_the_name_of_a_routine() -> None:
     assert len({purpose_of(reason) for reason in reasons}) == 3
     assert {rung_of(reason) for reason in reasons} == {9}
     assert purpose_of("condition of Pump rung 3 rung 12") == purpose_of("condition of Pump rung 3 rung 9")
+    assert rung_of("condition of Pump rung 3: out Y001 Motor") == 0
+
+
+def test_a_purpose_has_no_nickname_and_no_number() -> None:
+    purposes = {
+        "condition of main: out Y001 Motor (12)": ("condition of main: out Y001", 12),
+        "value of DS[DS1] for the formula of main: calc to DD1 My sum": (
+            "value of DS[DS1] for the formula of main: calc to DD1",
+            0,
+        ),
+        "condition of main: shift C1..C8 (2)": ("condition of main: shift C1..C8", 2),
+        "condition of main: call C1 pump": ("condition of main: call C1 pump", 0),
+        "rtof T1: on while its rung is true": ("rtof T1: on while its rung is true", 0),
+    }
+    assert {comment: (purpose_of(comment), rung_of(comment)) for comment in purposes} == purposes
 
 
 def ladder(*rungs: tuple[str, str]) -> dict[str, list[DrawnRung]]:

@@ -203,8 +203,9 @@ class _CrossReference:
         elif isinstance(operand, Pointer):
             key = ((Address(operand.bank, -1).sort_key), 0, operand_token(operand))
             self._note(key, routine, rung, is_written)
-        for bank, low, high in extents_of(operand):
-            if bank != operand.bank or low < high:
+        for index, (bank, low, high) in enumerate(extents_of(operand)):
+            # The first one is the operand's own; the others are the points that its words hold.
+            if index or low < high:
                 for number in self._known_in(bank, low, high):
                     self._note_cell(Address(bank, number), routine, rung, is_written)
 

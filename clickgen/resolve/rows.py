@@ -68,7 +68,8 @@ def scratch_name(address: Address) -> str:
 
 
 _SCRATCH_NAME = re.compile(rf"{SCRATCH}[A-Z]+[0-9]+", re.IGNORECASE)
-_SCRATCH_REASON = re.compile(r".+ of [\w -]+ rung [0-9]+(: .+)?|rtof T[0-9]+: .+")
+_SCRATCH_REASON = re.compile(r".+ of [\w -]+: [a-z_]+( .+)?|rtof T[0-9]+: .+|.+ of [\w -]+ rung [0-9]+(: .+)?")
+"""The last form is that of earlier versions."""
 
 
 def looks_like_scratch(name: str) -> bool:
