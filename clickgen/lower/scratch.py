@@ -30,7 +30,7 @@ _RUNG_NUMBER = re.compile(
 
 The name of a routine may hold the word and a number, too: what follows there is an instruction.
 """
-_NICKNAME = re.compile(r"(?<=: )((?!call )[a-z_]+(?: to)? [A-Z]+[0-9]+u?) [^()]+?(?=$| \([0-9]+\)$)")
+_NICKNAME = re.compile(r"(?<=: )((?!call )[a-z_]+(?: to)? [A-Z]+[0-9]+u?) ([^()]+?)(?=$| \([0-9]+\)$)")
 _ORDINAL = re.compile(r" \(([0-9]+)\)$")
 _CUT = "..."
 _NOTHING = "nothing"
@@ -63,6 +63,14 @@ def purpose_of(comment: str) -> str:
     if _RUNG_NUMBER.search(comment):
         return _RUNG_NUMBER.sub("", comment, count=1)
     return _NICKNAME.sub(r"\1", _ORDINAL.sub("", comment))
+
+
+def renamed_reason(comment: str, old: str, new: str) -> str:
+    """A comment with another nickname for what the cell serves; as it is where that has another name."""
+    match = _NICKNAME.search(comment)
+    if match is None or match[2].lower() != old.lower():
+        return comment
+    return comment[: match.start(2)] + new + comment[match.end(2) :]
 
 
 def rung_of(comment: str) -> int:

@@ -168,6 +168,22 @@ class AddressTable:
                 raise ValueError(f"{row.nickname} would be {holder.address} and {row.address}")
         return table
 
+    def recommented(self, address: Address, old: str, new: str) -> AddressTable:
+        """The table with ``new`` in place of ``old`` in the comment of an address; every other byte stays.
+
+        Neither may be anything that a nickname or a number could hold.
+        """
+        entries = list(self._entries)
+        for index, (row, text, end) in enumerate(entries):
+            if row is not None and row.address == address:
+                comment = row.comment.replace(old, new, 1)
+                doubled = old.replace('"', '""')
+                text = (
+                    text.replace(doubled, new.replace('"', '""'), 1) if doubled in text else text.replace(old, new, 1)
+                )
+                entries[index] = Entry(replace(row, comment=comment, raw=text if row.raw else ""), text, end)
+        return replace(self, _entries=tuple(entries))
+
     def renamed(self, address: Address, nickname: str) -> AddressTable:
         """The table with another nickname at an address; every other byte stays, those of the row included."""
         entries = list(self._entries)
