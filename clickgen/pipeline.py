@@ -336,6 +336,25 @@ def _resolve(state: _Build) -> None:
         settings = state.settings
         state.resolved = resolve(state.program, state.table, settings.frozen, state.problems, settings.reserved)
         state.problems.found = [_doubting_blocks(problem, state.resolved.blocks) for problem in state.problems.found]
+        if settings.nicknames is None:
+            _name_own_table(state)
+
+
+def _name_own_table(state: _Build) -> None:
+    """The table beside the program may be that of another PLC: where both disagree, say once how to have an own one."""
+    for index, problem in enumerate(state.problems.found):
+        in_table = any(label.span.path == str(state.table_path) for label in problem.labels)
+        if problem.code in ("CG204", "CG205") and in_table:
+            own = f"give it a table of its own in clickgen.toml: {own_table_setting(state.path)}"
+            help = f"{problem.help}; if this program is for another PLC, {own}"
+            state.problems.found[index] = problem._replace(help=help)
+            return
+
+
+def own_table_setting(program: Path) -> str:
+    """How the settings of the working folder give a program an address table of its own."""
+    path = Path(program.name) if program.is_absolute() else program
+    return f'programs = [{{ path = "{path.as_posix()}", nicknames = "{path.with_suffix(".csv").as_posix()}" }}]'
 
 
 def _doubting_blocks(problem: Diagnostic, blocks: Mapping[str, Block]) -> Diagnostic:

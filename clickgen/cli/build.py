@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import argparse
+import os
+import re
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain
 from clickgen.cli.jobs import Job, jobs, near
 from clickgen.diagnostics import CouldNotRun
-from clickgen.pipeline import BuildResult, build_all, write_all
+from clickgen.pipeline import BuildResult, build_all, own_table_setting, write_all
 from clickgen.report.frames import summary, write_problems
 from clickgen.wording import counted
 
@@ -50,7 +52,7 @@ def run(options: argparse.Namespace) -> int:
         return PROBLEMS
     write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
     for job, result in zip(jobs, results, strict=True):
-        print(_report(result, job.folder))
+        print(_report(result, job))
     return OK
 
 
@@ -71,7 +73,8 @@ def _jobs(
     return found
 
 
-def _report(result: BuildResult, folder: Path) -> str:
+def _report(result: BuildResult, job: Job) -> str:
+    folder = job.folder
     main, subroutines = result.main, result.subroutines
     counts = [f"{counted(len(main.rungs), 'rung')} in main"]
     if subroutines:
@@ -81,6 +84,7 @@ def _report(result: BuildResult, folder: Path) -> str:
     lines = [f"Built {near(result.program)}: {', '.join(counts)}."]
     if new:
         lines.append(f"{counted(len(new), 'new address', 'new addresses')} in {result.table_path}: commit it.")
+        lines += _shared(result, job)
     noted = _summary([result])
     if noted:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
@@ -92,6 +96,22 @@ def _report(result: BuildResult, folder: Path) -> str:
     steps.append(f"in ClickNick: Ladder > Open in Guided Paste, {folder}")
     lines += [f"  {number}. {step}" for number, step in enumerate(steps, 1)]
     return "\n".join(lines)
+
+
+_MAIN = re.compile(rb"^def main\(", re.MULTILINE)
+
+
+def _shared(result: BuildResult, job: Job) -> Iterator[str]:
+    """Where a program beside this one has the same table because nobody named one: how to part them."""
+    if job.settings.nicknames is not None:
+        return
+    own = {os.path.realpath(source.path) for source in result.sources}
+    for path in sorted(result.program.parent.glob("*.py")):
+        if os.path.realpath(path) not in own and path.is_file() and _MAIN.search(path.read_bytes()):
+            copy = near(result.program).with_suffix(".csv")
+            yield f"{near(path)} has this table too. For two PLCs copy it to {copy}, and name that in clickgen.toml:"
+            yield f"  {own_table_setting(near(result.program))}"
+            return
 
 
 def _summary(results: Iterable[BuildResult]) -> str:
