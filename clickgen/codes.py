@@ -146,6 +146,8 @@ CODES: dict[str, Code] = {
     "CG604": Code(_W, "part of a row of the workbook is left out"),
     "CG605": Code(_E, "the workbook and the address table beside it disagree"),
     "CG606": Code(_W, "marks of blocks in the address table do not fit"),
+    "CG618": Code(_I, "rows of the workbook without a nickname are passed over"),
+    "CG619": Code(_E, "a name of the program stands for spare points in the workbook"),
     # -- bringing a project in ------------------------------------------------------------------------------------
     "CG701": Code(_E, "a ladder file is damaged"),
     "CG702": Code(_E, "a rung cannot be kept as it is"),

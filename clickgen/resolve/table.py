@@ -72,6 +72,15 @@ class AddressTable:
         return names
 
     @cached_property
+    def spares(self) -> dict[str, Row]:
+        """What a workbook has in place of nicknames, in lower case, each with the first row that has it."""
+        spares: dict[str, Row] = {}
+        for row in self.base:
+            if row.spare:
+                spares.setdefault(row.spare.lower(), row)
+        return spares
+
+    @cached_property
     def by_address(self) -> dict[Address, Row]:
         return {row.address: row for row in self.rows}
 
