@@ -44,6 +44,6 @@ def _slot(project: Project, word: Address) -> Iterator[Cells]:
         state = project.states.at(point)
         look = Look.FAINT if state is State.FREE else Look.PLAIN
         written, read = (project.places(uses) for uses in (project.uses.writes(point), project.uses.reads(point)))
-        nickname, comment = project.names.nickname(point), project.text_of(point)
+        nickname, comment = project.names.nickname(point), project.text_of(point) or project.spare_word(point)
         texts = (slot, str(word), str(point), nickname, comment, state.words, written, read)
         yield tuple(Marked(text, look) for text in texts)

@@ -53,6 +53,11 @@ class Project:
         row = self.by_address.get(address)
         return row.comment if row else ""
 
+    def spare_word(self, address: Address) -> str:
+        """What the I/O list has in place of a nickname: ``SPARE``."""
+        row = self.by_address.get(address)
+        return row.spare if row else ""
+
     @cached_property
     def uses(self) -> Uses:
         """Every use of an address in the rungs of CLICK."""

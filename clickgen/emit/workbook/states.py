@@ -23,7 +23,7 @@ class State(Enum):
     BLOCK = ("B", "in a block", "a block holds it; a pointer or a panel may use it", Look.BLOCK)
     SCRATCH = ("S", "scratch", "clickgen needs it for itself", Look.SCRATCH)
     RESERVED = ("R", "reserved", "the settings keep it free", Look.RESERVED)
-    FREE = ("", "free", "clickgen may give it to a name", Look.FAINT)
+    FREE = ("", "free", "nothing names it or uses it", Look.FAINT)
 
     def __init__(self, letter: str, words: str, meaning: str, look: Look) -> None:
         self.letter = letter
