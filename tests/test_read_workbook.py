@@ -280,6 +280,21 @@ def test_what_may_be_a_name_is_none_where_two_points_have_it() -> None:
     assert [problem.code for problem in problems] == ["CG618"]
 
 
+def test_in_a_table_of_clicks_own_form_a_word_is_a_nickname_as_long_as_it_is_alone() -> None:
+    titles = ("Address", "Data Type", "Nickname", "Initial Value", "Retentive", "Address Comment")
+    rows = rows_of(
+        workbook(IO=[titles, ("X001", "BIT", "Spare", 0, "No", None), ("X002", "BIT", "Reserve", 0, "No", None)])
+    )
+    assert [row.nickname for row in rows] == ["Spare", "Reserve"]
+    twice = workbook(IO=[titles, ("X001", "BIT", "Spare", 0, "No", None), ("X002", "BIT", "SPARE", 0, "No", None)])
+    rows, problems = judged(twice)
+    assert [row.spare for row in rows] == ["Spare", "SPARE"]
+    assert [problem.code for problem in problems] == ["CG618"]
+    assert said(workbook(IO=[titles, ("X001", "BIT", "N/A", 0, "No", None)])) == [
+        "CG618 IO!C2 1 row of this list has no nickname: N/A in 1"
+    ]
+
+
 def test_a_spare_with_a_number_is_a_nickname() -> None:
     assert [row.nickname for row in rows_of(listed(("X001", "Spare 1"), ("X002", "SPARE2")))] == ["Spare 1", "SPARE2"]
 

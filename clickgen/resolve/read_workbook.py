@@ -8,7 +8,8 @@ name that is left out would get another address.
 
 **Rows.** An empty cell says nothing; so does a dash, or a word such as N/A, for anything but a comment. A nickname such
 as SPARE, TBD or "not used" is none; its address is given to no name, and how many such rows there are is said. Words
-that may be names too, such as x or Open, are passed over only where two addresses have them. Addresses are taken
+that may be names too, such as x or Open, are passed over only where two addresses have them; so is every such word in
+a list with the titles Nickname and Data Type, which is CLICK's own table. Addresses are taken
 in any case, with spaces and leading zeros or without (``x 1``, ``DS 0100``). A row that says something of an address
 needs one that CLICK has. Without any address a row is a caption or a remark; if it has a name, a warning says that it
 is left out. Several rows may speak of one address, on one sheet or on many: what they say is put together, and where
@@ -33,6 +34,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, Address, Kind
+from clickgen.device.nicknames import nickname_fault
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.resolve.judge_row import (
     Fault,
@@ -50,13 +52,13 @@ from clickgen.resolve.workbook_cells import Cell, Line, Sheet, sheets_of
 from clickgen.resolve.workbook_titles import HEADER_ROWS, AddressList, Field, lists_of
 from clickgen.resolve.workbook_values import (
     address_of,
-    doubtful_spare,
     initial_of,
     is_spare,
     looks_like_address,
     name_of,
     retentive_of,
     same_initial,
+    spare_where_twice,
 )
 from clickgen.source import Span
 from clickgen.wording import counted
@@ -121,7 +123,7 @@ class _Reader:
         self.problems = problems
         self._hidden = hidden
         self._doubtful_spares = spares
-        """The words that may be names and are none in this workbook."""
+        """The words that two addresses have in place of a nickname."""
         self._said: dict[Address, _Said] = {}
         self._by_name: dict[str, tuple[Address, _Fact]] = {}
 
@@ -147,7 +149,7 @@ class _Reader:
         """Take what a line says; returns the cells that should say something and hold no plain value."""
         cells = {what: cell for what in _SAID if (cell := listed.cell(line, what)) and _says_something(what, cell)}
         name = cells.get(Field.NICKNAME)
-        is_spare = name is not None and self._is_spare(name)
+        is_spare = name is not None and self._is_spare(name, listed)
         if is_spare:
             del cells[Field.NICKNAME]
         at = listed.cell(line, Field.ADDRESS)
@@ -173,9 +175,11 @@ class _Reader:
             self._without_nickname(sheet, listed, line, address)
         return [(what, cell) for what, cell in cells.items() if cell.fault]
 
-    def _is_spare(self, name: Cell) -> bool:
-        """True for a nickname that is none."""
-        return is_spare(name.text) or doubtful_spare(name.text) in self._doubtful_spares
+    def _is_spare(self, name: Cell, listed: AddressList) -> bool:
+        """True for a nickname that is none. In CLICK's own table Spare is one, as long as it stands there once."""
+        if spare_where_twice(name.text) in self._doubtful_spares:
+            return True
+        return is_spare(name.text) and not (listed.is_table and nickname_fault(name.text) is None)
 
     def _passed_over(self) -> None:
         """Say once for a list which rows have no nickname, and what stands there."""
@@ -315,12 +319,12 @@ class _Reader:
 
 
 def _doubtful_spares(lists: Iterable[AddressList]) -> set[str]:
-    """The words that may be names and stand at two addresses."""
+    """The words for spare points that stand at two addresses."""
     holders: dict[str, set[Address]] = {}
     for listed in lists:
         for line in listed.lines:
             at, name = listed.cell(line, Field.ADDRESS), listed.cell(line, Field.NICKNAME)
-            word = doubtful_spare(name.text) if name else ""
+            word = spare_where_twice(name.text) if name else ""
             address = address_of(at.text) if at and word else None
             if address:
                 holders.setdefault(word, set()).add(address)

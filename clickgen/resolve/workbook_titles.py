@@ -7,6 +7,7 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import Enum
+from functools import cached_property
 
 from clickgen.resolve.workbook_cells import Cell, Line
 from clickgen.resolve.workbook_values import address_of, is_spare, name_of
@@ -93,6 +94,12 @@ class AddressList:
     external: int = 0
     """The column of external addresses, where there is one of internal addresses too; else 0."""
     lines: list[Line] = field(default_factory=list)
+
+    @cached_property
+    def is_table(self) -> bool:
+        """True for a list in the form of CLICK's own table, in which every nickname is one."""
+        titles = {_plain(cell.text) for cell in self.header.cells.values()}
+        return {"nickname", "datatype"} <= titles
 
     def cell(self, line: Line, what: Field) -> Cell | None:
         """What a line says in one field."""

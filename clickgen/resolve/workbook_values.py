@@ -47,10 +47,10 @@ def is_spare(text: str) -> bool:
     return text != "" and (not letters or letters in _SPARES)
 
 
-def doubtful_spare(text: str) -> str:
-    """What may be a name, and is none where two points have it, such as ``x`` or ``Open``: the same for each form."""
+def spare_where_twice(text: str) -> str:
+    """What is no name where two points have it, such as ``x``, ``Open`` or ``SPARE``: the same for each form."""
     letters = _letters(text)
-    return letters if letters in _SPARES_WHERE_TWICE else ""
+    return letters if letters in _SPARES_WHERE_TWICE or letters in _SPARES else ""
 
 
 def looks_like_address(text: str) -> bool:
