@@ -826,8 +826,10 @@ def test_damaged_ladder(run: Run, bundle: str) -> None:
     )
 
 
-@pytest.mark.parametrize("wrong", ["missing.py", "C:\\plc\\prog.py", "C:/plc/prog.py", "."])
+@pytest.mark.parametrize("wrong", ["missing.py", "C:\\plc\\prog.py", "C:/plc/prog.py", "empty"])
 def test_what_is_not_there(run: Run, bundle: str, wrong: str) -> None:
+    """``.`` with one program in it is that program; a folder without ladder and program is nothing."""
+    Path("empty").mkdir()
     said = run(wrong, bundle)
     assert (said.code, said.out) == (2, "")
     assert "git" not in said.err.split("; a revision")[0]
