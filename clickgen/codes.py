@@ -166,6 +166,8 @@ CODES: dict[str, Code] = {
     "CG605": Code(_E, "the workbook and the address table beside it disagree"),
     "CG606": Code(_W, "marks of blocks in the address table do not fit"),
     "CG607": Code(_W, "a Modbus number in the address table is not that of its address"),
+    "CG618": Code(_I, "rows of the workbook without a nickname are passed over"),
+    "CG619": Code(_E, "a name of the program stands for spare points in the workbook"),
     # -- bringing a project in ------------------------------------------------------------------------------------
     "CG701": Code(_E, "a ladder file is damaged"),
     "CG702": Code(_E, "a rung cannot be kept as it is"),

@@ -27,6 +27,7 @@ from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Program
 from clickgen.lower.place import PlaceScratch
 from clickgen.lower.scratch import Scratch
+from clickgen.lower.serves import served
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
 from clickgen.resolve.layers import beside_workbook
@@ -346,6 +347,25 @@ def _resolve(state: _Build) -> None:
     if state.program is not None:
         settings = state.settings
         state.resolved = resolve(state.program, state.table, settings.frozen, state.problems, settings.reserved)
+        if settings.nicknames is None:
+            _name_own_table(state)
+
+
+def _name_own_table(state: _Build) -> None:
+    """The table beside the program may be that of another PLC: where both disagree, say once how to have an own one."""
+    for index, problem in enumerate(state.problems.found):
+        in_table = any(label.span.path == str(state.table_path) for label in problem.labels)
+        if problem.code in ("CG204", "CG205") and in_table:
+            own = f"give it a table of its own in clickgen.toml: {own_table_setting(state.path)}"
+            help = f"{problem.help}; if this program is for another PLC, {own}"
+            state.problems.found[index] = problem._replace(help=help)
+            return
+
+
+def own_table_setting(program: Path) -> str:
+    """How the settings of the working folder give a program an address table of its own."""
+    path = Path(program.name) if program.is_absolute() else program
+    return f'programs = [{{ path = "{path.as_posix()}", nicknames = "{path.with_suffix(".csv").as_posix()}" }}]'
 
 
 def _judge_fixes(state: _Build) -> None:
@@ -418,7 +438,9 @@ def _place_scratch(state: _Build) -> None:
     """Every address is known now: the scratch cells get theirs, and the table its new rows."""
     assert state.resolved is not None
     resolved = state.resolved
-    placed = state.scratch.assign(state.table, resolved.allocator, state.settings.frozen, state.problems)
+    nicknames = _nicknames(state)
+    serves = served(state.routines, state.scratch.ends, lambda address: nicknames.get(address, ""))
+    placed = state.scratch.assign(serves, state.table, resolved.allocator, state.settings.frozen, state.problems)
     if len(placed) < len(state.scratch.uses):
         return
     if placed:

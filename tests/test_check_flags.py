@@ -159,6 +159,16 @@ def test_a_diff_says_what_nothing_mends(check: Check) -> None:
     assert said.err == "clickgen: besides what this mends: 1 warning in 1 file\n"
 
 
+def test_a_diff_does_not_say_that_something_is_fixed(check: Check) -> None:
+    """Nothing was written."""
+    text = DOUBLE.replace("    if True:", "    if c.X and c.Y:\n        out(y[9])\n\n    if True:")
+    write("plc.py", text)
+    said = check("plc.py", "--diff")
+    assert said.out
+    assert "fixed" not in said.err
+    assert Path("plc.py").read_text("utf-8") == text
+
+
 def test_unsafe_fixes_are_named(check: Check) -> None:
     write("plc.py", "def main():\n    if c.A:\n        copy_pack(c[1:16], dh[1])\n    if True:\n        end()\n")
     said = check("plc.py")

@@ -299,3 +299,55 @@ def test_many_new_names_are_counted_and_a_pair_is_told_once(folder: Path, capsys
     lines = _built(folder, capsys, *names)
     assert lines[0] == f"New names: {', '.join(f'C{number} Zone{number}' for number in range(1, 9))} and 13 more."
     assert lines[1:] == ["  C21 MotorRuning looks like C20 MotorRunning: is one of them misspelled?"]
+
+
+FILLER = """\
+nickname(x.Go, x[1])
+
+
+def main():
+    if x.Go:
+        copy(1, ds.Speed)
+
+    if True:
+        end()
+"""
+
+
+def test_two_programs_of_one_table_are_told_how_to_part(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "prog.py").unlink()
+    (folder / "filler.py").write_text(FILLER)
+    (folder / "packer.py").write_text(FILLER.replace("x[1]", "x[3]"))
+    (folder / "library.py").write_text("nickname(x.Stop, x[2])\n")
+    assert main(["build", "filler.py"]) == 0
+    assert (
+        "packer.py has this table too. For two PLCs copy it to filler.csv, and name that in clickgen.toml:\n"
+        '  programs = [{ path = "filler.py", nicknames = "filler.csv" }]\n'
+    ) in capsys.readouterr().out
+    assert main(["build", "filler.py"]) == 0
+    assert "has this table too" not in capsys.readouterr().out
+
+    assert main(["build", "packer.py"]) == 1
+    said = capsys.readouterr().err
+    setting = 'programs = [{ path = "packer.py", nicknames = "packer.csv" }]'
+    assert f"if this program is for another PLC, give it a table of its own in clickgen.toml: {setting}\n" in said
+    assert said.count("another PLC") == 1
+    # Followed to the letter it builds, and the other program's addresses stay.
+    before = (folder / "nicknames.csv").read_bytes()
+    (folder / "clickgen.toml").write_text(f"{setting}\n")
+    assert main(["build", "packer.py"]) == 0
+    assert main(["build", "filler.py", "--frozen"]) == 0
+    assert (folder / "nicknames.csv").read_bytes() == before
+    assert "X003" in (folder / "packer.csv").read_text()
+    assert "has this table too" not in capsys.readouterr().out
+
+
+def test_a_table_that_is_named_and_not_there_says_how_to_begin_one(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["build", "prog.py", "--nicknames", "prog.csv"]) == 2
+    setting = 'programs = [{ path = "prog.py", nicknames = "prog.csv" }]'
+    assert f"clickgen begins one where the settings name it: {setting} in clickgen.toml" in capsys.readouterr().err
+    (folder / "clickgen.toml").write_text(f"{setting}\n")
+    assert main(["build", "prog.py"]) == 0
+    assert (folder / "prog.csv").exists()

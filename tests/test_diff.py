@@ -379,6 +379,21 @@ def test_the_word_rung_in_the_name_of_a_routine() -> None:
     assert len({purpose_of(reason) for reason in reasons}) == 3
     assert {rung_of(reason) for reason in reasons} == {9}
     assert purpose_of("condition of Pump rung 3 rung 12") == purpose_of("condition of Pump rung 3 rung 9")
+    assert rung_of("condition of Pump rung 3: out Y001 Motor") == 0
+
+
+def test_a_purpose_has_no_nickname_and_no_number() -> None:
+    purposes = {
+        "condition of main: out Y001 Motor (12)": ("condition of main: out Y001", 12),
+        "value of DS[DS1] for the formula of main: calc to DD1 My sum": (
+            "value of DS[DS1] for the formula of main: calc to DD1",
+            0,
+        ),
+        "condition of main: shift C1..C8 (2)": ("condition of main: shift C1..C8", 2),
+        "condition of main: call C1 pump": ("condition of main: call C1 pump", 0),
+        "rtof T1: on while its rung is true": ("rtof T1: on while its rung is true", 0),
+    }
+    assert {comment: (purpose_of(comment), rung_of(comment)) for comment in purposes} == purposes
 
 
 def ladder(*rungs: tuple[str, str]) -> dict[str, list[DrawnRung]]:
@@ -811,8 +826,10 @@ def test_damaged_ladder(run: Run, bundle: str) -> None:
     )
 
 
-@pytest.mark.parametrize("wrong", ["missing.py", "C:\\plc\\prog.py", "C:/plc/prog.py", "."])
+@pytest.mark.parametrize("wrong", ["missing.py", "C:\\plc\\prog.py", "C:/plc/prog.py", "empty"])
 def test_what_is_not_there(run: Run, bundle: str, wrong: str) -> None:
+    """``.`` with one program in it is that program; a folder without ladder and program is nothing."""
+    Path("empty").mkdir()
     said = run(wrong, bundle)
     assert (said.code, said.out) == (2, "")
     assert "git" not in said.err.split("; a revision")[0]
@@ -1226,3 +1243,65 @@ def test_a_comment_is_no_logic(sides: tuple[Side, Side, int, bool]) -> None:
     one, other, number, _ = sides
     found = diff(one, other)
     assert (found.differs, happened(found)) == (False, [(COMMENTED, "main", number)])
+
+
+# -- revisions and folders without a program's name -------------------------------------------------------------------
+
+
+def test_two_revisions_without_a_path_are_the_only_program(repository: Run) -> None:
+    write("prog.py", program(*CHANGED_RUNGS))
+    commit()
+    repository("prog.py", "prog.py")  # What came before it was said.
+    named = repository("HEAD~1:./prog.py", "HEAD:./prog.py")
+    assert named.code == 1
+    assert repository("HEAD~1", "HEAD") == named
+    for sides in (("HEAD~1", "prog.py"), ("HEAD~1", "HEAD:prog.py"), ("HEAD~1", ":prog.py"), ("HEAD~1", "HEAD", "-q")):
+        assert repository(*sides).code == 1
+    assert repository("HEAD", "prog.py").code == 0
+
+
+def test_two_revisions_without_a_path_are_every_program_of_the_settings(repository: Run) -> None:
+    write("packer/packer.py", program(*RUNGS))
+    write("clickgen.toml", 'programs = ["prog.py", "packer/packer.py"]\n')
+    commit()
+    write("packer/packer.py", program(*CHANGED_RUNGS))
+    commit()
+    repository("prog.py", "prog.py")
+    said = repository("HEAD~1", "HEAD")
+    assert said.code == 1
+    assert said.out.startswith("--- HEAD~1:prog.py\n")
+    assert "--- HEAD~1:packer/packer.py\n+++ HEAD:packer/packer.py\n" in said.out
+    assert repository("HEAD~1", "HEAD", "--output-format", "json").code == 2
+    assert repository("HEAD~1", "packer/packer.py").code == 1
+
+
+def test_a_revision_that_could_be_any_of_several_programs_names_them(repository: Run) -> None:
+    write("other.py", program(*RUNGS))
+    commit()
+    said = repository("HEAD~1", "HEAD")
+    assert said.code == 2
+    assert "HEAD~1 does not say which program: write one of HEAD~1:other.py, HEAD~1:prog.py" in said.err
+    assert repository("HEAD", "other.py").code == 0
+
+
+def test_a_folder_of_programs_is_its_program(repository: Run) -> None:
+    write("plant/prog.py", program(*RUNGS))
+    commit()
+    write("plant/prog.py", program(*CHANGED_RUNGS))
+    commit()
+    repository("prog.py", "prog.py")
+    named = repository("HEAD~1:plant/prog.py", "HEAD:plant/prog.py")
+    assert named.code == 1
+    for sides in (("HEAD~1:plant/", "HEAD:plant/"), ("HEAD~1:plant", "HEAD:plant"), ("HEAD~1:./plant/", "HEAD:plant")):
+        assert repository(*sides) == named
+    assert repository("HEAD~1:plant/", "plant").code == repository("HEAD~1:plant", "plant/").code == 1
+    assert repository("HEAD:plant/", "plant").code == 0
+    write("plant/other.py", program(*RUNGS))
+    commit()
+    said = repository("HEAD:plant/", "plant")
+    assert said.code == 2
+    assert "has several programs: name one of HEAD:plant/other.py, HEAD:plant/prog.py" in said.err
+    # A folder of ladder is one of ladder.
+    assert main(["build", "plant/prog.py", "-o", "out"]) == 0
+    commit()
+    assert repository("HEAD:out/", "plant/prog.py").code == 0

@@ -11,6 +11,7 @@ import openpyxl
 import pytest
 
 from clickgen.cli import main
+from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import ChangedMeanwhile
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\n"
@@ -383,15 +384,38 @@ def test_rename_says_what_it_did(run: Run) -> None:
     write("prog.py", PROGRAM.replace("    if c.Run", "    # Run is the start\n    if c.Run"))
     run("sync", "prog.py")
     assert run("rename", "run", "Started", "prog.py", "--dry-run").out.startswith(
-        "nicknames.csv: 1 time would be renamed"
+        "run would become Started; the ladder of prog.py would be the same:\n  nicknames.csv: 1 time\n"
     )
     said = run("rename", "Run", "Started", "prog.py")
     assert said == (
         0,
-        "nicknames.csv: 1 time renamed\nprog.py: 1 time renamed\nprog.py: 1 comment still says Run\n"
-        "Run is Started now; the ladder of prog.py is the same\n",
+        "Run becomes Started; the ladder of prog.py stays the same:\n"
+        "  nicknames.csv: 1 time\n  prog.py: 1 time\n  prog.py: 1 comment still says Run\nRun is Started now\n",
         "",
     )
+
+
+def test_rename_says_which_programs_it_changes_before_it_does(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also where it then cannot write."""
+    write("prog.py", PROGRAM)
+    run("sync", "prog.py")
+    write("other.py", PROGRAM)
+
+    def refuse(*_: object) -> None:
+        raise CouldNotRun("the disk is full")
+
+    monkeypatch.setattr("clickgen.cli.nicknames.put_in_place", refuse)
+    said = run("rename", "Run", "Started", "prog.py")
+    assert said.code == 2
+    assert said.out == (
+        "Run becomes Started; the ladder of prog.py, other.py stays the same:\n"
+        "  nicknames.csv: 1 time\n  other.py: 1 time\n  prog.py: 1 time\n"
+    )
+
+
+def test_rename_hints_at_near_names(run: Run) -> None:
+    write("prog.py", PROGRAM)
+    run("sync", "prog.py")
     assert run("rename", "Sped", "Rate", "prog.py").code == 2
 
 

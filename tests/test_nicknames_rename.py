@@ -333,9 +333,9 @@ def test_a_part_of_no_program_is_mentioned_where_its_table_is_another(capsys: py
     place({"clickgen.toml": 'programs = [{ path = "prog.py", nicknames = "plant.csv" }]\n'})
     assert run(["nicknames", "rename", "Old", "New"]) == 0
     assert capsys.readouterr().out == (
-        "plant.csv: 1 time renamed\nprog.py: 1 time renamed\n"
-        "spare.py:3 says Old too, in a file that no program imports: it stays as it is\n"
-        "Old is New now; the ladder of prog.py is the same\n"
+        "Old becomes New; the ladder of prog.py stays the same:\n  plant.csv: 1 time\n  prog.py: 1 time\n"
+        "  spare.py:3 says Old too, in a file that no program imports: it stays as it is\n"
+        "Old is New now\n"
     )
     assert text("spare.py") == part
 
@@ -347,9 +347,9 @@ def test_what_the_command_says_is_seen_from_the_working_folder(capsys: pytest.Ca
     place({"clickgen.toml": 'programs = ["one.py", "two.py"]\n', "nicknames.csv": table(OLD_ROW)})
     assert run(["nicknames", "rename", "Old", "New", "one.py", "--dry-run"]) == 0
     assert capsys.readouterr().out == (
-        "nicknames.csv: 1 time would be renamed\none.py: 1 time would be renamed\ntwo.py: 1 time would be renamed\n"
-        "one.py: 1 comment still says Old\ntwo.py: 1 comment still says Old\n"
-        "Old would become New; the ladder of one.py, two.py would be the same\n"
+        "Old would become New; the ladder of one.py, two.py would be the same:\n"
+        "  nicknames.csv: 1 time\n  one.py: 1 time\n  two.py: 1 time\n"
+        "  one.py: 1 comment still says Old\n  two.py: 1 comment still says Old\n"
     )
     assert "Old" in text("one.py")
 
@@ -416,8 +416,8 @@ def test_a_broken_program_beside_it() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("Odl", "New", "there is no nickname Odl in nicknames.csv or in the programs; did you mean Old?"),
-        ("Nothing", "New", "there is no nickname Nothing in nicknames.csv or in the programs"),
+        ("Odl", "New", "there is no nickname or block Odl in nicknames.csv or in the programs; did you mean Old?"),
+        ("Nothing", "New", "there is no nickname or block Nothing in nicknames.csv or in the programs"),
         ("Old", "sum", "CLICK does not take the nickname 'sum': sum is a word of CLICK's formulas"),
         ("Old", "", "CLICK does not take the nickname '': it is empty"),
         ("Old", "scratch_c7", "clickgen keeps names like scratch_c7 for its own cells; choose another name"),
@@ -450,25 +450,129 @@ def test_errors_are_mended_first() -> None:
     assert "gone.py cannot be read: there is no such file" in refused("Old", "New", "gone.py")
 
 
-def test_blocks_are_left_alone() -> None:
+def test_blocks_are_left_alone_where_a_nickname_is_renamed() -> None:
     source = "nickname(ds.Recipe, ds[10:20])\n" + main("if c.Old:\n        copy(ds.Recipe[3], ds.Plain)")
     place({"prog.py": source, "nicknames.csv": table(OLD_ROW)})
-    if not build("prog.py").ok:
-        pytest.skip("no blocks yet")
-    assert refused("Recipe", "New") == "Recipe is a block (prog.py:1:10), and only nicknames are renamed"
     assert refused("Plain", "recipe").startswith("recipe is taken: prog.py:1:10 uses it")
     done("Old", "New")
     done("Plain", "Simple")
     assert text() == source.replace("Old", "New").replace("Plain", "Simple")
-    place(
-        {
-            "prog.py": main("if c.Old:\n        copy_fill(0, ds.Recipe)"),
-            "nicknames.csv": table(OLD_ROW, 'DS1,INT,"",0,Yes,"<Recipe>"', 'DS9,INT,"",0,Yes,"</Recipe>"'),
-        }
+    place({"nicknames.csv": table(OLD_ROW, *MARKS)})
+    assert refused("Old", "Recipe") == "Recipe is taken: it is a block (line 3 of nicknames.csv); choose another name"
+
+
+# -- blocks -----------------------------------------------------------------------------------------------------------
+
+MARKS = ('DS10,INT,"",0,Yes,"before <Recipe bg=""Red""> behind"', 'DS19,INT,"Last",0,Yes,"</Recipe>"')
+BLOCKS = """\
+nickname(ds.§, ds[10:20], comment=" of Recipe")
+nickname(ds.Recipe2, ds[30:40])
+
+
+def main():
+    # Recipe
+    if re(c.Go):
+        copy_block(ds.§[0:5], ds.Running)
+        copy(ds["§"][9], ds . § [2])
+        copy_fill(0, ds["§"])
+        search("==", ds.§[0], ds.§[1], ds[ '§' ][4], ds.Found, c.IsFound)
+
+    if all(ds.§[3] > 100, ds.Recipe2[3] > ds["§"][ 2 ]):
+        calc("SUM(ds.§) + SUM(ds.§[0:4]) - SUM(ds['§']) * ds.Recipe2[1]" " + ds.§[2]", ds.Total)
+
+    if True:
+        end()
+"""
+
+
+def test_a_block_is_renamed_everywhere() -> None:
+    source = BLOCKS.replace("§", "Recipe")
+    place({"prog.py": source, "nicknames.csv": table(*MARKS).replace("\n", "\r\n")})
+    before = build("prog.py")
+    assert before.ok, before.diagnostics
+    change = done("recipe", "Formula")
+    assert text() == BLOCKS.replace("§", "Formula")
+    after = text("nicknames.csv")
+    assert after == table(*MARKS).replace("Recipe", "Formula").replace("\n", "\r\n")
+    assert change.counts == {Path("prog.py"): BLOCKS.count("§"), Path("nicknames.csv"): 2}
+    assert change.comments == {Path("prog.py"): 1}
+    built = build("prog.py")
+    assert {name: built.files[name] for name in ("main.csv", "sources.json")} == {
+        name: before.files[name] for name in ("main.csv", "sources.json")
+    }
+    done("Formula", "Recipe")
+    assert (text(), text("nicknames.csv")) == (source, table(*MARKS).replace("\n", "\r\n"))
+    # A name that is no plain word stands in brackets alone.
+    assert 'choose a plain word, or write ds["Recipe"] there first' in refused("Recipe", "Door alarms")
+
+
+def test_a_block_with_a_space_in_its_name() -> None:
+    source = main('if c["Door alarms"][2]:\n        reset(c["Door alarms"])\n        out(c["Door alarms"][0:3])')
+    marks = ('C10,BIT,"",0,No,<Door alarms>', 'C19,BIT,"",0,No,"</Door alarms>"')
+    place({"prog.py": source, "nicknames.csv": table(*marks)})
+    done("Door alarms", "Gate alarms")
+    assert text() == source.replace("Door", "Gate")
+    assert text("nicknames.csv") == table(*marks).replace("Door", "Gate")
+
+
+def test_a_block_of_one_and_a_block_that_no_program_names() -> None:
+    marks = ('C10,BIT,"",0,No,"<One /> x"', 'DS1,INT,"",0,Yes,<Two>', 'DS5,INT,"",0,Yes,</Two>')
+    place({"prog.py": main("if c.One:\n        out(y[1])"), "nicknames.csv": table(*marks)})
+    assert build("prog.py").ok
+    done("One", "Single")
+    assert "if c.Single:" in text()
+    assert done("Two", "Pair").counts == {Path("nicknames.csv"): 2}
+    assert text("nicknames.csv") == table(*marks).replace("One", "Single").replace("Two", "Pair")
+
+
+def test_a_block_that_no_table_marks_yet() -> None:
+    source = "nickname(y.Lamps, y[1:5])\n" + main("if c.Go:\n        out(y.Lamps.immediate)\n        set(y.Lamps[2])")
+    place({"prog.py": source})
+    done("Lamps", "Lights")
+    assert text() == source.replace("Lamps", "Lights")
+    assert not Path("nicknames.csv").exists()
+
+
+def test_sources_follow_the_marks_of_a_table() -> None:
+    """The block has its new name in ClickNick already."""
+    for rung in ("copy_fill(0, ds.Recipe)", "copy_fill(0, ds.Recipe[2:4])"):
+        source = main(f"if c.Go:\n        {rung}")
+        marks = table(*(row.replace("Recipe", "Formula") for row in MARKS))
+        place({"prog.py": source, "nicknames.csv": marks})
+        assert done("Recipe", "Formula").counts == {Path("prog.py"): 1}
+        assert text() == source.replace("Recipe", "Formula")
+        assert text("nicknames.csv") == marks
+
+
+@pytest.mark.parametrize(
+    ("new", "said"),
+    [
+        ("Go", "Go is taken: it is C1 (line 4 of nicknames.csv); choose another name"),
+        ("Other", "Other is taken: it is a block (line 5 of nicknames.csv); choose another name"),
+        ("Total", "Total is taken: prog.py:3:28 uses it; choose another name"),
+        ("a/b", "CLICK does not take the nickname 'a/b': it holds /, which CLICK forbids in a nickname"),
+        ("12", "'12' cannot be the name of a block: it has no letter"),
+    ],
+)
+def test_names_that_a_block_cannot_have(new: str, said: str) -> None:
+    rows = (*MARKS, 'C1,BIT,"Go",0,No,""', 'DD1,INT2,"",0,Yes,"<Other>"', 'DD5,INT2,"",0,Yes,"</Other>"')
+    place({"prog.py": main("if c.X:\n        copy(ds.Recipe[0], ds.Total)"), "nicknames.csv": table(*rows)})
+    assert refused("Recipe", new) == said
+
+
+def test_what_clickgen_says_of_its_own_cells_follows() -> None:
+    source = main(
+        "if all(c.Go, nc(c.Done)):", "    set(c.Done)", "    ton(t.Old, 5)", "    ctu(ct.Old2, 5, reset=lambda: c.Go)"
     )
-    place_of = "line 3 of nicknames.csv"
-    assert refused("recipe", "New") == f"recipe is a block ({place_of}), and only nicknames are renamed"
-    assert refused("Old", "Recipe") == f"Recipe is taken: it is a block ({place_of}); choose another name"
+    place({"prog.py": source})
+    assert run(["build", "prog.py"]) == 0
+    assert "of main: ton T1 Old" in text("nicknames.csv")
+    before = text("nicknames.csv")
+    done("Old", "Run")
+    after = before.replace("T1 Old", "T1 Run").replace('"Old"', '"Run"')
+    assert text("nicknames.csv") == after
+    assert run(["build", "prog.py"]) == 0
+    assert text("nicknames.csv") == after
 
 
 def test_nothing_is_written_where_a_file_changed_meanwhile() -> None:

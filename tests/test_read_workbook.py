@@ -198,6 +198,131 @@ def test_the_best_title_of_a_field_counts() -> None:
     assert [in_words(row) for row in rows_of(data)] == ["C1 A|0|No|c IO!F2"]
 
 
+@pytest.mark.parametrize(
+    ("address", "nickname", "comment"),
+    [
+        ("Address Internal", "Tag", "Description"),
+        ("PLC\nAddress", "PLC Tag Name", "Signal Description"),
+        ("Adresse / Address", "Symbol / Name", "Kommentar / Comment"),
+        ("Adresse | Dirección", "Nom | Nombre", "Désignation | Descripción"),
+        ("ADRESSE API", "MNEMONIQUE", "LIBELLE"),
+        ("Address (CLICK)", "Tag #", "Service"),
+        ("I/O ADDRESS", "Tag No.", "FUNCTION DESCRIPTION"),
+        ("Address - PLC", "Point Name", "I/O Description"),
+        ("Interne Adresse", "BMK", "Funktionstext"),
+    ],
+)
+def test_titles_as_people_write_them(address: str, nickname: str, comment: str) -> None:
+    (row,) = rows_of(workbook(IO=[(nickname, "No.", address, comment), ("Start", 1, "X001", "green")]))
+    assert in_words(row) == "X001 Start|0|No|green IO!C2"
+
+
+@pytest.mark.parametrize("title", ["Modbus Address", "IP Address", "Node Address", "Terminal", "Wire"])
+def test_titles_of_other_things(title: str) -> None:
+    assert "holds no list of addresses" in unreadable(workbook(IO=[(title, "Nickname"), ("X001", "Start")]))
+
+
+def test_internal_and_external_addresses() -> None:
+    """The internal one counts; where there is none, the external one."""
+    titles = ("Tag", "Address External", "Address Internal", "Description")
+    data = workbook(
+        IO=[
+            titles,
+            ("Start", "X001", None, "button"),
+            ("Speed", "400001", "DS1", None),
+            ("Stop", "x2", "N/A", None),
+            ("Ready", "Y001", "C1", None),
+            ("Fault", "Y002", "C2", None),
+            ("Nowhere", "-", None, None),
+        ]
+    )
+    rows, _ = judged(data)
+    assert [f"{row.address} {row.nickname}" for row in rows] == [
+        "X001 Start", "DS1 Speed", "X002 Stop", "C1 Ready", "C2 Fault"
+    ]  # fmt: skip
+    assert said(data) == [
+        "CG604 IO!A7 Nowhere has no address and is left out",
+        "CG604 IO!B5 Y001 is left out: the internal address of the row, C1, counts, and so in 1 row below",
+    ]
+
+
+# -- spare points -----------------------------------------------------------------------------------------------------
+
+SPARES = [
+    "N/A", "n.a.", "SPARE", "Spare", "spare", "Reserve", "RESERVED", "-", "--", "not used", "Not Used", "unused", "TBD",
+    "tba", "???", "None", "nicht belegt", "Réserve", "Reserva", "no usado", "SPARE INPUT", "[spare]",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("word", SPARES)
+def test_a_spare_point_has_no_nickname(word: str) -> None:
+    data = listed(("X001", "Start"), ("X002", word), ("X003", word, None, None, "on TB3"), (None, word))
+    rows, problems = judged(data)
+    assert [f"{row.address} {row.nickname}|{row.comment}" for row in rows if not row.is_default] == [
+        "X001 Start|", "X003 |on TB3"
+    ]  # fmt: skip
+    assert [problem.code for problem in problems] == ([] if set(word) == {"-"} else ["CG618"])
+    assert not any(problem.is_error for problem in problems)
+
+
+def test_how_many_rows_are_passed_over_is_said_once() -> None:
+    data = listed(
+        ("X001", "SPARE"), ("X002", "Start"), ("X003", "N/A"), ("X004", "SPARE"), ("X005", "TBD"), ("X006", "unused"),
+        ("X007", "???"),
+    )  # fmt: skip
+    assert said(data) == [
+        "CG618 IO!B2 6 rows of this list have no nickname: SPARE in 2, N/A in 1, TBD in 1, unused in 1, others in 1"
+    ]
+    assert said(listed(("X001", "Start"), ("X002", "SPARE"))) == [
+        "CG618 IO!B3 1 row of this list has no nickname: SPARE in 1"
+    ]
+
+
+def test_what_may_be_a_name_is_none_where_two_points_have_it() -> None:
+    once = listed(("DF1", "x"), ("DF2", "y"), ("X001", "Open"), ("X002", "Free"))
+    assert [row.nickname for row in rows_of(once)] == ["x", "y", "Open", "Free"]
+    rows, problems = judged(listed(("X001", "x"), ("X002", "X"), ("X003", "Open")))
+    assert [(str(row.address), row.nickname, row.spare) for row in rows] == [
+        ("X001", "", "x"), ("X002", "", "X"), ("X003", "Open", "")
+    ]  # fmt: skip
+    assert [problem.code for problem in problems] == ["CG618"]
+
+
+def test_in_a_table_of_clicks_own_form_a_word_is_a_nickname_as_long_as_it_is_alone() -> None:
+    titles = ("Address", "Data Type", "Nickname", "Initial Value", "Retentive", "Address Comment")
+    rows = rows_of(
+        workbook(IO=[titles, ("X001", "BIT", "Spare", 0, "No", None), ("X002", "BIT", "Reserve", 0, "No", None)])
+    )
+    assert [row.nickname for row in rows] == ["Spare", "Reserve"]
+    twice = workbook(IO=[titles, ("X001", "BIT", "Spare", 0, "No", None), ("X002", "BIT", "SPARE", 0, "No", None)])
+    rows, problems = judged(twice)
+    assert [row.spare for row in rows] == ["Spare", "SPARE"]
+    assert [problem.code for problem in problems] == ["CG618"]
+    assert said(workbook(IO=[titles, ("X001", "BIT", "N/A", 0, "No", None)])) == [
+        "CG618 IO!C2 1 row of this list has no nickname: N/A in 1"
+    ]
+
+
+def test_a_spare_with_a_number_is_a_nickname() -> None:
+    assert [row.nickname for row in rows_of(listed(("X001", "Spare 1"), ("X002", "SPARE2")))] == ["Spare 1", "SPARE2"]
+
+
+def test_a_point_that_is_spare_in_one_list_and_named_in_another_is_named() -> None:
+    data = workbook(IO=[("Address", "Tag"), ("X001", "SPARE")], More=[("Address", "Tag"), ("X001", "Start")])
+    rows, problems = judged(data)
+    assert [(row.nickname, row.spare) for row in rows] == [("Start", "")]
+    assert [problem.code for problem in problems] == ["CG618"]
+
+
+def test_other_columns_may_say_that_nothing_applies() -> None:
+    (row,) = rows_of(listed(("X001", "Start", "N/A", "n.a.", "N/A")))
+    assert in_words(row) == "X001 Start|0|No|N/A IO!A2"
+    assert said(listed(("C1", "A"), ("n/a", "Name"), ("TBD", "Other"), ("none", "SPARE"))) == [
+        "CG604 IO!B3 Name has no address and is left out",
+        "CG604 IO!B4 Other has no address and is left out",
+    ]
+
+
 def test_titles_below_captions_and_merged_cells() -> None:
     def fill(sheet: Worksheet) -> None:
         sheet["A1"] = "Press 4, I/O list"
@@ -356,7 +481,7 @@ def test_an_address_has_many_forms(text: str, address: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["X017", "X-001", "DS4501", "Q1", "1", "X", "X001..X005", "X1.0", "X001 X002", "n/a", "XD1u", "X\u0661"]
+    "text", ["X017", "X-001", "DS4501", "Q1", "1", "X", "X001..X005", "X1.0", "X001 X002", "XD1u", "X\u0661"]
 )
 def test_what_is_no_address(text: str) -> None:
     data = listed(("C1", "A"), (text, "Name"))

@@ -671,7 +671,7 @@ def test_frozen_refuses_a_new_scratch_address(desk: Desk) -> None:
 def test_scratch_comes_from_the_top_with_name_and_comment(desk: Desk) -> None:
     result = desk.good(SPLIT)
     assert new(result)["Scratch_C2000"] == "C2000"
-    assert b'C2000,BIT,"Scratch_C2000",0,No,"condition of main rung 1: C1 and not C2"' in result.table
+    assert b'C2000,BIT,"Scratch_C2000",0,No,"condition of main: rton T1 Run"' in result.table
 
 
 def test_scratch_avoids_what_the_table_and_the_program_use(desk: Desk) -> None:

@@ -22,7 +22,15 @@ from hypothesis import strategies as st
 from strategies.edits import PLAIN, SCRATCH, Draft, Piece, edit, numbers_from, pieces, random_draft
 
 import clickgen
+from clickgen.device.banks import Address
+from clickgen.instructions.coils import OUT
+from clickgen.ir.conditions import Contact
+from clickgen.ir.operands import Cell
+from clickgen.ir.program import Action
+from clickgen.lower.serves import served
+from clickgen.lower.split import ClickRoutine, ClickRung
 from clickgen.pipeline import BuildResult
+from clickgen.source import Span
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment"
 FOREIGN = (
@@ -171,7 +179,7 @@ def test_edit_after_edit_nothing_moves(data: st.DataObject, with_foreign: bool) 
 @SLOW
 @given(st.data())
 def test_scratch_of_unchanged_needs_stays(data: st.DataObject) -> None:
-    """Rungs put in front, behind and between change the rung number in a scratch comment, and nothing else of it."""
+    """Rungs put in front, behind and between change nothing of a scratch row."""
     numbers = numbers_from(100)
     # Every need has a purpose of its own here: bits that no other piece has.
     needs = [
@@ -186,20 +194,12 @@ def test_scratch_of_unchanged_needs_stays(data: st.DataObject) -> None:
     draft = Draft(pieces=list(needs))
     with desk() as here:
         here.build_and_write(draft.texts())
-        first = {address: without_rung(reason) for address, reason in scratch_of(here.rows()).items()}
+        first = scratch_of(here.rows())
         for _ in range(3):
             plain = Piece(data.draw(st.sampled_from(PLAIN)), next(numbers), (0, 1, 2), (0, 1, 2))
             draft.pieces.insert(data.draw(st.integers(0, len(draft.pieces))), plain)
             here.build_and_write(draft.texts())
-            assert {address: without_rung(reason) for address, reason in scratch_of(here.rows()).items()} == first
-
-
-def without_rung(reason: str) -> str:
-    words = reason.split(" ")
-    if "rung" in words:
-        place = words.index("rung")
-        words[place + 1] = "N"
-    return " ".join(words)
+            assert scratch_of(here.rows()) == first
 
 
 TWICE = """\
@@ -233,6 +233,161 @@ def test_a_need_that_comes_back_finds_a_scratch_cell_again() -> None:
         assert set(scratch_of(here.rows())) == {"C1999", "C2000"}
         here.build_and_write(with_need)
         assert here.everything() == state
+
+
+FIRST_VERSION = {
+    "C1998": "reset input of main rung 4: C3",
+    "C1999": "condition of main rung 1: C1 and not C2",
+    "C2000": "condition of main rung 3: C1 and not C2",
+    "C1997": "rtof T3: on while its rung is true",
+    "C1996": "rtof T3: its output, read in place of T3",
+    "C1995": "condition of Pump rung 3 rung 1: not C2",
+    "C1994": "part of the condition of Pump rung 3 rung 12: " + " and ".join(f"C{n}" for n in range(101, 131)),
+}
+"""What earlier versions wrote, at other addresses than a first build would choose."""
+MIGRATED = {
+    "C1998": "reset input of main: rton T2 Second",
+    "C1999": "condition of main: rton T1 First",
+    "C2000": "condition of main: rton T2 Second",
+    "C1997": "rtof T3: on while its rung is true",
+    "C1996": "rtof T3: its output, read in place of T3",
+    "C1995": "condition of Pump rung 3: ctu CT1 Parts",
+    "C1994": "part of the condition of Pump rung 3: out Y001",
+}
+OLD_PROGRAM = """\
+@sub("Pump rung 3")
+def pump():
+    if nc(c.Done):
+        set(c.Done)
+        ctu(ct.Parts, 5, reset=lambda: c.Clear)
+    if c[101:141]:
+        out(y[1])
+    if True:
+        return
+
+
+def main():
+    if all(c.Go, nc(c.Done)):
+        set(c.Done)
+        rton(t.First, 5, reset=lambda: c[50])
+    if all(c.Go, nc(c.Done)):
+        reset(c.Clear)
+        set(c.Done)
+        rton(t.Second, 5, reset=lambda: c.Clear)
+    if c.Go:
+        rtof(t.Idle, 5, reset=lambda: c[50])
+        call(pump)
+    if True:
+        end()
+"""
+
+
+def test_a_table_of_an_earlier_version_keeps_every_address() -> None:
+    """Its comments have the rung and the condition in them; the next build says the same in the new words."""
+    names = {"C1": "Go", "C2": "Done", "C3": "Clear", "T1": "First", "T2": "Second", "T3": "Idle", "CT1": "Parts"}
+    lines = [f'{address},BIT,"{name}",0,{"Yes" if "CT" in address else "No"},""' for address, name in names.items()]
+    for address, reason in FIRST_VERSION.items():
+        comment = reason if len(reason) <= 128 else reason[:125] + "..."
+        lines.append(f'{address},BIT,"Scratch_{address}",0,No,"{comment}"')
+    with desk() as here:
+        here.table.write_text("\n".join((HEADER, *lines, "")))
+        frozen = here.build(OLD_PROGRAM, frozen=True)
+        here.build_and_write()
+        assert scratch_of(here.rows()) == MIGRATED
+        assert {name: address for address, name in names.items()}.items() <= by_name(here.rows()).items()
+        assert frozen.files == here.build(frozen=True).files
+        again = here.table.read_bytes()
+        here.build_and_write()
+        assert here.table.read_bytes() == again
+
+
+ONE = TWICE.format(front="")
+OTHER = """\
+def main():
+    if nc(c.Busy):
+        set(c.Busy)
+        ctu(ct.Boxes, 5, reset=lambda: c.Clear)
+    if all(c.Go, nc(c.Done)):
+        set(c.Done)
+        rton(t.Second, 5, reset=lambda: c.Clear)
+    if True:
+        end()
+"""
+
+
+def test_programs_of_one_table_leave_each_others_scratch_cells_alone() -> None:
+    """What both need for the same, they share; else each has its own, and no build changes the other's."""
+    with desk() as here:
+        for program in (ONE, OTHER):
+            here.build(program).write(here.out)
+        table = here.table.read_bytes()
+        assert scratch_of(here.rows()) == {
+            "C2000": "condition of main: rton T1 First",
+            "C1999": "condition of main: rton T2 Second",
+            "C1998": "condition of main: ctu CT1 Boxes",
+        }
+        for program in (ONE, OTHER, ONE, OTHER):
+            assert here.build(program, frozen=True).table == table
+            here.build(program).write(here.out)
+            assert here.table.read_bytes() == table
+
+
+def test_another_name_changes_a_scratch_comment_and_no_address() -> None:
+    with desk() as here:
+        here.build_and_write(ONE)
+        before = here.rows()
+        table = here.table.read_text().replace('"First"', '"Start"')
+        here.table.write_text(table)
+        here.build_and_write(ONE.replace("First", "Start"))
+        after = here.rows()
+        assert after["C2000"][5] == "condition of main: rton T1 Start"
+        assert {address: row for address, row in after.items() if address not in ("T1", "C2000")} == {
+            address: row for address, row in before.items() if address not in ("T1", "C2000")
+        }
+
+
+def test_needs_of_the_same_output_are_numbered() -> None:
+    shift = "shift(c[1:9], clock=lambda: x[2], reset=lambda: x[3])"
+    rung = f"    if all(c.Go, nc(c.Done)):\n        set(c.Done)\n        {shift}\n"
+    with desk() as here:
+        here.build_and_write(f"def main():\n{rung * 3}    if True:\n        end()\n")
+        first = scratch_of(here.rows())
+        assert first == {
+            "C2000": "condition of main: shift C1..C8",
+            "C1999": "condition of main: shift C1..C8 (2)",
+            "C1998": "condition of main: shift C1..C8 (3)",
+        }
+        here.build_and_write(f"def main():\n{rung * 2}    if True:\n        end()\n")
+        assert scratch_of(here.rows()) == first
+
+
+def test_a_full_bank_gives_up_what_the_program_does_not_need() -> None:
+    with desk() as here:
+        here.build_and_write(ONE)
+        rows = "".join(f'C{n},BIT,"N{n}",0,No,""\n' for n in range(4, 1999))
+        here.table.write_text(here.table.read_text() + rows)
+        here.build_and_write(ONE.replace("t.First", "t.Third"))
+        assert scratch_of(here.rows()) == {
+            "C2000": "condition of main: rton T3 Third",
+            "C1999": "condition of main: rton T2 Second",
+        }
+
+
+def test_a_long_chain_of_scratch_cells_serves_what_its_last_one_serves() -> None:
+    nowhere = Span("", 0, 0, 0, 0)
+
+    def cell(number: int) -> Cell:
+        return Cell(Address("C", -number), nowhere)
+
+    def rung(number: int, target: Cell) -> ClickRung:
+        coil = Action(OUT, {"address": target}, nowhere)
+        return ClickRung(Contact(cell(number), nowhere), (coil,), "", nowhere)
+
+    rungs = [rung(number, cell(number + 1)) for number in range(1, 3000)]
+    rungs.append(rung(3000, Cell(Address("Y", 1), nowhere)))
+    found = served([ClickRoutine("main", True, tuple(rungs), nowhere)], {}, lambda _: "Motor")
+    assert len(found) == 3000
+    assert set(found.values()) == {"out Y001 Motor"}
 
 
 def test_a_removed_name_keeps_its_address_and_finds_it_again() -> None:

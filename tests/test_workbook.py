@@ -261,8 +261,100 @@ def test_reserved_cells_are_seen(folder: Path) -> None:
     reserved = (*(Address("X", n) for n in range(101, 105)), *(Address("DF", n) for n in range(1, 21)))
     data = workbook(project_of(folder / "prog.py", Settings(reserved=reserved)))
     assert [row[5] for row in shown(data, "Inputs and outputs") if row[1] == "XD1"] == ["reserved"] * 4 + ["free"] * 12
-    assert ("DF", "DF1", "DF20", 20, "reserved") in shown(data, "Memory stretches")
-    assert ("DF", "DF11", "DF20", *"RRRRRRRRRR", 0) in shown(data, "Memory map")
+    assert ("DF", "DF1", "DF20", 20, "reserved", "") in shown(data, "Memory stretches")
+    assert ("DF", "DF1", "DF20", *"RRRRRRRRRR", 0) in shown(data, "Memory map")
+
+
+def test_reserved_tens_are_one_row_and_a_reserved_slot_is_one_line(folder: Path) -> None:
+    from clickgen.device.banks import Address
+
+    reserved = (*(Address("X", n) for n in range(101, 117)), *(Address("DD", n) for n in range(6, 998)))
+    data = workbook(project_of(folder / "prog.py", Settings(reserved=reserved)))
+    slot = [row for row in shown(data, "Inputs and outputs") if row[1] == "XD1"]
+    assert [row[2:6] for row in slot] == [("X101-X116", "", "", "reserved: 16 points")]
+    assert [row for row in shown(data, "Memory map") if row[0] == "DD"] == [
+        ("DD", "DD1", "DD10", "", "", "", "", "", *"RRRRR", 5),
+        ("DD", "DD11", "DD990", *"RRRRRRRRRR", 0),
+        ("DD", "DD991", "DD1000", *"RRRRRRR", "", "", "", 3),
+    ]
+
+
+BLOCKS = """\
+nickname(ds.Recipe, ds[400:430])
+nickname(t.Steps, t[101:105])
+
+
+def main():
+    if x[1]:
+        copy(ds[ds.At], ds.Value)
+        copy(ds.Value, yd[2])
+
+    if td[200] > 5:
+        out(y[1])
+
+    if True:
+        end()
+"""
+
+
+def test_the_inside_of_a_block_is_not_offered_as_free(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A pointer may read it; and clickgen gives none of it to a name."""
+    (folder / "prog.py").write_text(BLOCKS)
+    marks = 'C50,BIT,"",0,No,"<Zone>"\nC55,BIT,"Valve",0,No,""\nC59,BIT,"",0,No,"</Zone>"\n'
+    (folder / "nicknames.csv").write_text(HEADER + marks)
+    assert main(["workbook", "prog.py", "-o", "a.xlsx"]) == 0
+    capsys.readouterr()
+    data = (folder / "a.xlsx").read_bytes()
+    stretches = [row for row in shown(data, "Memory stretches") if row[0] in ("DS", "C", "T")]
+    remark = "pointers read any of its cells: DS[DS1]"
+    assert stretches == [
+        ("C", "C1", "C49", 49, "free", ""),
+        ("C", "C50", "C54", 5, "in a block", ""),
+        ("C", "C55", "C55", 1, "named, not used", ""),
+        ("C", "C56", "C59", 4, "in a block", ""),
+        ("C", "C60", "C2000", 1941, "free", ""),
+        ("T", "T1", "T100", 100, "free", ""),
+        ("T", "T101", "T104", 4, "in a block", ""),
+        ("T", "T105", "T199", 95, "free", ""),
+        ("T", "T200", "T200", 1, "used", ""),
+        ("T", "T201", "T500", 300, "free", ""),
+        ("DS", "DS1", "DS2", 2, "used", ""),
+        ("DS", "DS3", "DS399", 397, "free", remark),
+        ("DS", "DS400", "DS429", 30, "in a block", remark),
+        ("DS", "DS430", "DS4500", 4071, "free", remark),
+    ]
+    assert ("DS", "DS401", "DS420", *"BBBBBBBBBB", 0) in shown(data, "Memory map")
+    assert {row[5] for row in shown(data, "Inputs and outputs") if row[1] == "YD2"} == {"used"}
+
+
+NUMBERS = """\
+nickname(df.Scale, df[1], initial=1.5, retentive=False)
+nickname(df.Long, df[2], initial=-3.4028235e38, retentive=False)
+nickname(ds.Preset, ds[1], initial=250, retentive=False)
+nickname(dh.Mask, dh[1], initial=0x0100, retentive=False)
+nickname(c["007"], c[7])
+nickname(txt.Digit, txt[1], initial="5", retentive=False, comment="12")
+
+
+def main():
+    if c["007"]:
+        ton(t.Delay, setpoint=500)
+        ton(t.Other, setpoint=ds.Preset)
+
+    if True:
+        end()
+"""
+
+
+def test_numbers_are_numbers_and_texts_that_look_like_them_are_texts(folder: Path) -> None:
+    (folder / "prog.py").write_text(NUMBERS)
+    data = workbook(project_of(folder / "prog.py"))
+    tags = {row[0]: row for row in shown(data, "Tags")}
+    assert (tags["DF1"][3], tags["DS1"][3], tags["C7"][3]) == (1.5, 250, 0)
+    assert (tags["DF2"][3], tags["DH1"][3], tags["TXT1"][3], tags["TXT1"][5]) == ("-3.4028235E+38", "0100", "5", "12")
+    assert tags["C7"][2] == "007"
+    timers = {row[1]: row for row in shown(data, "Timers and counters")}
+    assert (timers["Delay"][3], timers["Other"][4], timers["Delay"][10]) == (500, 250, 1)
 
 
 def test_the_cross_reference_says_where_and_through_what(data: bytes) -> None:
@@ -301,15 +393,15 @@ def test_timers_and_counters_have_setpoints_resets_and_current_values(data: byte
 def test_memory_adds_up(data: bytes) -> None:
     summary = {row[0]: row for row in shown(data, "Memory")}
     for row in summary.values():
-        counts = [value for value in row[4:9] if isinstance(value, int)]
+        counts = [value for value in row[4:10] if isinstance(value, int)]
         assert not counts or sum(counts) == row[3]
-    assert summary["DS"][9] == "DS301-DS4500"
-    assert "pointers read any of its cells: DS[DS" in str(summary["DS"][10])
-    assert summary["C"][6] == 2  # rtof's two bits
+    assert summary["DS"][10] == "DS301-DS4500"
+    assert "pointers read any of its cells: DS[DS" in str(summary["DS"][11])
+    assert summary["C"][7] == 2  # rtof's two bits
     stretches = shown(data, "Memory stretches")
     for bank, row in summary.items():
         assert sum(int(str(each[3])) for each in stretches if each[0] == bank) in (row[3], 0)
-    free = {row[0]: row[8] for row in summary.values()}
+    free = {row[0]: row[9] for row in summary.values()}
     for bank in ("X", "C", "DS", "TXT"):
         assert sum(int(str(row[13])) for row in shown(data, "Memory map") if row[0] == bank) == free[bank]
 

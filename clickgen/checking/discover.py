@@ -183,7 +183,7 @@ class _Repository:
 
     def _target(self, path: str) -> Target:
         nicknames = self._config.program(Path(path)).nicknames
-        return Target(path, str(nicknames) if nicknames else None)
+        return Target(path, _shown(nicknames.absolute()) if nicknames else None)
 
     # -- finding ------------------------------------------------------------------------------------------------------
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import os
+import re
 import sys
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
 from functools import partial
@@ -16,8 +18,9 @@ from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.diagnostics import CouldNotRun, Diagnostic
 from clickgen.emit.lock import locked
 from clickgen.emit.write import ChangedMeanwhile
+from clickgen.files import read_file
 from clickgen.nicknames.elsewhere import build_among
-from clickgen.pipeline import BuildResult, write_all
+from clickgen.pipeline import BuildResult, own_table_setting, write_all
 from clickgen.report.frames import summary, write_problems
 from clickgen.resolve.rows import Row
 from clickgen.spelling import Spellings
@@ -59,7 +62,7 @@ def run(options: argparse.Namespace) -> int:
         complain(f"{_summary(results)}; nothing was written")
         return PROBLEMS
     for job, result in zip(jobs, results, strict=True):
-        tell(*_report(result, job.folder))
+        tell(*_report(result, job))
     return OK
 
 
@@ -105,7 +108,8 @@ def _jobs(
     return found
 
 
-def _report(result: BuildResult, folder: Path) -> list[str]:
+def _report(result: BuildResult, job: Job) -> list[str]:
+    folder = job.folder
     main, subroutines = result.main, result.subroutines
     counts = [f"{counted(len(main.rungs), 'rung')} in main"]
     if subroutines:
@@ -116,6 +120,7 @@ def _report(result: BuildResult, folder: Path) -> list[str]:
     if new:
         lines.append(f"{counted(len(new), 'new address', 'new addresses')} in {result.table_path}: commit it.")
         lines += _new_names(result)
+        lines += _shared(result, job)
     noted = _summary([result])
     if noted:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
@@ -152,6 +157,22 @@ def _new_names(result: BuildResult) -> list[str]:
                 lines.append(f"  {pair}: is one of them misspelled?")
                 break
     return lines
+
+
+_MAIN = re.compile(rb"^def main\(", re.MULTILINE)
+
+
+def _shared(result: BuildResult, job: Job) -> Iterator[str]:
+    """Where a program beside this one has the same table because nobody named one: how to part them."""
+    if job.settings.nicknames is not None:
+        return
+    own = {os.path.realpath(source.path) for source in result.sources}
+    for path in sorted(result.program.parent.glob("*.py")):
+        if os.path.realpath(path) not in own and path.is_file() and _MAIN.search(read_file(path)):
+            copy = near(result.program).with_suffix(".csv")
+            yield f"{near(path)} has this table too. For two PLCs copy it to {copy}, and name that in clickgen.toml:"
+            yield f"  {own_table_setting(near(result.program))}"
+            return
 
 
 def _summary(results: Iterable[BuildResult]) -> str:

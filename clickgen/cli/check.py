@@ -125,7 +125,7 @@ def _tell_diff(options: argparse.Namespace, outcome: Outcome) -> int:
     """What fixes would change; on the standard error how much is left that none mends."""
     diff = "".join(_diffs(outcome))
     _put(diff, options.output)
-    left = _report(options, outcome)
+    left = _report(options, outcome)._replace(fixed=0)  # Nothing was written.
     if left.findings and not options.quiet:
         from clickgen.report.text import summary_line
 

@@ -10,7 +10,10 @@ from tempfile import TemporaryDirectory
 
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS, complain
 from clickgen.cli.jobs import jobs
+from clickgen.cli.jobs import settings_of as settings_of_folder
+from clickgen.diagnostics import CouldNotRun
 from clickgen.diffing.names import name_changes
+from clickgen.diffing.pairs import pairs_of
 from clickgen.diffing.read import Wanted, read_side
 from clickgen.diffing.run import diff
 from clickgen.diffing.sides import BrokenProgram
@@ -32,13 +35,14 @@ EXAMPLES = """\
 examples:
   clickgen diff HEAD:prog.py prog.py          what changed since the last commit
   clickgen diff main:prog.py feature:prog.py  two branches
+  clickgen diff HEAD~1 HEAD                   every program of the settings, or the only one here
   clickgen diff prog.py build/prog            is the bundle what the program says?
   clickgen diff prog.py from-the-plc/         is what CLICK holds what is in git?
   clickgen diff prog.py Scr1.tmp -q           the summary alone
 
 A side is a program, a bundle folder, a ladder CSV, a capture of the clipboard, a program file of CLICK (Scr*.tmp), or
 one of these in a revision of git: REV:PATH from the repository's root, REV:./PATH from the working folder, :PATH in the
-index. A path that exists wins.
+index. A folder with one program in it is that program. A path that exists wins.
 
 exit codes: 0 no difference in logic; 1 logic differs; 2 could not run
 """
@@ -63,10 +67,22 @@ def run(options: argparse.Namespace) -> int:
         return job.settings
 
     wanted = Wanted(settings_of, options.nicknames, options.export, options.config)
+    pairs = pairs_of(options.one, options.other, settings_of_folder(options.config))
+    if len(pairs) > 1 and options.output_format == "json":
+        raise CouldNotRun("the settings name several programs, and JSON is told of one: name it, such as HEAD:prog.py")
+    codes: list[int] = []
+    for one, other in pairs:
+        if codes and options.output_format == "text":
+            print()
+        codes.append(_compare(one, other, wanted, options))
+    return max(codes)
+
+
+def _compare(one: str, other: str, wanted: Wanted, options: argparse.Namespace) -> int:
     try:
-        with TemporaryDirectory(prefix="clickgen-") as one, TemporaryDirectory(prefix="clickgen-") as other:
-            older = read_side(options.one, wanted, Path(one), complain)
-            newer = read_side(options.other, replace(wanted, placed=older.placed), Path(other), complain)
+        with TemporaryDirectory(prefix="clickgen-") as first, TemporaryDirectory(prefix="clickgen-") as second:
+            older = read_side(one, wanted, Path(first), complain)
+            newer = read_side(other, replace(wanted, placed=older.placed), Path(second), complain)
     except BrokenProgram as error:
         write_problems(error.problems, error.sources, sys.stderr)
         found = counts(problem.severity for problem in error.problems)

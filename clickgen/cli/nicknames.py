@@ -89,11 +89,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = action(
         "rename",
         "rename in the table and in every source file",
-        "Rename a nickname in the address table and in every program that uses the table, all or nothing. The ladder "
-        "stays the same, which is tried before anything is written.",
+        "Rename a nickname or a block in the address table and in every program that uses the table, all or nothing. "
+        "The ladder stays the same, which is tried before anything is written, and what changes is said first.",
     )
-    add("old", metavar="OLD", help="the nickname as it is")
-    add("new", metavar="NEW", help="the nickname as it should be")
+    add("old", metavar="OLD", help="the nickname or block as it is")
+    add("new", metavar="NEW", help="the name as it should be")
     add("programs", **programs)
     add("--dry-run", action="store_true", help="say what would be renamed, and write nothing")
     add = action(
@@ -387,23 +387,23 @@ def _rename(options: argparse.Namespace) -> int:
     if not options.dry_run:
         settle(found, options.config)
     result = rename(options.old, options.new, found, settings_of(options.config))
-    if not options.dry_run:
-        put_in_place(result.writes, (), result.unchanged)
-    would = "would be " if options.dry_run else ""
+    programs = ", ".join(str(near(Path(program))) for program in result.programs)
+    becomes, stays = ("would become", "would be") if options.dry_run else ("becomes", "stays")
+    tell(f"{result.old} {becomes} {result.new}; the ladder of {programs} {stays} the same:")
     for path, count in sorted((near(path), count) for path, count in result.counts.items()):
-        tell(f"{path}: {counted(count, 'time')} {would}renamed")
+        tell(f"  {path}: {counted(count, 'time')}")
     for path, count in sorted((near(path), count) for path, count in result.comments.items()):
-        tell(f"{path}: {counted(count, 'comment')} still {'say' if count > 1 else 'says'} {result.old}")
+        tell(f"  {path}: {counted(count, 'comment')} still {'say' if count > 1 else 'says'} {result.old}")
     for span in result.left:
         place = f"{near(Path(span.path))}:{span.line}"
-        tell(f"{place} says {result.old} too, in a file that no program imports: it stays as it is")
-    if result.adoption is not None:
-        tell(*_adoption_lines(result, options.dry_run))
+        tell(f"  {place} says {result.old} too, in a file that no program imports: it stays as it is")
+    if options.dry_run:
+        if result.adoption is not None:
+            tell(*_adoption_lines(result, options.dry_run))
         return OK
-    becomes, stays = ("would become", "would be") if options.dry_run else ("is", "is")
-    now = "" if options.dry_run else " now"
-    programs = ", ".join(str(near(Path(program))) for program in result.programs)
-    tell(f"{result.old} {becomes} {result.new}{now}; the ladder of {programs} {stays} the same")
+    sys.stdout.flush()
+    put_in_place(result.writes, (), result.unchanged)
+    tell(*(_adoption_lines(result, False) if result.adoption is not None else [f"{result.old} is {result.new} now"]))
     return OK
 
 

@@ -85,7 +85,9 @@ def _former(path: Path, job: Job) -> bytes | None:
 
 def _workbook(result: BuildResult, job: Job) -> bytes:
     from clickgen.emit.workbook import Project, workbook
+    from clickgen.nicknames.why import blocks_of
 
+    blocks = frozenset(address for block in blocks_of(result) for address in block.addresses())
     return workbook(
         Project(
             result.program.stem,
@@ -95,6 +97,7 @@ def _workbook(result: BuildResult, job: Job) -> bytes:
             frozenset(job.settings.reserved),
             len(result.new_rows),
             os.path.dirname(str(result.program)),
+            blocks,
         )
     )
 

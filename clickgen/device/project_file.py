@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import zipfile
+import zlib
 
 _MARKS = (b"SC-PRJ", b"scp.bin.zi")
 """Each alone marks a project: some have both, some the first alone."""
@@ -29,6 +30,6 @@ def _has_project(data: bytes) -> bool:
                 with archive.open(member) as file:
                     if file.read(len(_MARKS[0])) == _MARKS[0]:
                         return True
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, OSError, EOFError, ValueError):
+    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, OSError, EOFError, ValueError, zlib.error):
         pass  # damaged, encrypted, or packed in a way that is not known
     return False

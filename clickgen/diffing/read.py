@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 import posixpath
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from clickgen.config import OWN_FILE, PROJECT_FILE, Config, find_config, read_config
 from clickgen.diagnostics import CouldNotRun, Diagnostic
 from clickgen.diffing.revision import Tree, named_revision, open_tree
-from clickgen.diffing.sides import BrokenProgram, Side, is_program, ladder_side, program_side
+from clickgen.diffing.sides import BrokenProgram, Side, is_program, ladder_side, program_in, program_side
 from clickgen.resolve.rows import Row
 from clickgen.settings import TABLE_NAME, Settings
 from clickgen.source import SourceFile, Span
@@ -41,6 +41,8 @@ def read_side(text: str, wanted: Wanted, folder: Path, note: Callable[[str], Non
     ``folder`` is empty and takes what is read out of git. Raises CouldNotRun.
     """
     if os.path.lexists(text):
+        if os.path.isdir(text) and (name := program_in(Path(text), text)) is not None:
+            text = os.path.join(text, name)
         if is_program(text) and not os.path.isdir(text):
             return program_side(Path(text), text, wanted.settings_of(text), wanted.placed)
         return ladder_side(Path(text), text, Path(wanted.export) if wanted.export else None)
@@ -76,6 +78,9 @@ class _Revision:
             tree.put([posixpath.join(around, TABLE_NAME)], must_be_there=True)
             return program_side(place, shown, self._settings(place), self.wanted.placed)
         if tree.is_folder(self.path):
+            name = self._program()
+            if name is not None:
+                return replace(self, path=posixpath.join(self.path, name)).read()
             files = tree.below(self.path, lambda name: name.lower().endswith(_LADDER_FILES))
             tree.put(files, must_be_there=True)
             place.mkdir(parents=True, exist_ok=True)
@@ -85,6 +90,13 @@ class _Revision:
             tree.put(posixpath.join(folder, name) for folder in folders for name in ("main.csv", TABLE_NAME))
         export = self.wanted.export
         return ladder_side(place, shown, self._as_it_was(Path(export)) if export else None)
+
+    def _program(self) -> str | None:
+        """The program in a folder of programs."""
+        tree, place = self.tree, self.tree.place(self.path)
+        tree.put(tree.below(self.path, lambda name: "/" not in name and name.lower().endswith((".py", *_LADDER_FILES))))
+        place.mkdir(parents=True, exist_ok=True)
+        return program_in(place, tree.shown(self.path))
 
     def _settings(self, place: Path) -> Settings:
         config = self._config()

@@ -45,6 +45,17 @@ def named_revision(text: str) -> Named | None:
     return None
 
 
+def is_revision(text: str) -> bool:
+    """True for a revision without a path, such as ``HEAD~1``; a file or folder of that name is none."""
+    if not text or text.startswith("-") or os.path.lexists(text) or named_revision(text) or _DRIVE.match(text):
+        return False
+    try:
+        words = ("rev-parse", "--verify", "--quiet", f"{text}^{{tree}}")
+        return _git(Named(text, ""), *words, may_fail=True) != b""
+    except CouldNotRun:
+        return False
+
+
 class _Blob(NamedTuple):
     mode: str
     name: str

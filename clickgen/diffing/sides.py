@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import csv
+import os
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -11,6 +13,7 @@ from pathlib import Path
 from clickgen.device.banks import Address, parse_address
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
 from clickgen.diffing.placing import name_key, placed_alike
+from clickgen.files import read_file
 from clickgen.ladder.built import built_ladders
 from clickgen.ladder.grid import Ladder
 from clickgen.ladder.problem import LadderProblem
@@ -81,6 +84,26 @@ class Side:
 def is_program(name: str) -> bool:
     """True for what is built; everything else is read as ladder."""
     return name.lower().endswith(".py")
+
+
+_MAIN = re.compile(rb"^def main\(", re.MULTILINE)
+_IS_LADDER = re.compile(r"main\.csv|Scr\d+\.(tmp|scr)", re.IGNORECASE)
+
+
+def program_in(folder: Path, shown: str) -> str | None:
+    """The name of the program in a folder of programs; None where the folder is one of ladder, or of neither.
+
+    Raises CouldNotRun where it has several.
+    """
+    files = sorted(path for path in folder.iterdir() if path.is_file())
+    if any(_IS_LADDER.fullmatch(path.name) for path in files):
+        return None
+    programs = [path.name for path in files if is_program(path.name) and _MAIN.search(read_file(path))]
+    if len(programs) > 1:
+        place = shown if shown.endswith(("/", ":", os.sep)) else f"{shown}/"
+        listed = ", ".join(f"{place}{name}" for name in programs)
+        raise CouldNotRun(f"{shown} has several programs: name one of {listed}")
+    return programs[0] if programs else None
 
 
 def program_side(path: Path, shown: str, settings: Settings, placed: Sequence[Row] = ()) -> Side:

@@ -7,9 +7,12 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Mapping
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 
+from clickgen.check.uses import extents_of
 from clickgen.device.banks import CURRENT_VALUE_OF, Address, parse_address
 from clickgen.device.system import system_name_of
 from clickgen.instructions.raw import RAW
@@ -56,8 +59,9 @@ class Names:
             return f"immediate({self.show(operand.target)})"
         return operand_token(operand)
 
-    def numbers_in(self, bank: str) -> list[int]:
-        return sorted(address.number for address in self._nicknames if address.bank == bank)
+    def addresses(self) -> Iterable[Address]:
+        """Every address that has a nickname."""
+        return self._nicknames
 
 
 def listing(title: str, routines: Iterable[ClickRoutine], nicknames: Mapping[Address, str]) -> str:
@@ -180,33 +184,37 @@ _Key = tuple[tuple[int, int, bool], int, str]
 
 
 class _CrossReference:
-    def __init__(self, names: Names) -> None:
-        self._names = names
-        self._named: dict[str, list[int]] = {}
+    """``known`` are the numbers by bank that get a line of their own where a range or a word leads to them."""
+
+    def __init__(self, known: Mapping[str, Sequence[int]]) -> None:
+        self._known = known
         self.uses: dict[_Key, _Uses] = {}
 
     def add(self, operand: Operand, routine: str, rung: int, is_written: bool) -> None:
         if isinstance(operand, Immediate):
             operand = operand.target
         if isinstance(operand, Cell):
-            self._note((operand.address.sort_key, 0, str(operand.address)), routine, rung, is_written)
+            self._note_cell(operand.address, routine, rung, is_written)
         elif isinstance(operand, Range):
             low, high = sorted((operand.first, operand.last))
             first, length = Address(operand.bank, low), high - low + 1
             text = str(first) if length == 1 else f"{first}..{Address(operand.bank, high)}"
             self._note((first.sort_key, length - 1, text), routine, rung, is_written)
-            for number in self._named_in(operand.bank, low, high) if length > 1 else ():
-                address = Address(operand.bank, number)
-                self._note((address.sort_key, 0, str(address)), routine, rung, is_written)
         elif isinstance(operand, Pointer):
             key = ((Address(operand.bank, -1).sort_key), 0, operand_token(operand))
             self._note(key, routine, rung, is_written)
+        for index, (bank, low, high) in enumerate(extents_of(operand)):
+            # The first one is the operand's own; the others are the points that its words hold.
+            if index or low < high:
+                for number in self._known_in(bank, low, high):
+                    self._note_cell(Address(bank, number), routine, rung, is_written)
 
-    def _named_in(self, bank: str, low: int, high: int) -> list[int]:
-        if bank not in self._named:
-            self._named[bank] = self._names.numbers_in(bank)
-        numbers = self._named[bank]
+    def _known_in(self, bank: str, low: int, high: int) -> Sequence[int]:
+        numbers = self._known.get(bank, ())
         return numbers[bisect_left(numbers, low) : bisect_left(numbers, high + 1)]
+
+    def _note_cell(self, address: Address, routine: str, rung: int, is_written: bool) -> None:
+        self._note((address.sort_key, 0, str(address)), routine, rung, is_written)
 
     def _note(self, key: _Key, routine: str, rung: int, is_written: bool) -> None:
         uses = self.uses.get(key)
@@ -216,13 +224,10 @@ class _CrossReference:
 
 
 def _cross_reference(routines: tuple[ClickRoutine, ...], names: Names) -> list[str]:
-    table = _CrossReference(names)
-    for routine in routines:
-        for number, rung in enumerate(routine.rungs, 1):
-            for operand in condition_operands(rung.condition):
-                table.add(operand, routine.name, number, False)
-            for operand, is_written in _touched(rung.items):
-                table.add(operand, routine.name, number, is_written)
+    touched = tuple(_all_touched(routines))
+    table = _CrossReference(known_numbers(names, (operand for operand, *_ in touched)))
+    for operand, routine, number, is_written in touched:
+        table.add(operand, routine, number, is_written)
     rows = [("Address", "Nickname", "Written", "Read")]
     for key, uses in sorted(table.uses.items()):
         _, length, text = key
@@ -231,6 +236,27 @@ def _cross_reference(routines: tuple[ClickRoutine, ...], names: Names) -> list[s
         rows.append((text, nickname, _places(uses.written), _places(uses.read)))
     widths = [max(len(row[column]) for row in rows) for column in range(2)]
     return [f"{row[0]:<{widths[0]}}  {row[1]:<{widths[1]}}  {row[2] or '-'} | {row[3] or '-'}" for row in rows]
+
+
+def known_numbers(names: Names, operands: Iterable[Operand]) -> Mapping[str, Sequence[int]]:
+    """The addresses that have a nickname or that some operand names by themselves: numbers in order, by bank."""
+    known: dict[str, set[int]] = defaultdict(set)
+    targets = (operand.target if isinstance(operand, Immediate) else operand for operand in operands)
+    cells = (target.address for target in targets if isinstance(target, Cell))
+    for address in chain(names.addresses(), cells):
+        if not address.upper:
+            known[address.bank].add(address.number)
+    return {bank: sorted(numbers) for bank, numbers in known.items()}
+
+
+def _all_touched(routines: tuple[ClickRoutine, ...]) -> Iterator[tuple[Operand, str, int, bool]]:
+    """Every operand with the routine and the rung that it stands in, and whether it is written there."""
+    for routine in routines:
+        for number, rung in enumerate(routine.rungs, 1):
+            for operand in condition_operands(rung.condition):
+                yield operand, routine.name, number, False
+            for operand, is_written in _touched(rung.items):
+                yield operand, routine.name, number, is_written
 
 
 def _touched(items: tuple[Item, ...]) -> Iterator[tuple[Operand, bool]]:

@@ -277,7 +277,7 @@ def _bytes(path: Path) -> bytes:
         raise CouldNotRun(f"{_shown(path)} is no file")
     if status.st_size > _BYTES_MAX:
         raise CouldNotRun(f"{_shown(path)} is too large for ladder ({status.st_size} bytes)")
-    return path.read_bytes()
+    return read_file(path, _BYTES_MAX)
 
 
 def _head(path: Path) -> bytes:

@@ -1,14 +1,16 @@
 """Scratch addresses: cells that clickgen needs for itself, taken from the top of a bank downward, one for each use.
 
 While rungs are lowered a scratch use has a placeholder; when all uses are known each gets its address: the one it had
-in the address table, else one that an earlier build left over, else the highest free one. A use is known by what it
-is for, the rung number aside, so that a rung inserted before it moves nothing.
+in the address table, else the highest free one. A use is known by its purpose, which is its comment in the table: the
+routine and the output or timer that it serves. So a rung inserted before it moves nothing and changes no comment. A
+cell whose purpose this program does not have may serve another program of the same table, and is left alone.
 """
 
 from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from clickgen.device.banks import BANKS, Address
@@ -21,27 +23,63 @@ from clickgen.resolve.rows import Row, is_scratch, scratch_name
 from clickgen.resolve.table import AddressTable
 from clickgen.source import Span
 
-_RUNG_NUMBER = re.compile(r"(?<= rung )[0-9]+(?=:|$)")
-"""Of the first that is followed by a condition or nothing; the name of a routine may hold the word and a number."""
+_RUNG_NUMBER = re.compile(
+    r"(?<= rung )[0-9]+(?=$|: (?:(?:not|rise|fall|all|none|always|scratch)(?![a-z_])|immediate\(|[^a-z]))"
+)
+"""Earlier versions wrote the rung and the condition: ``condition of main rung 12: C1 and not C2``.
+
+The name of a routine may hold the word and a number, too: what follows there is an instruction.
+"""
+_NICKNAME = re.compile(r"(?<=: )((?!call )[a-z_]+(?: to)? [A-Z]+[0-9]+u?) ([^()]+?)(?=$| \([0-9]+\)$)")
+_ORDINAL = re.compile(r" \(([0-9]+)\)$")
+_CUT = "..."
+_NOTHING = "nothing"
+_SURE = COMMENT_MAX - len(_CUT) - 7
+"""So much of an earlier comment is there without its rung number, however long that is."""
 
 
 @dataclass(frozen=True)
 class ScratchUse:
-    """One need of a scratch cell: ``reason`` is its comment in the address table."""
+    """One need of a scratch cell. ``reason`` says what for, ``content`` which condition it holds."""
 
     placeholder: Address
     reason: str
     span: Span
+    content: str = ""
 
     @property
-    def purpose(self) -> str:
-        """The reason without the rung number."""
-        return purpose_of(self.reason)
+    def has_end(self) -> bool:
+        """True where the reason says all there is to say: ``rtof T1: ...``."""
+        return ":" in self.reason
+
+    @property
+    def former(self) -> str:
+        """What an earlier version wrote for it, without the rung number, as far as it was sure to be written."""
+        return (f"{self.reason} rung " + (f": {self.content}" if self.content else ""))[:_SURE]
 
 
 def purpose_of(comment: str) -> str:
-    """A reason without the rung number: what a scratch cell is known by."""
-    return _RUNG_NUMBER.sub("", comment, count=1)
+    """What scratch cells of one purpose have in common: the comment without nickname and number."""
+    if _RUNG_NUMBER.search(comment):
+        return _RUNG_NUMBER.sub("", comment, count=1)
+    return _NICKNAME.sub(r"\1", _ORDINAL.sub("", comment))
+
+
+def renamed_reason(comment: str, old: str, new: str) -> str:
+    """A comment with another nickname for what the cell serves; as it is where that has another name."""
+    match = _NICKNAME.search(comment)
+    if match is None or match[2].lower() != old.lower():
+        return comment
+    return comment[: match.start(2)] + new + comment[match.end(2) :]
+
+
+def rung_of(comment: str) -> int:
+    """The number that tells cells of one purpose apart: of the rung, or at the end of the comment; else 0."""
+    match = _RUNG_NUMBER.search(comment)
+    if match:
+        return int(match[0])
+    ordinal = _ORDINAL.search(comment)
+    return int(ordinal[1]) if ordinal else 0
 
 
 def shown_in_reason(operand: Operand) -> str:
@@ -63,35 +101,59 @@ class Scratch:
         """True when a bank has not enough addresses for what was taken: ``assign`` will say so."""
         return any(count > BANKS[bank].last for bank, count in self._taken.items())
 
-    def take(self, bank: str, reason: str, span: Span) -> Cell:
-        """A cell of ``bank`` for one use."""
+    def take(self, bank: str, reason: str, span: Span, content: str = "") -> Cell:
+        """A cell of ``bank`` for one use; ``content`` is the condition that it holds, in words."""
         placeholder = Address(bank, -1 - len(self.uses))
-        reason = reason if len(reason) <= COMMENT_MAX else reason[: COMMENT_MAX - 3] + "..."
         self._taken[bank] += 1
-        self.uses.append(ScratchUse(placeholder, reason, span))
+        self.uses.append(ScratchUse(placeholder, reason, span, content))
         return Cell(placeholder, span)
 
+    @property
+    def ends(self) -> dict[Address, str]:
+        """The placeholders with a purpose of their own, and that in short: ``rtof T1``."""
+        return {use.placeholder: use.reason.partition(":")[0] for use in self.uses if use.has_end}
+
     def assign(
-        self, table: AddressTable, allocator: Allocator, frozen: bool, problems: Diagnostics
+        self,
+        served: Mapping[Address, str],
+        table: AddressTable,
+        allocator: Allocator,
+        frozen: bool,
+        problems: Diagnostics,
     ) -> dict[Address, Row]:
-        """The table row of each placeholder."""
+        """The table row of each placeholder; ``served`` says what each serves."""
         assigned: dict[Address, Row] = {}
         for bank in sorted({use.placeholder.bank for use in self.uses}):
             uses = [use for use in self.uses if use.placeholder.bank == bank]
+            comments = _comments(uses, served)
             old = [row for row in table.rows if row.address.bank == bank and is_scratch(row)]
-            addresses = _matched(uses, old)
+            rows, left = _matched(uses, comments, old)
+            addresses = {use: row.address for use, row in rows.items()}
             for use in (use for use in uses if use not in addresses):
-                address = None if frozen else _free(allocator, bank, table)
+                address = None if frozen else _free(allocator, bank, table) or _given_up(left)
                 if address is not None:
                     addresses[use] = address
                     continue
-                _no_scratch(use, bank, frozen, table, problems)
+                _no_scratch(use, comments[use], frozen, table, problems)
                 if not frozen:
                     break  # the bank is full for all that follow
-            _settle(addresses)
             for use, address in addresses.items():
-                assigned[use.placeholder] = _row(table, address, use.reason)
+                assigned[use.placeholder] = _row(table, address, comments[use])
         return assigned
+
+
+def _comments(uses: list[ScratchUse], served: Mapping[Address, str]) -> dict[ScratchUse, str]:
+    """The comment of each use, no two the same: ``condition of main: out Y001 Motor``, the next one with ``(2)``."""
+    comments: dict[ScratchUse, str] = {}
+    counts: Counter[str] = Counter()
+    for use in uses:
+        comment = use.reason if use.has_end else f"{use.reason}: {served.get(use.placeholder, _NOTHING)}"
+        counts[purpose_of(comment)] += 1
+        number = counts[purpose_of(comment)]
+        ordinal = f" ({number})" if number > 1 else ""
+        room = COMMENT_MAX - len(ordinal)
+        comments[use] = (comment if len(comment) <= room else comment[: room - len(_CUT)] + _CUT) + ordinal
+    return comments
 
 
 def _free(allocator: Allocator, bank: str, table: AddressTable) -> Address | None:
@@ -102,61 +164,62 @@ def _free(allocator: Allocator, bank: str, table: AddressTable) -> Address | Non
     return address
 
 
-def _matched(uses: list[ScratchUse], old: list[Row]) -> dict[ScratchUse, Address]:
-    """Uses matched with the rows of earlier builds: by purpose, in the order of the rungs, then what is left over.
+def _matched(
+    uses: list[ScratchUse], comments: Mapping[ScratchUse, str], old: list[Row]
+) -> tuple[dict[ScratchUse, Row], list[Row]]:
+    """Uses matched with the rows of earlier builds, and the rows that are left over.
 
-    Purposes hold the routine, so that rows of one purpose stand in the order in which the last build met their uses.
+    By the comment; else by all of it but nicknames, which may have changed; else, in a table of an earlier version, by
+    the condition, where rows of one condition stand in the order of their rungs.
     """
-    addresses: dict[ScratchUse, Address] = {}
+    rows: dict[ScratchUse, Row] = {}
     waiting = sorted(old, key=lambda row: (rung_of(row.comment), -row.address.number))
-    for key in (purpose_of, lambda _: ""):
-        rows: dict[str, list[Row]] = {}
-        for row in waiting:
-            rows.setdefault(key(row.comment), []).append(row)
+
+    def match(of_use: Callable[[ScratchUse], object], of_row: Callable[[Row], object]) -> None:
+        found: dict[object, list[Row]] = {}
+        for row in reversed(waiting):
+            found.setdefault(of_row(row), []).append(row)
         for use in uses:
-            left = rows.get(key(use.reason))
-            if use not in addresses and left:
-                row = left.pop(0)
-                addresses[use] = row.address
-                waiting.remove(row)
-    return addresses
+            candidates = found.get(of_use(use))
+            if candidates and use not in rows:
+                rows[use] = candidates.pop()
+        taken = {row.address for row in rows.values()}
+        waiting[:] = [row for row in waiting if row.address not in taken]
+
+    match(lambda use: comments[use], lambda row: row.comment)
+    match(
+        lambda use: (purpose_of(comments[use]), rung_of(comments[use])),
+        lambda row: (purpose_of(row.comment), rung_of(row.comment)),
+    )
+    match(lambda use: use.former, lambda row: purpose_of(row.comment)[:_SURE])
+    return rows, waiting
 
 
-def rung_of(comment: str) -> int:
-    """The rung number of a reason; 0 where it has none."""
-    match = _RUNG_NUMBER.search(comment)
-    return int(match[0]) if match else 0
+def _given_up(left: list[Row]) -> Address | None:
+    """Where a bank is full: a cell that no use of this program has."""
+    return left.pop(0).address if left else None
 
 
-def _settle(addresses: dict[ScratchUse, Address]) -> None:
-    """Uses with the same comment get their addresses in descending order, so that the next build matches them alike."""
-    groups: dict[str, list[ScratchUse]] = {}
-    for use in sorted(addresses, key=lambda use: -use.placeholder.number):
-        groups.setdefault(use.reason, []).append(use)
-    for group in groups.values():
-        for use, address in zip(group, sorted((addresses[use] for use in group), key=lambda a: -a.number), strict=True):
-            addresses[use] = address
-
-
-def _row(table: AddressTable, address: Address, reason: str) -> Row:
+def _row(table: AddressTable, address: Address, comment: str) -> Row:
     stands = table.by_address.get(address)
     if stands is not None and stands.nickname:
-        return stands if stands.comment == reason else replace(stands, comment=reason, line=0, raw="")
-    return table.named(address, scratch_name(address), reason)
+        return stands if stands.comment == comment else replace(stands, comment=comment, line=0, raw="")
+    return table.named(address, scratch_name(address), comment)
 
 
-def _no_scratch(use: ScratchUse, bank: str, frozen: bool, table: AddressTable, problems: Diagnostics) -> None:
+def _no_scratch(use: ScratchUse, comment: str, frozen: bool, table: AddressTable, problems: Diagnostics) -> None:
+    bank = use.placeholder.bank
     if frozen:
         problems.add(
             "CG209",
             use.span,
-            f"this rung needs a scratch {bank} address that is not in {table.path} yet ({use.reason})",
+            f"this rung needs a scratch {bank} address that is not in {table.path} yet ({comment})",
             "build once without --frozen and commit the table",
         )
     else:
         problems.add(
             "CG208",
             use.span,
-            f"no {bank} address is free for scratch use ({use.reason})",
+            f"no {bank} address is free for scratch use ({comment})",
             f"write simpler conditions, or free some {bank} addresses of the program and of {table.path}",
         )

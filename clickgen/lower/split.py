@@ -148,7 +148,6 @@ class _RungSplit:
         self._home = home
         self._rung = rung
         self._comment = rung.comment
-        self._where = f"{home.routine.name} rung {len(home.rungs) + 1}"
 
     def run(self) -> None:
         steps = list(self._steps(self._rung.items, _Node(self._rung.condition)))
@@ -245,8 +244,7 @@ class _RungSplit:
         return Contact(cell, condition.span)
 
     def _take(self, bank: str, purpose: str, span: Span, content: str = "") -> Cell:
-        reason = f"{purpose} of {self._where}" + (f": {content}" if content else "")
-        return self._home.scratch.take(bank, reason, span)
+        return self._home.scratch.take(bank, f"{purpose} of {self._home.routine.name}", span, content)
 
     # -- conditions too large for the grid ----------------------------------------------------------------------------
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,12 +11,15 @@ from clickgen.device.banks import Address
 from clickgen.diagnostics import CouldNotRun, Diagnostic
 from clickgen.emit.listing import listing
 from clickgen.emit.nickname_csv import nickname_csv
+from clickgen.emit.sourcemap import source_map
+from clickgen.lower.scratch import renamed_reason
 from clickgen.nicknames.programs import Program
 from clickgen.pipeline import BuildResult, build
-from clickgen.resolve.rows import Row
+from clickgen.resolve.blocks import renamed_mark
+from clickgen.resolve.rows import Row, is_scratch
 from clickgen.settings import TABLE_NAME
 
-_LISTING = "listing.txt"
+_LISTING, _SOURCES = "listing.txt", "sources.json"
 
 
 @dataclass(frozen=True)
@@ -34,17 +38,25 @@ def errors_of(result: BuildResult) -> list[Diagnostic]:
     return [problem for problem in result.diagnostics if problem.is_error]
 
 
-def prove_same(before: BuildResult, after: BuildResult, old: str, new: str) -> None:
+def prove_same(before: BuildResult, after: BuildResult, old: str, new: str, is_block: bool = False) -> None:
     """Raise CouldNotRun unless both make the same ladder, and the same of everything else but for the name."""
-    rows = _by_address(
-        replace(row, nickname=new) if row.nickname.lower() == old.lower() else row for row in before.rows
-    )
+
+    def renamed(row: Row) -> Row:
+        if is_block:
+            return replace(row, comment=renamed_mark(row.comment, old, new))
+        if is_scratch(row):
+            return replace(row, comment=renamed_reason(row.comment, old, new))
+        return replace(row, nickname=new) if row.nickname.lower() == old.lower() else row
+
+    rows = _by_address(map(renamed, before.rows))
+    base = os.path.dirname(str(before.program))
     expected = {
         **before.files,
         TABLE_NAME: nickname_csv(rows.values()),
         _LISTING: listing(
             before.program.stem, before.routines, {row.address: row.nickname for row in rows.values() if row.nickname}
         ),
+        _SOURCES: source_map(before.routines, map(renamed, before.scratch_rows), list(before.files), base),
     }
     found = _by_address(after.rows)
     differing = [name for name in {**expected, **after.files} if expected.get(name) != after.files.get(name)]

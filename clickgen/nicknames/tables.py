@@ -8,12 +8,13 @@ from functools import cached_property
 from pathlib import Path
 
 from clickgen.diagnostics import CouldNotRun, Diagnostics
+from clickgen.lower.scratch import renamed_reason
 from clickgen.nicknames.programs import Files, Program
-from clickgen.resolve.blocks import Block, marked_blocks
+from clickgen.resolve.blocks import Block, MarkedRow, marked_blocks, read_marks, renamed_mark
 from clickgen.resolve.layers import beside_workbook
 from clickgen.resolve.read_table import TableUnreadable, bytes_of_table, read_table
 from clickgen.resolve.record import left_in, placed_in, record_beside, record_of
-from clickgen.resolve.rows import Row
+from clickgen.resolve.rows import Row, is_scratch
 from clickgen.resolve.table import AddressTable
 
 
@@ -41,11 +42,28 @@ class Table:
         return self.table.place(row)
 
     def renamed(self, old: str, new: str) -> bytes:
-        """The file with another nickname in the row of one that it has."""
+        """The file with another nickname in the row of one that it has, and in what clickgen says of its own cells."""
         row = self.row(old)
         assert row is not None
         assert row.cell is None
-        return self.table.renamed(row.address, new).to_bytes()
+        table = self.table.renamed(row.address, new)
+        for scratch in filter(is_scratch, self.table.own_rows):
+            comment = renamed_reason(scratch.comment, row.nickname, new)
+            if comment != scratch.comment:
+                table = table.recommented(scratch.address, scratch.comment, comment)
+        return table.to_bytes()
+
+    def marks_of(self, block: str) -> list[MarkedRow]:
+        """The rows that mark a block of this name."""
+        return [each for each in read_marks(self.table).rows if each.mark.name.lower() == block.lower()]
+
+    def with_block_renamed(self, old: str, new: str) -> bytes:
+        """The file with another name in the marks of a block."""
+        table = self.table
+        for row, mark in self.marks_of(old):
+            comment = renamed_mark(f"<{mark.word}>", old, new)
+            table = table.recommented(row.address, f"<{mark.word}>", comment)
+        return table.to_bytes()
 
     @property
     def record(self) -> Path:
@@ -59,8 +77,16 @@ class Table:
             return None
         return record_of(placed | {row.address: new}, left_in(data), data)
 
-    def stand_in(self, old: str, new: str) -> tuple[Path, bytes] | None:
+    def stand_in(self, old: str, new: str, is_block: bool) -> tuple[Path, bytes] | None:
         """Where the table was renamed already and the sources were not: the table as it was before, and its place."""
+        if is_block:
+            marks = self.marks_of(new)
+            if not marks or self.marks_of(old):
+                return None
+            if all(row.cell is None for row, _ in marks):
+                return self.path, self.with_block_renamed(new, old)
+            rows = [replace(row, comment=renamed_mark(row.comment, new, old)) for row in self.rows]
+            return self.path, AddressTable.empty(str(self.path)).extended(rows).to_bytes()
         row = self.row(new)
         if row is None or self.row(old) is not None:
             return None

@@ -60,9 +60,17 @@ class FileNames:
         """Where a name stands for a block or a part of one."""
         return [block for block in self.blocks if block.name.lower() == name.lower()]
 
+    def every(self, name: str) -> list[Named]:
+        """Every place of a name, be it a nickname's or a block's, each once and in the order of the text."""
+        found = {(named.span.line, named.span.col): named for named in (*self.of(name), *self.blocks_of(name))}
+        return [found[place] for place in sorted(found)]
+
     def place(self, named: Named) -> Place:
-        """Where the name of one of ``named`` stands."""
+        """Where one of ``named`` or ``blocks`` has its name."""
         node = self._nodes.get(named.span)
+        if isinstance(node, ast.Subscript) and named.part is not None:
+            # ds.Recipe[3] and ds["Door alarms"][0:4]: the name stands before the index.
+            node = node.value
         if node is None:
             text, start = self._characters[named.span.line, named.span.col]
             match = _IN_FORMULA.match(text.value, start)
@@ -72,7 +80,7 @@ class FileNames:
         if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant):
             text = self._context.embedded(node.slice)
             return Place(_stretches(text, 0, len(text.value)), False, False)
-        _, _, _, line, end, _ = named.span
+        _, _, _, line, end, _ = self._context.span(node)
         word = _LAST_WORD.search(self.source.line(line)[: end - 1])
         assert word is not None
         return Place((self.source.span(line, word.start() + 1, line, end),), True, False)

@@ -31,7 +31,7 @@ def why(name: str, result: BuildResult, reserved: Iterable[Address], record: byt
 
     ``reserved`` are addresses that the settings keep free, ``record`` is the file of the names that clickgen placed.
     """
-    blocks = _blocks(result)
+    blocks = blocks_of(result)
     meaning = _meaning(_asked(name.strip()), result, blocks)
     if meaning is None:
         return _moved_lines(_asked(name.strip()).name)
@@ -52,7 +52,7 @@ def _moved_lines(name: str) -> list[str]:
 def suggestion(name: str, results: Iterable[BuildResult]) -> str:
     """``did you mean Motor?`` for a near miss."""
     known = [row.nickname for result in results for row in result.rows if row.nickname]
-    return did_you_mean(name, [*known, *(block.name for result in results for block in _blocks(result))])
+    return did_you_mean(name, [*known, *(block.name for result in results for block in blocks_of(result))])
 
 
 # -- what is asked ----------------------------------------------------------------------------------------------------
@@ -116,7 +116,7 @@ def _seen_as(bank: str, address: Address | None) -> Address | None:
 # -- blocks -----------------------------------------------------------------------------------------------------------
 
 
-def _blocks(result: BuildResult) -> list[Block]:
+def blocks_of(result: BuildResult) -> list[Block]:
     """The blocks of the program and those of the table; one that both have stands twice, first as it is declared."""
     program = result.facts.program if result.facts else None
     declared = [

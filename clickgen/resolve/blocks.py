@@ -91,6 +91,14 @@ def marked(comment: str, name: str, opens: bool, closes: bool) -> str:
     return f"<{word}>{comment}"
 
 
+def renamed_mark(comment: str, old: str, new: str) -> str:
+    """A comment with another block name in its mark; as it is where it has no mark of that name."""
+    mark = mark_in(comment)
+    if mark is None or mark.name.lower() != old.lower():
+        return comment
+    return comment.replace(f"<{mark.word}>", f"<{mark.word.replace(mark.name, new, 1)}>", 1)
+
+
 class MarkedRow(NamedTuple):
     row: Row
     mark: Mark

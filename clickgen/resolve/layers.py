@@ -27,7 +27,7 @@ def beside_workbook(table: AddressTable, base: Iterable[Row], problems: Diagnost
         stands = by_address.get(row.address)
         holder = by_name.get(row.nickname.lower()) if row.nickname else None
         if stands is not None and row.nickname.lower() != stands.nickname.lower():
-            there = stands.nickname or "given no name"
+            there = stands.nickname or (f'"{stands.spare}"' if stands.spare else "given no name")
             _disagree(
                 layered, row, stands, f"{row.address} is {row.nickname or 'given no name'} here and {there}", problems
             )

@@ -72,7 +72,10 @@ def bytes_of_table(path: Path, shown: str) -> bytes:
     try:
         return read_bounded(path, FILE_MAX + 1, shown)
     except FileNotFoundError:
-        raise TableUnreadable(f"there is no address table at {shown}") from None
+        raise TableUnreadable(
+            f"there is no address table at {shown}; clickgen begins one where the settings name it: "
+            f'programs = [{{ path = "prog.py", nicknames = "{Path(shown).as_posix()}" }}] in clickgen.toml'
+        ) from None
     except IsADirectoryError:
         raise TableUnreadable(f"{shown} is a folder; name the nickname CSV in it") from None
     except OSError as error:

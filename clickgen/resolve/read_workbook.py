@@ -6,7 +6,10 @@ first 50 rows of a sheet; more lists may follow below or beside it. Columns come
 A sheet without such a row is no list. Hidden sheets, rows and columns are read like others: a filter hides rows, and a
 name that is left out would get another address.
 
-**Rows.** An empty cell says nothing; so does a dash for an address, a nickname or an initial value. Addresses are taken
+**Rows.** An empty cell says nothing; so does a dash, or a word such as N/A, for anything but a comment. A nickname such
+as SPARE, TBD or "not used" is none; its address is given to no name, and how many such rows there are is said. Words
+that may be names too, such as x or Open, are passed over only where two addresses have them; so is every such word in
+a list with the titles Nickname and Data Type, which is CLICK's own table. Addresses are taken
 in any case, with spaces and leading zeros or without (``x 1``, ``DS 0100``). A row that says something of an address
 needs one that CLICK has. Without any address a row is a caption or a remark; if it has a name, a warning says that it
 is left out. Several rows may speak of one address, on one sheet or on many: what they say is put together, and where
@@ -24,11 +27,14 @@ are dates and errors; a comment that is one of these is left out, with a warning
 from __future__ import annotations
 
 import warnings
+from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, Address, Kind
+from clickgen.device.nicknames import nickname_fault
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.resolve.judge_row import (
     Fault,
@@ -47,14 +53,18 @@ from clickgen.resolve.workbook_titles import HEADER_ROWS, AddressList, Field, li
 from clickgen.resolve.workbook_values import (
     address_of,
     initial_of,
+    is_spare,
     looks_like_address,
     name_of,
     retentive_of,
     same_initial,
+    spare_where_twice,
 )
 from clickgen.source import Span
+from clickgen.wording import counted
 
 _SAID = (Field.NICKNAME, Field.INITIAL, Field.RETENTIVE, Field.COMMENT)
+_WORDS_SHOWN = 4
 _WAYS_OUT = {
     "a formula": "copy the cells and paste them as values; what a formula gave when it was saved may be stale",
     "a date": "format the cell as text and write it again",
@@ -75,7 +85,8 @@ def read_workbook(path: Path, shown: str, problems: Diagnostics, data: bytes | N
         lists = [(sheet, each) for sheet in sheets for each in lists_of(sheet.lines())]
     if not lists:
         raise _no_list(shown, sheets)
-    reader = _Reader(problems, {sheet.title for sheet in sheets if sheet.is_hidden})
+    doubtful = _doubtful_spares(each for _, each in lists)
+    reader = _Reader(problems, {sheet.title for sheet in sheets if sheet.is_hidden}, doubtful)
     for sheet, each in lists:
         reader.read(sheet, each)
     return reader.rows()
@@ -102,14 +113,17 @@ class _Said:
 
     cell: Span
     facts: dict[Field, _Fact] = field(default_factory=dict)
+    spare: str = ""
 
 
 class _Reader:
     """Puts together what the lists say, and says what is wrong with it."""
 
-    def __init__(self, problems: Diagnostics, hidden: set[str]) -> None:
+    def __init__(self, problems: Diagnostics, hidden: set[str], spares: set[str]) -> None:
         self.problems = problems
         self._hidden = hidden
+        self._doubtful_spares = spares
+        """The words that two addresses have in place of a nickname."""
         self._said: dict[Address, _Said] = {}
         self._by_name: dict[str, tuple[Address, _Fact]] = {}
 
@@ -119,11 +133,14 @@ class _Reader:
             self._strange_list(sheet, *stranger)
             return
         no_values: dict[tuple[Field, str], list[Span]] = {}
+        self._spares: list[_Fact] = []
         for line in listed.lines:
             for what, cell in self._line(sheet, listed, line):
                 no_values.setdefault((what, cell.fault), []).append(sheet.span(line, cell.column))
         for (what, fault), spans in no_values.items():
             self._no_values(what, fault, spans)
+        self._passed_over()
+        self._two_addresses(sheet, listed)
 
     def rows(self) -> tuple[Row, ...]:
         return tuple(_row(address, said) for address, said in self._said.items())
@@ -131,9 +148,14 @@ class _Reader:
     def _line(self, sheet: Sheet, listed: AddressList, line: Line) -> list[tuple[Field, Cell]]:
         """Take what a line says; returns the cells that should say something and hold no plain value."""
         cells = {what: cell for what in _SAID if (cell := listed.cell(line, what)) and _says_something(what, cell)}
+        name = cells.get(Field.NICKNAME)
+        is_spare = name is not None and self._is_spare(name, listed)
+        if is_spare:
+            del cells[Field.NICKNAME]
         at = listed.cell(line, Field.ADDRESS)
         if at is None or not _says_something(Field.ADDRESS, at):
-            self._without_address(sheet, listed, line)
+            if not is_spare:
+                self._without_address(sheet, listed, line)
             return []
         if at.fault:
             return [(Field.ADDRESS, at)] if cells else []
@@ -143,12 +165,58 @@ class _Reader:
             if Field.NICKNAME in cells or (cells and looks_like_address(at.text)):
                 self._add("CG601", place, _no_address(at))
             return []
+        if name is not None and is_spare:
+            self._said.setdefault(address, _Said(place)).spare = name.text
+            self._spares.append(_Fact(name.text, sheet.span(line, name.column)))
         for what, cell in cells.items():
             if not cell.fault and not _is_blank_value(address, what, cell):
                 self._take(address, what, cell, place, sheet.span(line, cell.column))
-        if Field.NICKNAME not in cells:
+        if name is None:
             self._without_nickname(sheet, listed, line, address)
         return [(what, cell) for what, cell in cells.items() if cell.fault]
+
+    def _is_spare(self, name: Cell, listed: AddressList) -> bool:
+        """True for a nickname that is none. In CLICK's own table Spare is one, as long as it stands there once."""
+        if spare_where_twice(name.text) in self._doubtful_spares:
+            return True
+        return is_spare(name.text) and not (listed.is_table and nickname_fault(name.text) is None)
+
+    def _passed_over(self) -> None:
+        """Say once for a list which rows have no nickname, and what stands there."""
+        if not self._spares:
+            return
+        counts = Counter(str(each.value) for each in self._spares)
+        shown = counts.most_common(_WORDS_SHOWN)
+        words = [f"{short(word)} in {count}" for word, count in shown]
+        rest = len(self._spares) - sum(count for _, count in shown)
+        words += [f"others in {rest}"] if rest else []
+        self._add(
+            "CG618",
+            self._spares[0].span,
+            Fault(
+                f"{counted(len(self._spares), 'row')} of this list {'has' if len(self._spares) == 1 else 'have'} no "
+                f"nickname: {', '.join(words)}",
+                "clickgen gives these addresses to no name; write a nickname there when the point is used",
+            ),
+        )
+
+    def _two_addresses(self, sheet: Sheet, listed: AddressList) -> None:
+        """Say once for a list where rows have an internal address and another one that is external."""
+        both = [
+            (at, other, line)
+            for line in listed.lines
+            if (other := listed.other_address(line)) is not None
+            and (at := listed.cell(line, Field.ADDRESS)) is not None
+            and address_of(at.text) not in (None, address_of(other.text))
+        ]
+        if both:
+            at, other, line = both[0]
+            more = f", and so in {counted(len(both) - 1, 'row')} below" if len(both) > 1 else ""
+            message = (
+                f"{short(other.text)} is left out: the internal address of the row, {short(at.text)}, counts{more}"
+            )
+            way_out = "give the external address a row of its own if it has a nickname too"
+            self._add("CG604", sheet.span(line, other.column), Fault(message, way_out))
 
     def _take(self, address: Address, what: Field, cell: Cell, place: Span, span: Span) -> None:
         """Take what a cell says of an address whose place is given, unless it cannot be said of it."""
@@ -250,6 +318,19 @@ class _Reader:
         self.problems.add(code, span, *fault)
 
 
+def _doubtful_spares(lists: Iterable[AddressList]) -> set[str]:
+    """The words for spare points that stand at two addresses."""
+    holders: dict[str, set[Address]] = {}
+    for listed in lists:
+        for line in listed.lines:
+            at, name = listed.cell(line, Field.ADDRESS), listed.cell(line, Field.NICKNAME)
+            word = spare_where_twice(name.text) if name else ""
+            address = address_of(at.text) if at and word else None
+            if address:
+                holders.setdefault(word, set()).add(address)
+    return {word for word, addresses in holders.items() if len(addresses) > 1}
+
+
 def _first_stranger(listed: AddressList) -> tuple[Line, Cell] | None:
     """The first row with a name and a strange address, in a list that has no other addresses; else None."""
     first = None
@@ -265,14 +346,20 @@ def _first_stranger(listed: AddressList) -> tuple[Line, Cell] | None:
 def _says_something(what: Field, cell: Cell) -> bool:
     if cell.fault or not isinstance(cell.value, str):
         return True
-    if what in (Field.ADDRESS, Field.NICKNAME):
+    if what is Field.ADDRESS:
+        return name_of(cell) != "" and not is_spare(cell.text)
+    if what is Field.NICKNAME:
         return name_of(cell) != ""
     return cell.text != "" or what is not Field.RETENTIVE
 
 
 def _is_blank_value(address: Address, what: Field, cell: Cell) -> bool:
-    """True for spaces or a dash as an initial value, unless they can be the character of a TXT."""
-    return what is Field.INITIAL and address.kind is not Kind.TEXT and isinstance(cell.value, str) and not name_of(cell)
+    """True for spaces, a dash or N/A as an initial value or retention, unless they can be the character of a TXT."""
+    if what is Field.RETENTIVE:
+        return retentive_of(cell) is None and is_spare(cell.text)
+    if what is not Field.INITIAL or address.kind is Kind.TEXT or not isinstance(cell.value, str):
+        return False
+    return not name_of(cell) or is_spare(cell.text)
 
 
 def _value_of(address: Address, what: Field, cell: Cell) -> str | bool | Fault:
@@ -324,4 +411,5 @@ def _row(address: Address, said: _Said) -> Row:
     nickname, comment = str(values.get(Field.NICKNAME, "")), str(values.get(Field.COMMENT, ""))
     initial = str(values.get(Field.INITIAL, default_row(address, "").initial))
     retentive = bool(values.get(Field.RETENTIVE, BANKS[address.bank].retentive))
-    return Row(address, nickname, initial, retentive, comment, cell=said.cell)
+    spare = "" if nickname else said.spare
+    return Row(address, nickname, initial, retentive, comment, cell=said.cell, spare=spare)

@@ -322,6 +322,14 @@ class _Resolver:
                 f"CLICK has no {bank.title} named {use.name!r}",
                 _own_name_help(use),
             )
+        elif use.name.lower() in self.table.spares:
+            place = self.table.place(self.table.spares[use.name.lower()])
+            add(
+                "CG619",
+                use.span,
+                f"{use.name} stands in place of a nickname in {place}, so it is the name of no address",
+                "give the address a nickname of its own in the workbook, and write that here",
+            )
         elif looks_like_scratch(use.name):
             add("CG203", use.span, f"clickgen keeps names like {use.name} for its own cells", "choose another name")
         elif fault:

@@ -19,7 +19,7 @@ class Row:
     """One row: an address and what CLICK knows of it. ``initial`` is as written in the file.
 
     ``line`` counts from 1 and is 0 for a new row; ``raw`` is the row as it stands in the file without its line end.
-    ``cell`` is where a row of a workbook has its address.
+    ``cell`` is where a row of a workbook has its address, ``spare`` what stands there in place of a nickname.
     """
 
     address: Address
@@ -30,6 +30,7 @@ class Row:
     line: int = 0
     raw: str = ""
     cell: Span | None = None
+    spare: str = ""
 
     @property
     def content(self) -> tuple[Address, str, str, bool, str]:
@@ -68,7 +69,8 @@ def scratch_name(address: Address) -> str:
 
 
 _SCRATCH_NAME = re.compile(rf"{SCRATCH}[A-Z]+[0-9]+", re.IGNORECASE)
-_SCRATCH_REASON = re.compile(r".+ of [\w -]+ rung [0-9]+(: .+)?|rtof T[0-9]+: .+")
+_SCRATCH_REASON = re.compile(r".+ of [\w -]+: [a-z_]+( .+)?|rtof T[0-9]+: .+|.+ of [\w -]+ rung [0-9]+(: .+)?")
+"""The last form is that of earlier versions."""
 
 
 def looks_like_scratch(name: str) -> bool:

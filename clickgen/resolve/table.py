@@ -77,6 +77,15 @@ class AddressTable:
         return names
 
     @cached_property
+    def spares(self) -> dict[str, Row]:
+        """What a workbook has in place of nicknames, in lower case, each with the first row that has it."""
+        spares: dict[str, Row] = {}
+        for row in self.base:
+            if row.spare:
+                spares.setdefault(row.spare.lower(), row)
+        return spares
+
+    @cached_property
     def by_address(self) -> dict[Address, Row]:
         return {row.address: row for row in self.rows}
 
@@ -172,6 +181,22 @@ class AddressTable:
             if holder is not row and {holder.address.bank, row.address.bank} - {"SC", "SD"}:
                 raise ValueError(f"{row.nickname} would be {holder.address} and {row.address}")
         return table
+
+    def recommented(self, address: Address, old: str, new: str) -> AddressTable:
+        """The table with ``new`` in place of ``old`` in the comment of an address; every other byte stays.
+
+        Neither may be anything that a nickname or a number could hold.
+        """
+        entries = list(self._entries)
+        for index, (row, text, end) in enumerate(entries):
+            if row is not None and row.address == address:
+                comment = row.comment.replace(old, new, 1)
+                doubled = old.replace('"', '""')
+                text = (
+                    text.replace(doubled, new.replace('"', '""'), 1) if doubled in text else text.replace(old, new, 1)
+                )
+                entries[index] = Entry(replace(row, comment=comment, raw=text if row.raw else ""), text, end)
+        return replace(self, _entries=tuple(entries))
 
     def renamed(self, address: Address, nickname: str) -> AddressTable:
         """The table with another nickname at an address; every other byte stays, those of the row included."""

@@ -7,9 +7,10 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import Enum
+from functools import cached_property
 
 from clickgen.resolve.workbook_cells import Cell, Line
-from clickgen.resolve.workbook_values import address_of
+from clickgen.resolve.workbook_values import address_of, is_spare, name_of
 
 HEADER_ROWS = 50
 """A sheet whose first list begins further down holds none."""
@@ -27,22 +28,37 @@ class Field(Enum):
 
 TITLES = {
     Field.ADDRESS: (
-        "Address, PLC Address, CLICK Address, I/O Address, Tag Address, Memory Address, Addr, PLC Addr, I/O Addr, "
-        "Adresse, SPS-Adresse, E/A-Adresse, Dirección, Dirección PLC, I/O Point, I/O, Point, Register, Operand"
+        "Address, PLC Address, CLICK Address, I/O Address, Address Internal, Internal Address, Address PLC, "
+        "Address CLICK, Address I/O, Tag Address, Signal Address, Point Address, Device Address, Data Address, "
+        "Bit Address, Input Address, Output Address, Memory Address, Absolute Address, Operand Address, Addr, "
+        "PLC Addr, I/O Addr, Adr, Adresse, SPS-Adresse, E/A-Adresse, Interne Adresse, Adresse intern, Absolutadresse, "
+        "Adresse interne, Adresse API, Adresse automate, Adresse E/S, Dirección, Dirección PLC, Dirección interna, "
+        "Dirección E/S, I/O Point, I/O, Point, Register, Operand, "
+        "Address Internal/External, Address External, External Address, Externe Adresse, Adresse extern, "
+        "Adresse externe, Dirección externa"
     ),
     Field.NICKNAME: (
-        "Nickname, Nick Name, CLICK Nickname, Tag Name, Tag, Device Tag, PLC Tag, Symbol Name, Symbolic Name, Symbol, "
-        "Signal Name, "
-        "Signal, Variable Name, Variable, Label, Name, Signalname, Nombre, Símbolo, Etiqueta"
+        "Nickname, Nick Name, CLICK Nickname, Tag Name, Tag, Device Tag, PLC Tag, PLC Tag Name, PLC Name, I/O Tag, "
+        "I/O Name, Point Name, Symbol Name, Symbolic Name, Symbol, Signal Name, Signal, Signal Tag, Variable Name, "
+        "Variable, Mnemonic, Label, Name, Tag ID, Tag No, Tag Number, Device Name, Device, Signalname, Symbolname, "
+        "Variablenname, Symbolik, Bezeichner, Betriebsmittel, BMK, Nom, Nom de variable, Nom du signal, Mnémonique, "
+        "Symbole, Repère, Étiquette, Nombre, Símbolo, Etiqueta, Señal, Nombre de señal, Nombre de variable"
     ),
     Field.INITIAL: (
-        "Initial Value, Initial, Init Value, Init, Start Value, Default Value, Default, "
-        "Anfangswert, Startwert, Initialwert, Valor inicial"
+        "Initial Value, Initial, Init Value, Init, Start Value, Default Value, Default, Initial State, "
+        "Anfangswert, Startwert, Initialwert, Valeur initiale, Valor inicial"
     ),
-    Field.RETENTIVE: "Retentive, Retain, Retained, Retention, Keep, Remanent, Remanenz, Remanente, Retentivo",
+    Field.RETENTIVE: (
+        "Retentive, Retain, Retained, Retention, Retentivity, Keep, Remanent, Remanenz, Rémanent, Rémanence, "
+        "Remanente, Retentivo"
+    ),
     Field.COMMENT: (
-        "Address Comment, Comment, Comments, Description, Desc, Function, Text, Remark, Remarks, Note, Notes, "
-        "Kommentar, Beschreibung, Bezeichnung, Funktion, Bemerkung, Bemerkungen, Comentario, Descripción, Función"
+        "Address Comment, Comment, Comments, Description, Desc, Signal Description, Point Description, "
+        "I/O Description, Tag Description, Service, Service Description, Function, Function Description, Purpose, "
+        "Usage, Text, Remark, "
+        "Remarks, Note, Notes, Kommentar, Beschreibung, Signalbeschreibung, Bezeichnung, Klartext, Funktionstext, "
+        "Funktion, Bemerkung, Bemerkungen, Commentaire, Commentaires, Désignation, Libellé, Fonction, Remarque, "
+        "Remarques, Comentario, Descripción, Descripción de señal, Función, Observaciones"
     ),
 }
 """The titles of each column; where a list has several for one field, the one that stands first here counts.
@@ -60,7 +76,10 @@ def _plain(title: str) -> str:
 _FIELDS = {
     _plain(title): (rank, kind) for kind, titles in TITLES.items() for rank, title in enumerate(titles.split(", "))
 }
+_EXTERNAL = TITLES[Field.ADDRESS].split(", ").index("Address External")
+"""From this rank on a title is of addresses that count where there is no internal one."""
 _LONGEST = 60
+_BETWEEN_LANGUAGES = re.compile(r"[/|\n]| - ")
 _IN_BRACKETS = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
 
 
@@ -72,11 +91,29 @@ class AddressList:
     columns: dict[Field, int]
     titled: frozenset[int]
     """The columns that have a title, whatever it says."""
+    external: int = 0
+    """The column of external addresses, where there is one of internal addresses too; else 0."""
     lines: list[Line] = field(default_factory=list)
+
+    @cached_property
+    def is_table(self) -> bool:
+        """True for a list in the form of CLICK's own table, in which every nickname is one."""
+        titles = {_plain(cell.text) for cell in self.header.cells.values()}
+        return {"nickname", "datatype"} <= titles
 
     def cell(self, line: Line, what: Field) -> Cell | None:
         """What a line says in one field."""
-        return line.cells.get(self.columns.get(what, 0))
+        cell = line.cells.get(self.columns.get(what, 0))
+        if what is Field.ADDRESS and self.external:
+            other = self.other_address(line)
+            is_blank = cell is None or (not cell.fault and (not name_of(cell) or is_spare(cell.text)))
+            return other if other and is_blank else cell
+        return cell
+
+    def other_address(self, line: Line) -> Cell | None:
+        """The cell of a line that has an external address, where that is one of CLICK."""
+        other = line.cells.get(self.external) if self.external else None
+        return other if other and address_of(other.text) else None
 
     def untitled_neighbour(self, line: Line, what: Field) -> Cell | None:
         """What stands to the right of a field, where the column there has no title."""
@@ -135,10 +172,20 @@ def _titles(line: Line) -> dict[int, tuple[int, Field]]:
     found = {}
     for column, cell in line.cells.items():
         if cell.text and len(cell.text) <= _LONGEST:
-            title = _FIELDS.get(_plain(cell.text)) or _FIELDS.get(_plain(_IN_BRACKETS.sub("", cell.text)))
+            title = _title(cell.text) or _title(_IN_BRACKETS.sub("", cell.text))
             if title:
                 found[column] = title
     return found
+
+
+def _title(text: str) -> tuple[int, Field] | None:
+    """The field that a text is the title of, with its rank; one in two languages where both are of that field."""
+    title = _FIELDS.get(_plain(text))
+    parts = [_FIELDS.get(_plain(part)) for part in _BETWEEN_LANGUAGES.split(text)]
+    known = [part for part in parts if part]
+    if title or len(known) < len(parts) or len({field for _, field in known}) > 1:
+        return title
+    return min(known, key=lambda part: part[0])
 
 
 def _side_by_side(titles: dict[int, tuple[int, Field]], header: Line, titled: frozenset[int]) -> list[AddressList]:
@@ -154,7 +201,9 @@ def _side_by_side(titles: dict[int, tuple[int, Field]], header: Line, titled: fr
         best = sorted(group.items(), key=lambda item: item[0][0], reverse=True)
         columns = {kind: column for (_, kind), column in best}
         if Field.ADDRESS in columns and Field.NICKNAME in columns:
-            lists.append(AddressList(header, columns, titled))
+            external = [column for (rank, kind), column in group.items() if kind is Field.ADDRESS and rank >= _EXTERNAL]
+            other = next((column for column in external if column != columns[Field.ADDRESS]), 0)
+            lists.append(AddressList(header, columns, titled, other))
     return lists
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 
 from clickgen.device.banks import Address, Kind, parse_address
 from clickgen.resolve.judge_row import Fault, initial_value_fault, short
@@ -17,6 +18,39 @@ _WORDS = {
 }
 _TRUTH = {word: truth for truth, words in _WORDS.items() for word in words}
 _BITS = {"on": "1", "true": "1", "off": "0", "false": "0"}
+
+
+_SPARE = (
+    "n/a, n.a., not applicable, none, nil, null, spare, spares, spare input, spare output, spare point, spare i/o, "
+    "reserve, reserved, not used, unused, not in use, not connected, not assigned, unassigned, n/u, "
+    "tbd, tba, tbc, to be defined, to be determined, to be assigned, xx, xxx, "
+    "nicht belegt, nicht benutzt, nicht verwendet, unbenutzt, unbelegt, entfällt, "
+    "réserve, réservé, non utilisé, inutilisé, non affecté, reserva, reservado, no usado, no utilizado, sin uso"
+)
+"""What people write where a point has no name."""
+_SPARE_WHERE_TWICE = "x, open, free, empty, blank, future, n/c, n.b., k.a., frei, leer, libre, vide, s/o, vacío"
+"""These may be names too, of a limit switch or an axis; not where two points have them."""
+
+
+def _letters(text: str) -> str:
+    """A text without case, accents, spaces and punctuation."""
+    return "".join(letter for letter in unicodedata.normalize("NFKD", text.casefold()) if letter.isalnum())
+
+
+_SPARES = {_letters(word) for word in _SPARE.split(", ")}
+_SPARES_WHERE_TWICE = {_letters(word) for word in _SPARE_WHERE_TWICE.split(", ")}
+
+
+def is_spare(text: str) -> bool:
+    """True for what people write where a point has no name: ``N/A``, ``SPARE``, ``not used``, ``TBD``, ``???``."""
+    letters = _letters(text)
+    return text != "" and (not letters or letters in _SPARES)
+
+
+def spare_where_twice(text: str) -> str:
+    """What is no name where two points have it, such as ``x``, ``Open`` or ``SPARE``: the same for each form."""
+    letters = _letters(text)
+    return letters if letters in _SPARES_WHERE_TWICE or letters in _SPARES else ""
 
 
 def looks_like_address(text: str) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from heapq import heappop, heappush
@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from clickgen.check.uses import Use, addresses_of
 from clickgen.device.banks import UPPER_BYTE_BANKS, Address, points_of
+from clickgen.emit.listing import known_numbers
 from clickgen.emit.workbook.project import Project, listed
 from clickgen.emit.workbook.sheet import Cells, Column, Sheet
 from clickgen.ir.conditions import Compare, Contact
@@ -158,24 +159,15 @@ class _Lines:
             rungs.append(number)
 
     @cached_property
-    def _known(self) -> Mapping[str, list[int]]:
-        """The addresses that have a nickname or that the program names by themselves: numbers in order, by bank."""
-        known: dict[str, set[int]] = defaultdict(set)
-        for row in self.project.rows:
-            if row.nickname:
-                known[row.address.bank].add(row.address.number)
-        for use in self.project.uses.every:
-            operand = use.operand.target if isinstance(use.operand, Immediate) else use.operand
-            if isinstance(operand, Cell):
-                known[operand.bank].add(operand.address.number)
-        return {bank: sorted(numbers) for bank, numbers in known.items()}
+    def _known(self) -> Mapping[str, Sequence[int]]:
+        return known_numbers(self.project.names, (use.operand for use in self.project.uses.every))
 
 
 def _range_text(bank: str, low: int, high: int) -> str:
     return f"{Address(bank, low)}..{Address(bank, high)}"
 
 
-def _covered(numbers: list[int], ranges: set[tuple[int, int]]) -> Iterator[tuple[int, list[tuple[int, int]], int]]:
+def _covered(numbers: Sequence[int], ranges: set[tuple[int, int]]) -> Iterator[tuple[int, list[tuple[int, int]], int]]:
     """Each of the numbers that lies in ranges, the first of those ranges, and how many more: one walk over both."""
     waiting = sorted(ranges, reverse=True)
     around: dict[tuple[int, int], None] = {}

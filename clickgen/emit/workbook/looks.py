@@ -18,6 +18,7 @@ _FILLS = {
     Look.TITLE: "DDEBF7",
     Look.USED: "C6E0B4",
     Look.NAMED: "FFF2CC",
+    Look.BLOCK: "D9D2E9",
     Look.SCRATCH: "F8CBAD",
     Look.RESERVED: "D9D9D9",
 }

@@ -35,10 +35,10 @@ def memory(project: Project) -> Sheet:
 
 
 def _summary(project: Project) -> Iterator[Cells]:
-    pointers = _pointers(project)
+    pointed = pointers(project)
     for bank in BANKS.values():
         head = (bank.name, bank.title, bank.describe_range().replace("..", "-"))
-        remarks = "; ".join((*_nature(bank), *pointers.get(bank.name, ())))
+        remarks = "; ".join((*_nature(bank), *pointed.get(bank.name, ())))
         if bank in GIVEN:
             counted = project.states.count(bank)
             numbers = (sum(counted.values()), *(counted[state] for state in State))
@@ -64,12 +64,15 @@ def _longest_free(project: Project, bank: Bank) -> str:
     return f"{longest.first}-{longest.last}" if longest else "none"
 
 
-def _pointers(project: Project) -> Mapping[str, list[str]]:
+def pointers(project: Project) -> Mapping[str, list[str]]:
     """What is to be said of banks that pointers lead into: which of their cells, nobody sees here."""
     found: dict[tuple[str, bool], dict[str, None]] = defaultdict(dict)
     for use in project.uses.every:
         if isinstance(use.operand, Pointer):
-            found[use.operand.bank, use.is_written][operand_token(use.operand)] = None
+            bank = use.operand.bank
+            for name in (bank, TWIN_BANKS.get(bank) or CURRENT_VALUE_OF.get(bank)):
+                if name:
+                    found[name, use.is_written][operand_token(use.operand)] = None
     remarks: dict[str, list[str]] = defaultdict(list)
     for (bank, is_written), tokens in sorted(found.items()):
         shown = ", ".join(list(tokens)[:_POINTERS_MAX]) + (" and others" if len(tokens) > _POINTERS_MAX else "")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import groupby
 
 from clickgen.device.banks import Address, Bank
 from clickgen.emit.workbook.project import Project
@@ -16,7 +17,8 @@ def memory_map(project: Project) -> Sheet:
     letters = "; ".join(f"{state.letter} {state.words}" for state in State if state.letter)
     return Sheet(
         "Memory map",
-        f"Ten cells in a row, by the last digit of their numbers: {letters}; blank free; - no such cell.",
+        f"Ten cells in a row, by the last digit of their numbers: {letters}; blank free; - no such cell. "
+        "Tens that are free, reserved or in blocks are one row.",
         (
             Column("Bank", 8),
             Column("From", 10),
@@ -28,28 +30,41 @@ def memory_map(project: Project) -> Sheet:
     )
 
 
+_FOLDED = (State.FREE, State.RESERVED, State.BLOCK)
+"""States of which there may be thousands of cells: tens of one of them in a row are one line."""
+
+
 def _map(project: Project, bank: Bank) -> Iterator[Cells]:
-    """The rows of a bank; numbers begin a row behind each ten."""
-    free: list[int] = []
-    for first, last in bank.ranges:
-        for start in range(first, last + 1, _TENS):
-            numbers = range(start, min(start + _TENS, last + 1))
-            states = [project.states.at(Address(bank.name, number)) for number in numbers]
-            if all(state is State.FREE for state in states):
-                free += numbers
-                continue
-            yield from _free_row(bank, free)
-            free = []
-            cells = [Marked(state.letter, state.look) for state in states]
-            absent = [Marked("-", Look.FAINT)] * (_TENS - len(cells))
-            yield *_ends(bank, numbers[0], numbers[-1]), *cells, *absent, states.count(State.FREE)
-    yield from _free_row(bank, free)
+    """The rows of a bank; numbers begin a row after each ten."""
+
+    def states_of(numbers: range) -> list[State]:
+        return [project.states.at(Address(bank.name, number)) for number in numbers]
+
+    def folded(numbers: range) -> State | int:
+        states = set(states_of(numbers))
+        return states.pop() if len(states) == 1 and not states.isdisjoint(_FOLDED) else numbers.start
+
+    tens = [
+        range(start, min(start + _TENS, last + 1))
+        for first, last in bank.ranges
+        for start in range(first, last + 1, _TENS)
+    ]
+    for _, group in groupby(tens, folded):
+        run = list(group)
+        states = states_of(run[0])
+        if states[0] is State.FREE and len(set(states)) == 1:
+            yield _free_row(bank, run)
+            continue
+        cells = [Marked(state.letter, state.look) for state in states]
+        absent = [Marked("-", Look.FAINT)] * (_TENS - len(cells))
+        if len(run) > 1:
+            cells, absent = [cells[0]] * _TENS, []
+        yield *_ends(bank, run[0].start, run[-1].stop - 1), *cells, *absent, states.count(State.FREE)
 
 
-def _free_row(bank: Bank, numbers: list[int]) -> Iterator[Cells]:
-    if numbers:
-        ends = tuple(Marked(text, Look.FAINT) for text in _ends(bank, numbers[0], numbers[-1]))
-        yield *ends, *(None for _ in range(_TENS)), len(numbers)
+def _free_row(bank: Bank, run: list[range]) -> Cells:
+    ends = tuple(Marked(text, Look.FAINT) for text in _ends(bank, run[0].start, run[-1].stop - 1))
+    return *ends, *(None for _ in range(_TENS)), sum(map(len, run))
 
 
 def _ends(bank: Bank, first: int, last: int) -> tuple[str, str, str]:

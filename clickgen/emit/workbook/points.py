@@ -35,13 +35,15 @@ def inputs_and_outputs(project: Project) -> Sheet:
 def _slot(project: Project, word: Address) -> Iterator[Cells]:
     points = points_of(word)
     slot = f"{points[0]}-{points[-1]}"
-    if all(project.states.at(point) is State.FREE for point in points):
-        yield tuple(Marked(text, Look.FAINT) for text in (slot, str(word), slot, "", "", f"free: {len(points)} points"))
+    states = {project.states.at(point) for point in points}
+    if states in ({State.FREE}, {State.RESERVED}):
+        what = f"{states.pop().words}: {len(points)} points"
+        yield tuple(Marked(text, Look.FAINT) for text in (slot, str(word), slot, "", "", what))
         return
     for point in points:
         state = project.states.at(point)
         look = Look.FAINT if state is State.FREE else Look.PLAIN
         written, read = (project.places(uses) for uses in (project.uses.writes(point), project.uses.reads(point)))
-        nickname, comment = project.names.nickname(point), project.text_of(point)
+        nickname, comment = project.names.nickname(point), project.text_of(point) or project.spare_word(point)
         texts = (slot, str(word), str(point), nickname, comment, state.words, written, read)
         yield tuple(Marked(text, look) for text in texts)

@@ -24,7 +24,8 @@ _PLACES_MAX = 12
 
 @dataclass(frozen=True, eq=False)
 class Project:
-    """``rows`` are the address table's, ``scratch`` those of them that this program needs for itself.
+    """``rows`` are the address table's, ``scratch`` those of them that this program needs for itself, ``blocks`` the
+    addresses inside of blocks.
 
     Source files are named relative to ``base``, the folder of the program. ``new`` counts the names whose addresses the
     table on disk does not have yet.
@@ -37,6 +38,7 @@ class Project:
     reserved: frozenset[Address] = frozenset()
     new: int = 0
     base: str = ""
+    blocks: frozenset[Address] = frozenset()
 
     @cached_property
     def by_address(self) -> Mapping[Address, Row]:
@@ -51,6 +53,11 @@ class Project:
         row = self.by_address.get(address)
         return row.comment if row else ""
 
+    def spare_word(self, address: Address) -> str:
+        """What the I/O list has in place of a nickname: ``SPARE``."""
+        row = self.by_address.get(address)
+        return row.spare if row else ""
+
     @cached_property
     def uses(self) -> Uses:
         """Every use of an address in the rungs of CLICK."""
@@ -58,7 +65,7 @@ class Project:
 
     @cached_property
     def states(self) -> States:
-        return States.of(self.rows, self.reserved, self.uses)
+        return States.of(self.rows, self.blocks, self.reserved, self.uses)
 
     def rung_of(self, use: Use) -> int:
         """The number of the CLICK rung that a use stands in, from 1 in its routine."""

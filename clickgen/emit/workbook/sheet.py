@@ -19,6 +19,7 @@ class Look(Enum):
     """Rungs in words, indented."""
     USED = auto()
     NAMED = auto()
+    BLOCK = auto()
     SCRATCH = auto()
     RESERVED = auto()
 

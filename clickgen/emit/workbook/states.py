@@ -1,4 +1,4 @@
-"""What becomes of every cell that a program can have: used, named only, scratch, reserved, free."""
+"""What becomes of every cell that a program can have: used, named only, in a block, scratch, reserved, free."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from clickgen.check.uses import Uses, extents_of
-from clickgen.device.banks import BANKS, Address, Bank
+from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address, Bank
 from clickgen.emit.workbook.sheet import Look
 from clickgen.resolve.rows import Row, is_scratch
 
@@ -20,9 +20,10 @@ class State(Enum):
 
     USED = ("U", "used", "a rung reads or writes it", Look.USED)
     NAMED = ("N", "named, not used", "only the address table speaks of it", Look.NAMED)
+    BLOCK = ("B", "in a block", "a block holds it; a pointer or a panel may use it", Look.BLOCK)
     SCRATCH = ("S", "scratch", "clickgen needs it for itself", Look.SCRATCH)
     RESERVED = ("R", "reserved", "the settings keep it free", Look.RESERVED)
-    FREE = ("", "free", "clickgen may give it to a name", Look.FAINT)
+    FREE = ("", "free", "nothing names it or uses it", Look.FAINT)
 
     def __init__(self, letter: str, words: str, meaning: str, look: Look) -> None:
         self.letter = letter
@@ -54,8 +55,8 @@ class States:
     _by_bank: Mapping[str, list[State]]
 
     @staticmethod
-    def of(rows: Iterable[Row], reserved: Iterable[Address], uses: Uses) -> States:
-        return States(_states(tuple(rows), reserved, uses))
+    def of(rows: Iterable[Row], blocks: Iterable[Address], reserved: Iterable[Address], uses: Uses) -> States:
+        return States(_states(tuple(rows), blocks, reserved, uses))
 
     def at(self, address: Address) -> State:
         return self._by_bank[address.bank][address.number]
@@ -73,22 +74,25 @@ class States:
                 yield Stretch(Address(bank.name, numbers[0]), Address(bank.name, numbers[-1]), state)
 
 
-def _states(rows: tuple[Row, ...], reserved: Iterable[Address], uses: Uses) -> dict[str, list[State]]:
+def _states(
+    rows: tuple[Row, ...], blocks: Iterable[Address], reserved: Iterable[Address], uses: Uses
+) -> dict[str, list[State]]:
     states = {bank.name: [State.FREE] * (bank.last + 1) for bank in GIVEN}
 
-    def mark(address: Address, state: State) -> None:
-        if address.bank in states:
-            states[address.bank][address.number] = state
+    def mark(addresses: Iterable[Address], state: State) -> None:
+        for address in addresses:
+            # A timer's bit and its current value share a number: taking either takes both.
+            bank = CURRENT_VALUE_OF.get(address.bank, address.bank)
+            if bank in states and not address.upper:
+                states[bank][address.number] = state
 
-    for address in reserved:
-        mark(address, State.RESERVED)
-    for row in rows:
-        if not row.is_default:
-            mark(row.address, State.NAMED)
-    for bank, first, last in {extent for use in uses.every for extent in extents_of(use.operand)}:
+    mark(reserved, State.RESERVED)
+    mark((row.address for row in rows if not row.is_default), State.NAMED)
+    mark(blocks, State.BLOCK)
+    mark((row.address for row in rows if row.nickname), State.NAMED)
+    for name, first, last in {extent for use in uses.every for extent in extents_of(use.operand)}:
+        bank = CURRENT_VALUE_OF.get(name, name)
         if bank in states:
             states[bank][first : last + 1] = [State.USED] * (last - first + 1)
-    for row in rows:
-        if is_scratch(row):
-            mark(row.address, State.SCRATCH)
+    mark((row.address for row in rows if is_scratch(row)), State.SCRATCH)
     return states

@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from clickgen.device.banks import Kind
 from clickgen.emit.workbook.project import Project
 from clickgen.emit.workbook.sheet import Cells, Column, Sheet, Value
-from clickgen.resolve.rows import Row
+from clickgen.resolve.rows import Row, format_initial
 
 _PLAIN_NUMBER = re.compile(r"-?(0|[1-9][0-9]{0,9})")
+_PLAIN_FLOAT = re.compile(r"-?[0-9]{1,8}(\.[0-9]{1,8})?")
 
 
 def tags(project: Project) -> Sheet:
@@ -40,9 +41,11 @@ def _rows(project: Project) -> Iterator[Cells]:
 def initial(row: Row) -> Value:
     """The initial value: a number where the sheet shows it with the same digits, else text.
 
-    ``0100`` of a hexadecimal word is text, and so is every floating-point number: a spreadsheet would round it.
+    ``0100`` of a hexadecimal word is text, and so is ``-3.4028235E+38``: a spreadsheet would show fewer digits.
     """
-    is_whole = row.address.kind in (Kind.BIT, Kind.INT16, Kind.INT32)
-    if is_whole and _PLAIN_NUMBER.fullmatch(row.initial) and row.initial != "-0":
-        return int(row.initial)
-    return row.initial
+    kind, text = row.address.kind, row.initial
+    if kind in (Kind.BIT, Kind.INT16, Kind.INT32) and _PLAIN_NUMBER.fullmatch(text) and text != "-0":
+        return int(text)
+    if kind is Kind.FLOAT and _PLAIN_FLOAT.fullmatch(text) and format_initial(kind, float(text)) == text:
+        return float(text)
+    return text
