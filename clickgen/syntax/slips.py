@@ -184,11 +184,21 @@ SLIPS: tuple[Slip, ...] = (
     Slip(_re(rf"^\s*(?P<word>{_START})\b"), kinds.capitals, ("If c.A:", "ELSE:", "DEF main():", "IF c.A THEN")),
     Slip(_re(r"\b(?P<word>then|THEN|Then|do|DO)\b\s*(?:[:;]\s*)?$"), kinds.then_word, ("if c.A then", "if c.A then:")),
     Slip(
-        _re(r"\b(?P<word>xor|XOR|Xor|nand|NAND|nor|NOR)\b"),
+        _re(r"\b(?P<word>xor|XOR|Xor)\b"),
         kinds.says(
             "CLICK has no such contact", "write any(all(c.A, nc(c.B)), all(nc(c.A), c.B)) for one of two, but not both"
         ),
         ("if c.A xor c.B:",),
+    ),
+    Slip(
+        _re(r"\b(?P<word>nand|NAND|Nand)\b"),
+        kinds.says("CLICK has no such contact", "write any(nc(c.A), nc(c.B)) for not both"),
+        ("if c.A nand c.B:",),
+    ),
+    Slip(
+        _re(r"\b(?P<word>nor|NOR|Nor)\b"),
+        kinds.says("CLICK has no such contact", "write all(nc(c.A), nc(c.B)) for none of them"),
+        ("if c.A nor c.B:",),
     ),
     Slip(
         _re(r"=>|=<|<>|===|!=="),
