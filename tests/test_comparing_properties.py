@@ -31,7 +31,7 @@ from strategies.one_rung import power_programs
 from strategies.programs import Act, Branch, Item, Program, Rung
 from test_importing_cases import ladder_text
 
-from clickgen.comparing.outputs import Writes, writes_of
+from clickgen.comparing.outputs import Surroundings
 from clickgen.comparing.same import Likeness, compare
 from clickgen.device.banks import Address
 from clickgen.ladder.grid import DrawnBox, DrawnRow, DrawnRung, Square, read_ladder
@@ -424,10 +424,8 @@ def check_run(program: Program, seed: int, rounds: int = 6) -> Iterator[str]:
     main = replace(program, main=(rung,), _cache={})
     files = ladder_files(main.texts)
     built = rungs_of(files["main.csv"])[:-1]
-    calls: dict[str, Writes] = {}
-    for name, text in files.items():
-        if name.startswith("subroutines/"):
-            calls[name[12:-4]] = writes_of(read_ladder(text, name).rungs)
+    others = {name: text for name, text in files.items() if name.startswith("subroutines/")}
+    around = Surroundings.of({name[12:-4]: read_ladder(text, name).rungs for name, text in others.items()})
     is_plain = not EXPANDED.search(files["main.csv"])
     chance = random.Random(seed)
     for number in range(rounds):
@@ -435,7 +433,7 @@ def check_run(program: Program, seed: int, rounds: int = 6) -> Iterator[str]:
         if number and chance.random() < 0.2:
             run = damaged_run(run, chance)
         sides = [drawn(rows) for rows in run]
-        compared = compare([one.drawn], sides, SCRATCH, calls)
+        compared = compare([one.drawn], sides, SCRATCH, around)
         if not number and is_plain:
             note(f"{run} {compared}")
             assert compared.likeness is not Likeness.DIFFERENT, compared.reason
