@@ -133,6 +133,10 @@ class Surroundings:
         return cls({name: _writes_of(rungs) for name, rungs in routines.items()}, received)
 
 
+ALONE = Surroundings()
+"""The surroundings of rungs of whose program nothing is known."""
+
+
 def _writes_of(rungs: Iterable[DrawnRung]) -> Writes:
     """What the rungs of a subroutine may change. CLICK has no calls in subroutines."""
     found = Writes()

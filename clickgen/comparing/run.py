@@ -14,6 +14,7 @@ from functools import cached_property
 
 from clickgen.comparing.contacts import Literal, literal_of
 from clickgen.comparing.outputs import (
+    ALONE,
     Said,
     Surroundings,
     Writes,
@@ -50,7 +51,7 @@ class Run:
 
     rungs: tuple[DrawnRung, ...]
     scratch: frozenset[Address] = frozenset()
-    surroundings: Surroundings = Surroundings()
+    surroundings: Surroundings = ALONE
 
     @cached_property
     def _parts(self) -> list[_Part]:

@@ -7,13 +7,13 @@ decision diagrams, which are exact, prove that there are none; a rung whose diag
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
 from clickgen.comparing.contacts import contact_name
 from clickgen.comparing.logics import Decisions, Situations, TooMany
-from clickgen.comparing.outputs import Said, Surroundings, said_by
+from clickgen.comparing.outputs import ALONE, Said, Surroundings, said_by
 from clickgen.comparing.run import Run
 from clickgen.device.banks import Address
 from clickgen.ladder.grid import DrawnRung
@@ -57,7 +57,7 @@ def compare(
     one: Sequence[DrawnRung],
     other: Sequence[DrawnRung],
     scratch: Collection[Address] = (),
-    surroundings: Surroundings = Surroundings(),
+    surroundings: Surroundings = ALONE,
     scratch_of_other: Collection[Address] | None = None,
 ) -> Comparison:
     """Compare two runs of rungs, each of which stands for one rung of a program. Comments are not compared.

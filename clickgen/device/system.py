@@ -21,8 +21,9 @@ _STEADY = {"SC": frozenset((1, 2, 3, 40, 43, 44, 202)), "SD": frozenset((5, 6, 7
 """The system points that stay as they are until the next scan, unless an instruction of the program changes them.
 
 SC1 to SC3 and SD9 count scans. SC40, SC43 and SC44 are results of instructions (click-facts, sections 4 and 8). SC202,
-SD13, the firmware's versions (SD5 to SD8) and the MAC addresses are settings. These are their names in CLICK's own export
-(click-facts, section 1, E341). No source says when CLICK changes the others, such as its clocks and what a port reports.
+SD13, the firmware's versions (SD5 to SD8) and the MAC addresses (SD188 to SD199) are settings. So their names say in
+CLICK's own export (click-facts, section 1, E341). No source says when CLICK changes the others, such as its clocks and
+what a port reports.
 """
 
 _DATA = Path(__file__).with_name("system_nicknames.csv")

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from clickgen.comparing.outputs import Surroundings, touched_by
+from clickgen.comparing.outputs import ALONE, Surroundings, touched_by
 from clickgen.comparing.same import Comparison, Likeness, compare
 from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostic
@@ -60,7 +60,7 @@ def verdict_of(routines: Sequence[ImportedRoutine], result: BuildResult) -> Verd
                 continue
             if len(run) > 1 and surroundings is None:
                 surroundings = Surroundings.of(called)
-            compared = _compared(piece.drawn, run, scratch, surroundings or Surroundings())
+            compared = _compared(piece.drawn, run, scratch, surroundings or ALONE)
             if not compared.is_same:
                 verdict.differing.append((piece, compared))
                 continue
