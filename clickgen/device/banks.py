@@ -129,11 +129,13 @@ POINTED = ("C", "DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "TXT")
 READ_ONLY = {"X": "an input", "T": "a timer's bit", "CT": "a counter's bit", "XD": "an input word"}
 """The banks that no instruction writes, and what they are (click-facts, sections 3 and 6)."""
 
-TWIN_BANKS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y", "T": "TD", "TD": "T", "CT": "CTD", "CTD": "CT"}
-"""Banks whose cells change with those of another: points and the words that hold them, bits and current values.
+WORD_TWINS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
+"""Bits and the words that hold the same points: changing either changes the other."""
 
-A word holds its points, so writing either changes the other. When the bit of a timer or counter follows a current value
-that an instruction writes, no source says: it may be at once.
+TWIN_BANKS = {**WORD_TWINS, **VALUE_BANK, **CURRENT_VALUE_OF}
+"""Banks whose cells change with those of another: points and words, bits of timers and counters and current values.
+
+When a bit follows a current value that an instruction writes, no source says: it may be at once.
 """
 
 UPPER_BYTE_BANKS = ("XD", "YD")
@@ -175,7 +177,7 @@ def points_of(word: Address) -> list[Address]:
     if word.bank not in UPPER_BYTE_BANKS:
         return []
     first = 21 if word.upper else word.number * 100 + 1
-    return [Address(TWIN_BANKS[word.bank], number) for number in range(first, first + 16)]
+    return [Address(WORD_TWINS[word.bank], number) for number in range(first, first + 16)]
 
 
 def twins_of(address: Address) -> list[Address]:

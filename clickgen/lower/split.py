@@ -2,12 +2,14 @@
 
 Every condition of a source rung is looked at before any of its actions runs. Where the rung has to be split, a
 condition that an earlier part could change, or that must not be looked at twice, goes to a scratch bit first.
+``effects.py`` knows which these are.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import accumulate
@@ -18,9 +20,11 @@ from clickgen.instructions.timers import RTOF
 from clickgen.ir.conditions import All, Always, Any, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Rung, Value, actions_in, rungs_in
-from clickgen.lower.effects import Cells, Effects, has_edge, is_volatile, reads
+from clickgen.ir.walk import leaves
+from clickgen.lower.effects import Cells, Effects, has_edge, reads
 from clickgen.lower.expand import OffDelays, Own, expand
 from clickgen.lower.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw
+from clickgen.lower.looks import asserted, look_of, looking_at
 from clickgen.lower.network import bits, network
 from clickgen.lower.scratch import Scratch, shown_in_reason
 from clickgen.lower.words import condition_words
@@ -78,11 +82,17 @@ class _Step:
     action: Action
     body: tuple[Rung, ...] | None = None
 
+    def take_pins(self, pins: Mapping[str, Condition]) -> None:
+        """The same action with other conditions on these inputs."""
+        if pins:
+            self.action = Action(self.action.spec, {**self.action.args, **pins}, self.action.span)
+
 
 @dataclass
 class _Past:
     """What ran in a rung before one of its parts."""
 
+    effects: Effects
     parts: int = 0
     written: Cells = field(default_factory=Cells)
     may_have_left: bool = False
@@ -90,13 +100,13 @@ class _Past:
     def spoils(self, condition: Condition) -> bool:
         """True when a condition may look otherwise now than it did before the first part.
 
-        Something it reads was written; or it holds an edge, which a scan that left early has not seen; or an
-        immediate contact, which looks at the point itself.
+        Something it reads was written; or it holds an edge, which a scan that left early has not seen; or it reads
+        something that changes by itself.
         """
         if self.parts == 0:
             return False
         left = self.may_have_left and has_edge(condition)
-        return left or is_volatile(condition) or reads(condition).meets(self.written)
+        return left or self.effects.is_volatile(condition) or reads(condition).meets(self.written)
 
 
 _LEAVING = (RETURN, END)
@@ -152,11 +162,13 @@ class _RungSplit:
         steps = list(self._steps(self._rung.items, _Node(self._rung.condition)))
         # One NOP keeps a rung legal; a second one, or one beside an output, does not (click-facts, section 3, NOP).
         parts = _apart([step for step in steps if step.action.spec is not NOP] or steps[:1])
-        if len(parts) == 1:
-            rung = self._rung_of(parts[0])
-            if _draws(rung) and not _is_special(parts[0][0]):
-                self._put(rung)
-                return
+        rung = self._rung_of(parts[0])
+        is_whole = len(parts) == 1 and _draws(rung)
+        if is_whole and not _is_special(parts[0][0]):
+            self._put(rung)
+            return
+        if not is_whole:
+            self._look_once(parts)
         for node in _nodes(parts):
             node.condition = self._reduced(node.condition)
         parts = [piece for part in parts for piece in self._fitting(part)]
@@ -197,6 +209,25 @@ class _RungSplit:
 
     # -- keeping the meaning ------------------------------------------------------------------------------------------
 
+    def _look_once(self, parts: list[_Part]) -> None:
+        """Put each contact that changes by itself, and that several conditions look at, on one scratch bit for all."""
+        nodes = [node for node in _nodes(parts) if not node.is_own]
+        steps = [step for part in parts for step in part]
+        conditions = [*(node.condition for node in nodes), *(pin for step in steps for pin in _pins(step).values())]
+        looks = Counter(look_of(leaf) for condition in conditions for leaf in leaves(condition))
+        kept: dict[str, Contact] = {}
+        for condition in conditions:
+            for leaf in leaves(condition):
+                look = look_of(leaf)
+                if looks[look] > 1 and look not in kept and self._home.effects.is_volatile(leaf):
+                    kept[look] = self._on_scratch(asserted(leaf), "contact")
+        if not kept:
+            return
+        for node in nodes:
+            node.condition = looking_at(node.condition, kept)
+        for step in steps:
+            step.take_pins({name: looking_at(pin, kept) for name, pin in _pins(step).items()})
+
     def _unsafe(self, parts: list[_Part]) -> list[_Node]:
         """The conditions that a later part would see changed, or that must not be looked at twice."""
         unsafe: dict[_Node, None] = {}
@@ -210,20 +241,16 @@ class _RungSplit:
         """Pins whose condition an earlier part changes, or with parallel legs where the grid has no room for them."""
         for part, past in self._with_past(parts):
             for step in part:
-                pins = step.action.spec.pins
-                for param in pins:
-                    condition = step.action.pin(param.name)
-                    if condition is None:
-                        continue
+                for name, condition in _pins(step).items():
                     reduced = self._reduced(condition)
-                    too_tall = _height(reduced) > 1 and param is not pins[-1]
+                    too_tall = _height(reduced) > 1 and name != step.action.spec.pins[-1].name
                     if too_tall or past.spoils(condition):
-                        reduced = self._on_scratch(reduced, f"{param.name} input")
-                    step.action = Action(step.action.spec, {**step.action.args, param.name: reduced}, step.action.span)
+                        reduced = self._on_scratch(reduced, f"{name} input")
+                    step.take_pins({name: reduced})
 
     def _with_past(self, parts: list[_Part]) -> Iterator[tuple[_Part, _Past]]:
         """Each part with what ran in this rung before it."""
-        past = _Past()
+        past = _Past(self._home.effects)
         for part in parts:
             yield part, past
             past.parts += 1
@@ -303,6 +330,12 @@ class _RungSplit:
 def _is_special(step: _Step) -> bool:
     """True for a box with pins, which may need scratch bits, and for a loop, which brings its body."""
     return bool(step.action.spec.pins) or step.body is not None
+
+
+def _pins(step: _Step) -> dict[str, Condition]:
+    """The conditions of a step's inputs, by their names."""
+    pins = ((param.name, step.action.pin(param.name)) for param in step.action.spec.pins)
+    return {name: condition for name, condition in pins if condition is not None}
 
 
 def _run_by(part: _Part) -> Iterator[Action]:

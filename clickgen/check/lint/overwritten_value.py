@@ -8,7 +8,7 @@ from typing import NamedTuple
 from clickgen.check.facts import Facts, Placed
 from clickgen.check.rule import Rule, Wrong
 from clickgen.check.uses import Use, addresses_of, extents_of
-from clickgen.device.banks import BANKS, TWIN_BANKS, Address, parse_address, points_of
+from clickgen.device.banks import BANKS, WORD_TWINS, Address, parse_address, points_of
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.formula.nodes import Binary, Call, walk
 from clickgen.instructions import communication, copies, maths
@@ -140,7 +140,7 @@ class _Walk:
 
     def _write(self, placed: Placed, operand: Operand) -> None:
         if isinstance(operand, Pointer):
-            banks = [operand.bank, TWIN_BANKS.get(operand.bank, operand.bank)]
+            banks = [operand.bank, WORD_TWINS.get(operand.bank, operand.bank)]
             self._changed[-1] += [(bank, 0, BANKS[bank].last) for bank in banks]
             return
         self._changed[-1] += extents_of(operand)
