@@ -28,7 +28,7 @@ WAYS = {
     "nested": "if all({0}):\n        if all({1}):\n            {2}",
     "a range": "if c[1:{}]:\n        {}",
     "an any in it": "if all({}, any(c[71], c[72])):\n        {}",
-    "a branch between others": "if all({0}):\n        out(y[5])\n        if all({1}):\n            {2}\n        set(c[9])",
+    "a branch": "if all({0}):\n        set(c[8])\n        if all({1}):\n            {2}\n        set(c[9])",
 }
 
 
