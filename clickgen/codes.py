@@ -111,6 +111,12 @@ CODES: dict[str, Code] = {
     "CG424": Code(_W, "main is too long for one CLICK file and is split"),
     "CG425": Code(_E, "a loop that next_loop() closes is opened by the last action of its rung"),
     "CG426": Code(_E, "a rung was left out by import"),
+    "CG427": Code(_W, "a loop calls a subroutine with a loop"),
+    "CG428": Code(_W, "a pointer may write a scratch cell"),
+    "CG429": Code(_W, "a block and a nickname have one name"),
+    "CG430": Code(_W, "a text can run past the last TXT address"),
+    "CG431": Code(_W, "a copy can run past its block or over another name"),
+    "CG432": Code(_W, "a word holds an input or output that clickgen chose"),
     # -- logic worth a second look ---------------------------------------------------------------------------------
     "CG501": Code(_W, "an output coil is driven in two places"),
     "CG502": Code(_W, "a bit is set and never reset"),
@@ -139,6 +145,7 @@ CODES: dict[str, Code] = {
     "CG525": Code(_W, "a suppression suppresses nothing"),
     "CG526": Code(_W, "a range in any(...) means all of its bits"),
     "CG527": Code(_W, "a subroutine with timers or edges may run twice in a scan"),
+    "CG528": Code(_W, "a loop's count may be 0 or less"),
     # -- the address table ----------------------------------------------------------------------------------------
     "CG601": Code(_E, "a row of the address table is malformed"),
     "CG602": Code(_E, "the address table gives a nickname or an address twice"),

@@ -11,7 +11,7 @@ from functools import cached_property, partial
 from pathlib import Path
 
 from clickgen.check.facts import Facts
-from clickgen.check.rules import RULES
+from clickgen.check.rules import RULES, chosen_points, scratch_cells
 from clickgen.device.banks import Address
 from clickgen.device.limits import ROWS_AND_RUNGS_MAX, RUNGS_MAX
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
@@ -29,7 +29,7 @@ from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
 from clickgen.resolve.layers import beside_workbook
 from clickgen.resolve.read_table import TableUnreadable, read_table
-from clickgen.resolve.record import record_beside, with_placed
+from clickgen.resolve.record import placed_in, record_beside, with_placed
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
@@ -353,13 +353,28 @@ def _doubting_blocks(problem: Diagnostic, blocks: Mapping[str, Block]) -> Diagno
 def _check(state: _Build) -> None:
     if state.resolved is not None:
         sources = {source.path: source for source in state.sources}
-        state.facts = Facts(state.resolved.program, sources, _rows(state))
+        blocks = tuple(state.resolved.blocks.values())
+        state.facts = Facts(state.resolved.program, sources, _rows(state), blocks)
         for rule in RULES:
             rule(state.facts, state.problems)
         _check_kept(state.facts, state.problems)
+        if chosen_points.uses_words(state.facts):
+            chosen_points.check(state.facts, _chosen(state), state.problems)
         if state.settings.is_part:
             # A part has no main of its own.
             state.problems.drop("CG401")
+
+
+def _chosen(state: _Build) -> frozenset[Address]:
+    """The addresses that clickgen chose for names, in this build or, as the record beside the table says, before."""
+    assert state.resolved is not None
+    rows = _rows(state)
+    try:
+        placed = placed_in(_bytes_of(state, str(record_beside(state.table_path))))
+    except OSError:
+        placed = {}
+    earlier = (address for address, name in placed.items() if address in rows and rows[address].nickname == name)
+    return frozenset((*earlier, *(row.address for row in state.resolved.allocated)))
 
 
 def _check_kept(facts: Facts, problems: Diagnostics) -> None:
@@ -401,6 +416,8 @@ def _place_scratch(state: _Build) -> None:
     )
     if not state.settings.frozen:
         state.table = state.table.extended((*resolved.rows, *state.scratch_rows))
+    if state.facts is not None:
+        scratch_cells.check(state.facts, state.scratch_rows, state.problems)
 
 
 def _divide(state: _Build) -> None:
