@@ -112,7 +112,7 @@ CODES: dict[str, Code] = {
     "CG425": Code(_E, "a loop that next_loop() closes is opened by the last action of its rung"),
     "CG426": Code(_E, "a rung was left out by import"),
     "CG427": Code(_W, "a loop calls a subroutine with a loop"),
-    "CG428": Code(_W, "a pointer may write a scratch cell"),
+    "CG428": Code(_W, "a pointer may write a scratch bit"),
     "CG429": Code(_W, "a block and a nickname have one name"),
     "CG430": Code(_W, "a text can run past the last TXT address"),
     "CG431": Code(_W, "a copy can run past its block or over another name"),

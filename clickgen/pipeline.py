@@ -11,7 +11,7 @@ from functools import cached_property, partial
 from pathlib import Path
 
 from clickgen.check.facts import Facts
-from clickgen.check.rules import RULES, chosen_points, scratch_cells
+from clickgen.check.rules import RULES, chosen_points, scratch_bits
 from clickgen.device.banks import Address
 from clickgen.device.limits import ROWS_AND_RUNGS_MAX, RUNGS_MAX
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
@@ -417,7 +417,7 @@ def _place_scratch(state: _Build) -> None:
     if not state.settings.frozen:
         state.table = state.table.extended((*resolved.rows, *state.scratch_rows))
     if state.facts is not None:
-        scratch_cells.check(state.facts, state.scratch_rows, state.problems)
+        scratch_bits.check(state.facts, state.scratch_rows, state.problems)
 
 
 def _divide(state: _Build) -> None:

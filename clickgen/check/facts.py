@@ -132,7 +132,7 @@ class Facts:
         return "\n".join([lines[0][span.col - 1 :], *lines[1:-1], lines[-1][: span.end_col - 1]])
 
     def with_test(self, placed: Placed, test: str) -> str:
-        """The condition of an action's rung with one more test in series, for a way out: ``all(c.Run, ds.Rows > 0)``."""
+        """An action's rung with one more test in series, for a way out: ``all(c.Run, ds.Rows > 0)``."""
         condition = placed.rung.condition
         return test if isinstance(condition, Always) else f"all({shorten(self.text(condition.span))}, {test})"
 

@@ -17,7 +17,6 @@ RETURN = Spec(
     variants=(Variant("return()"),),
     summary="Go back from a subroutine to main.",
     example="return",
-    alone=True,
 )
 END = Spec(
     name="end",

@@ -347,11 +347,16 @@ def _run_by(part: _Part) -> Iterator[Action]:
 
 
 def _apart(steps: list[_Step]) -> list[_Part]:
-    """Instructions with pins, and those that stand alone, get a part of their own (click-facts, trap 3)."""
+    """Instructions with pins, and those that stand alone, get a part of their own (click-facts, trap 3).
+
+    So does a return with outputs below it: whether CLICK still runs these within one rung, no source says.
+    """
     parts: list[_Part] = []
     joins = False
     for step in steps:
-        single = bool(step.action.spec.pins) or step.action.spec.alone or step.node.is_own
+        spec = step.action.spec
+        leaves_some = spec is RETURN and step is not steps[-1]
+        single = bool(spec.pins) or spec.alone or step.node.is_own or leaves_some
         if joins and not single:
             parts[-1].append(step)
         else:

@@ -8,6 +8,7 @@ from clickgen.check.facts import Facts
 from clickgen.check.uses import Use, addresses_of
 from clickgen.device.banks import WORD_TWINS, Address, points_of
 from clickgen.diagnostics import Diagnostics
+from clickgen.formula.printer import source_reference
 from clickgen.ir.operands import Named, Operand, Pointer, form_of
 
 

@@ -1,10 +1,14 @@
-"""Pointers that may write a cell which clickgen needs for itself. The cells are known once rungs are lowered."""
+"""Pointers that may write a bit which clickgen needs for itself. The bits are known once rungs are lowered.
+
+Scratch registers are in no danger: what they hold is copied there directly before its use.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Collection
 
 from clickgen.check.facts import Facts, Placed
+from clickgen.device.banks import BANKS
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.copies import COPY, COPY_FILL
 from clickgen.ir.conditions import Compare
@@ -15,10 +19,11 @@ from clickgen.resolve.rows import Row
 
 
 def check(facts: Facts, scratch: Collection[Row], problems: Diagnostics) -> None:
+    bits = [row for row in scratch if BANKS[row.address.bank].is_bit]
     for placed in facts.actions:
-        for touch in touches(placed.action) if scratch else ():
+        for touch in touches(placed.action) if bits else ():
             if touch.is_written and isinstance(touch.operand, Pointer) and isinstance(touch.operand.register, Cell):
-                reached = [row for row in scratch if _may_lead_to(facts, placed, touch.operand, row)]
+                reached = [row for row in bits if _may_lead_to(facts, placed, touch.operand, row)]
                 if reached:
                     row = min(reached, key=lambda row: row.address.number)
                     _report(facts, placed, touch.operand, touch.operand.register, row, problems)
