@@ -36,9 +36,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 
 def _why_not_positive(facts: Facts, loop: Placed, count: Address) -> str:
-    """What gives the register such a number, or may; "" where the program keeps it above 0."""
-    if facts.uses.is_pointed(count.bank, is_written=True):
-        return "a pointer may write it"
+    """What gives the register such a number, or may; "" where the program keeps it above 0. Pointers lead elsewhere."""
     writers = facts.writers(count)
     if any(_raises(writer, count) and _comes_before(facts, writer, loop) for writer in writers):
         return ""
