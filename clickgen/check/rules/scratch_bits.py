@@ -19,14 +19,13 @@ from clickgen.resolve.rows import Row
 
 
 def check(facts: Facts, scratch: Collection[Row], problems: Diagnostics) -> None:
-    bits = [row for row in scratch if BANKS[row.address.bank].is_bit]
+    bits = sorted((row for row in scratch if BANKS[row.address.bank].is_bit), key=lambda row: row.address.number)
     for placed in facts.actions:
         for touch in touches(placed.action) if bits else ():
             if touch.is_written and isinstance(touch.operand, Pointer) and isinstance(touch.operand.register, Cell):
-                reached = [row for row in bits if _may_lead_to(facts, placed, touch.operand, row)]
-                if reached:
-                    row = min(reached, key=lambda row: row.address.number)
-                    _report(facts, placed, touch.operand, touch.operand.register, row, problems)
+                reached = next((row for row in bits if _may_lead_to(facts, placed, touch.operand, row)), None)
+                if reached is not None:
+                    _report(facts, placed, touch.operand, touch.operand.register, reached, problems)
 
 
 def _report(facts: Facts, placed: Placed, pointer: Pointer, register: Cell, row: Row, problems: Diagnostics) -> None:
