@@ -260,10 +260,10 @@ def check_damaged_program(program: Program, seed: int, rounds: int = 8) -> Itera
 def test_the_judge_knows_a_comparison_by_either_side(one: str, other: str) -> None:
     assert leaf(one) == leaf(other)
     for is_same, sides in ((True, (one, other)), (False, (one, "C9"))):
-        rungs = [[["R", side, *["-"] * 30, "out(Y001)"]] for side in sides]
-        [first, second], _ = judged(rungs)
+        mine, theirs = ([["R", side, *["-"] * 30, "out(Y001)"]] for side in sides)
+        [first, second], _ = judged((mine, theirs))
         assert (first == second) is is_same
-        assert compare(*([drawn(rows)] for rows in rungs)).is_same is is_same
+        assert compare([drawn(mine)], [drawn(theirs)]).is_same is is_same
 
 
 @given(st.one_of(power_programs(), meaning_programs()), st.integers(0, 2**32))
