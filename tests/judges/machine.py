@@ -191,7 +191,7 @@ class Machine:
             down = name == "count_down"
             so_far += running * (-1 if down else 1) - pins.get(".down()", False)
             on = so_far <= -preset if down else so_far >= preset
-            if name == "on_delay" and not running:
+            if name in ("on_delay", "off_delay") and not running:
                 on = bool(self.bit(done))
         self.store(count, so_far)
         self.store(done, int(on))
