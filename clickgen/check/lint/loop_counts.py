@@ -117,6 +117,8 @@ if c.SumUp:
         Wrong(
             """
 nickname(ds.Rows, ds[10], initial=5, retentive=False)
+
+
 def main():
     if x[1]:
         copy(0, ds.Rows)
