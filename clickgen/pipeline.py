@@ -11,7 +11,7 @@ from pathlib import Path
 
 from clickgen.check.facts import Facts
 from clickgen.check.left_names import Left, left_names, report_left
-from clickgen.check.rules import RULES
+from clickgen.check.rules import RULES, scratch_bits
 from clickgen.device.banks import Address
 from clickgen.device.limits import ROWS_AND_RUNGS_MAX, RUNGS_MAX
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
@@ -377,7 +377,9 @@ def _judge_fixes(state: _Build) -> None:
 def _check(state: _Build) -> None:
     if state.resolved is not None:
         sources = {source.path: source for source in state.sources}
-        state.facts = Facts(state.resolved.program, sources, _rows(state), _placed(state, state.resolved))
+        blocks = tuple(state.resolved.blocks.values())
+        placed = _placed(state, state.resolved)
+        state.facts = Facts(state.resolved.program, sources, _rows(state), placed, blocks)
         for rule in RULES:
             rule(state.facts, state.problems)
         _check_kept(state.facts, state.problems)
@@ -453,6 +455,8 @@ def _place_scratch(state: _Build) -> None:
     )
     if not state.settings.frozen:
         state.table = state.table.extended((*resolved.rows, *state.scratch_rows))
+    if state.facts is not None:
+        scratch_bits.check(state.facts, state.scratch_rows, state.problems)
 
 
 def _find_left(state: _Build) -> None:

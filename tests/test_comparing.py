@@ -10,7 +10,7 @@ from judges.builds import ladder_files
 from test_importing_cases import CASE_NAMES, golden_ladders, ladder_text, wired
 
 from clickgen.comparing.logics import Decisions, Situations, TooMany
-from clickgen.comparing.outputs import writes_of
+from clickgen.comparing.outputs import Surroundings
 from clickgen.comparing.same import Comparison, Likeness, compare
 from clickgen.device.banks import Address
 from clickgen.ladder.grid import DrawnRung, read_ladder
@@ -507,15 +507,17 @@ def test_what_a_subroutine_changes_may_be_known() -> None:
     whole = rung('X001 T > call("sub")', ". C5 > out(C1)")
     parts = run(['X001 > call("sub")'], ["X001 C5 > out(C1)"])
     for output, is_same in (("out(C6)", True), ("out(C5)", False), ("copy(1,C[DS1])", False), ('call("x")', False)):
-        calls = {"sub": writes_of(rung(f"X001 > {output}"))}
-        assert compare(whole, parts, SCRATCH, calls).is_same is is_same
+        around = Surroundings.of({"sub": rung(f"X001 > {output}")})
+        assert compare(whole, parts, SCRATCH, around).is_same is is_same
 
 
 def test_a_subroutine_may_write_a_scratch_bit() -> None:
     whole = rung('X001 T > call("sub")', ". - > out(C1)")
     parts = run(["X001 > out(C2000)"], ['C2000 > call("sub")'], ["C2000 > out(C1)"])
-    assert compare(whole, parts, SCRATCH, {"sub": writes_of(rung("X002 > out(C5)"))}).likeness is Likeness.SAME
-    assert compare(whole, parts, SCRATCH, {"sub": writes_of(rung("X002 > out(C2000)"))}) == Comparison(
+    around = Surroundings.of({"sub": rung("X002 > out(C5)")})
+    assert compare(whole, parts, SCRATCH, around).likeness is Likeness.SAME
+    around = Surroundings.of({"sub": rung("X002 > out(C2000)")})
+    assert compare(whole, parts, SCRATCH, around) == Comparison(
         Likeness.UNKNOWN, "the scratch bit C2000 may be written between its definition and rung 3"
     )
 

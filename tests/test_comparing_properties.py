@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+import pytest
 from hypothesis import assume, given, note, settings
 from hypothesis import strategies as st
 from judges.builds import ladder_files
@@ -31,7 +32,7 @@ from strategies.one_rung import power_programs
 from strategies.programs import Act, Branch, Item, Program, Rung
 from test_importing_cases import ladder_text
 
-from clickgen.comparing.outputs import Writes, writes_of
+from clickgen.comparing.outputs import Surroundings
 from clickgen.comparing.same import Likeness, compare
 from clickgen.device.banks import Address
 from clickgen.ladder.grid import DrawnBox, DrawnRow, DrawnRung, Square, read_ladder
@@ -150,22 +151,34 @@ def _output(rows: Rows, chance: random.Random) -> None:
 
 # -- the judge --------------------------------------------------------------------------------------------------------
 
-_WHOLE = re.compile(r"(?:(?:DS|DD|TD|CTD|SD)\d+|[+-]?\d+)")
-_WORD = re.compile(r"(?:DH\d+|[XY]D\du?|[0-9A-Fa-f]+h)")
+_KINDS = {
+    "whole": re.compile(r"(?:DS|DD|TD|CTD|SD)\d+|[+-]?\d+"),
+    "word": re.compile(r"DH\d+|[XY]D\du?|[0-9A-Fa-f]+h"),
+    "float": re.compile(r"DF\d+|[+-]?\d*\.\d+"),
+    "text": re.compile(r'TXT\d+|".*"|\$[0-9A-Fa-f]{2}'),
+}
+_MIRRORED = {"==": "==", "!=": "!=", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 
 def leaf(cell: str) -> str:
-    """A comparison of whole numbers as one of ==, < and >, perhaps negated; of texts as ==. Others stay."""
+    """A comparison within one kind in one spelling: ``DS2==DS1`` is ``DS1==DS2``, and ``DS1!=5`` is ``~DS1==5``.
+
+    Only of whole numbers are all six comparisons known to go together, and of texts ``==`` and ``!=``. Others stay.
+    """
     down = "T:" if cell.startswith("T:") else ""
     compare = _COMPARE.fullmatch(cell.removeprefix("T:"))
     if compare is None:
         return str(normalise(cell))
     left, operator, right = compare.groups()
-    is_whole = any(form.fullmatch(left) and form.fullmatch(right) for form in (_WHOLE, _WORD))
-    is_text = operator in ("==", "!=") and '"' in left + right
-    if operator in ("!=", "<=", ">=") and (is_whole or is_text):
+    kind = next((name for name, form in _KINDS.items() if form.fullmatch(left) and form.fullmatch(right)), "")
+    if not kind:
+        return cell
+    if (not right[0].isalpha(), right) < (not left[0].isalpha(), left):
+        left, operator, right = right, _MIRRORED[operator], left
+    is_total = kind in ("whole", "word") or (kind == "text" and operator in ("==", "!="))
+    if operator in ("!=", "<=", ">=") and is_total:
         return f"{down}~{left}{OPPOSITE[operator]}{right}"
-    return cell
+    return f"{down}{left}{operator}{right}"
 
 
 def joined(rows: Rows) -> Rows:
@@ -238,6 +251,19 @@ def check_damaged_program(program: Program, seed: int, rounds: int = 8) -> Itera
                 if chance.random() < 0.2:
                     other = damaged(other, chance)
                 yield check_damage(rows, other)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [("DS2==DS1", "DS1==DS2"), ("~C1", "~C1"), ("5>DS1", "DS1<5"), ("DS1>=5", "5<=DS1"), ('"A"!=TXT1', 'TXT1!="A"')],
+)
+def test_the_judge_knows_a_comparison_by_either_side(one: str, other: str) -> None:
+    assert leaf(one) == leaf(other)
+    for is_same, sides in ((True, (one, other)), (False, (one, "C9"))):
+        mine, theirs = ([["R", side, *["-"] * 30, "out(Y001)"]] for side in sides)
+        [first, second], _ = judged((mine, theirs))
+        assert (first == second) is is_same
+        assert compare([drawn(mine)], [drawn(theirs)]).is_same is is_same
 
 
 @given(st.one_of(power_programs(), meaning_programs()), st.integers(0, 2**32))
@@ -425,10 +451,8 @@ def check_run(program: Program, seed: int, rounds: int = 6) -> Iterator[str]:
     main = replace(program, main=(rung,), _cache={})
     files = ladder_files(main.texts)
     built = rungs_of(files["main.csv"])[:-1]
-    calls: dict[str, Writes] = {}
-    for name, text in files.items():
-        if name.startswith("subroutines/"):
-            calls[name[12:-4]] = writes_of(read_ladder(text, name).rungs)
+    others = {name: text for name, text in files.items() if name.startswith("subroutines/")}
+    around = Surroundings.of({name[12:-4]: read_ladder(text, name).rungs for name, text in others.items()})
     is_plain = not EXPANDED.search(files["main.csv"])
     chance = random.Random(seed)
     for number in range(rounds):
@@ -436,7 +460,7 @@ def check_run(program: Program, seed: int, rounds: int = 6) -> Iterator[str]:
         if number and chance.random() < 0.2:
             run = damaged_run(run, chance)
         sides = [drawn(rows) for rows in run]
-        compared = compare([one.drawn], sides, SCRATCH, calls)
+        compared = compare([one.drawn], sides, SCRATCH, around)
         if not number and is_plain:
             note(f"{run} {compared}")
             assert compared.likeness is not Likeness.DIFFERENT, compared.reason

@@ -166,3 +166,14 @@ def test_the_command_writes_nothing_where_there_are_errors(
     else:
         assert code == 0
         assert (out / "main.csv").is_file()
+
+
+@pytest.mark.parametrize("frozen", [False, True])
+def test_a_chosen_point_in_a_word_is_told_until_it_is_pinned(tmp_path: Path, frozen: bool) -> None:
+    text = "def main():\n    if x[101]:\n        copy(dh[1], yd[0])\n        out(y.Lamp)\n    if True:\n        end()\n"
+    program = tmp_path / PROGRAM
+    program.write_text(text, "utf-8")
+    clickgen.build(program).write(tmp_path / "out")
+    assert [problem.code for problem in clickgen.build(program, frozen=frozen).diagnostics] == ["CG432"]
+    program.write_text(f"nickname(y.Lamp, y[1])\n{text}", "utf-8")
+    assert not clickgen.build(program, frozen=frozen).diagnostics

@@ -18,6 +18,7 @@ from clickgen.ir.logic import always_holds, are_exclusive
 from clickgen.ir.operands import Cell, Single
 from clickgen.ir.program import Action, Branch, Declaration, Item, Loop, Program, Routine, Rung
 from clickgen.ir.walk import condition_operands, leaves
+from clickgen.resolve.blocks import Block
 from clickgen.resolve.rows import Row
 from clickgen.source import SourceFile, Span
 from clickgen.syntax.operands import shorten
@@ -74,13 +75,17 @@ class Site:
 
 @dataclass(frozen=True)
 class Facts:
-    """``sources`` are the program's files by path, ``rows`` what the address table will say after a build."""
+    """``sources`` are the program's files by path, ``rows`` what the address table will say after a build.
+
+    ``blocks`` are those of the source and of the table.
+    """
 
     program: Program
     sources: Mapping[str, SourceFile] = field(default_factory=dict)
     rows: Mapping[Address, Row] = field(default_factory=dict)
     placed: frozenset[Address] = frozenset()
     """The addresses that clickgen chose for a name, in this build or before."""
+    blocks: Collection[Block] = ()
 
     def shown(self, address: Address) -> str:
         """An address with its nickname, for a message: ``C5 (Motor)``."""
@@ -127,6 +132,11 @@ class Facts:
             return source.line(span.line)[span.col - 1 : span.end_col - 1]
         lines = source.lines[span.line - 1 : span.end_line]
         return "\n".join([lines[0][span.col - 1 :], *lines[1:-1], lines[-1][: span.end_col - 1]])
+
+    def with_test(self, placed: Placed, test: str) -> str:
+        """An action's rung with one more test in series, for a way out: ``all(c.Run, ds.Rows > 0)``."""
+        condition = placed.rung.condition
+        return test if isinstance(condition, Always) else f"all({shorten(self.text(condition.span))}, {test})"
 
     @cached_property
     def uses(self) -> Uses:

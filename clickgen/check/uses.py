@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import NamedTuple
 
-from clickgen.device.banks import TWIN_BANKS, Address, points_of
+from clickgen.device.banks import WORD_TWINS, Address, points_of
 from clickgen.instructions.spec import ParamKind
 from clickgen.ir.conditions import Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
@@ -97,7 +97,7 @@ class Uses:
 
     def is_pointed(self, bank: str, is_written: bool) -> bool:
         """True when a pointer writes (or reads) some address of the bank, or a word that holds its points."""
-        return any(self._pointed.get((name, is_written)) for name in (bank, TWIN_BANKS.get(bank, "")))
+        return any(self._pointed.get((name, is_written)) for name in (bank, WORD_TWINS.get(bank, "")))
 
     def _may_be(self, operand: Operand, is_written: bool) -> bool:
         return any(

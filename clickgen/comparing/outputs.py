@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import NamedTuple
 
 from clickgen.comparing.contacts import operand_name
-from clickgen.device.banks import CURRENT_VALUE_OF, Address, parse_address
+from clickgen.device.banks import Address, parse_address
 from clickgen.instructions.control import CALL
+from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import Always
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action
@@ -18,7 +19,7 @@ from clickgen.ir.reach import touches
 from clickgen.ladder.grid import DrawnBox, DrawnRung
 from clickgen.ladder.operands import ADDRESS
 from clickgen.ladder.tokens import NOP_TOKEN, action_of
-from clickgen.lower.effects import Cells, Effects
+from clickgen.lower.effects import Cells, Effects, received_by
 from clickgen.lower.expand import OffDelays
 from clickgen.lower.tokens import action_token, pin_token
 from clickgen.source import Span
@@ -53,10 +54,14 @@ def _written(box: DrawnBox) -> Said:
     return Said(box.token, tuple(token for token, _ in box.pins))
 
 
-@lru_cache(maxsize=4096)
 def _action(written: Said) -> Action | None:
-    action = action_of(written.token, {pin: Always(_NOWHERE) for pin in written.pins}, _NOWHERE)
-    return action if action is None or action.spec.name != "raw" else None
+    action = _parsed(written)
+    return action if action is None or action.spec is not RAW else None
+
+
+@lru_cache(maxsize=4096)
+def _parsed(written: Said) -> Action | None:
+    return action_of(written.token, {pin: Always(_NOWHERE) for pin in written.pins}, _NOWHERE)
 
 
 @lru_cache(maxsize=4096)
@@ -89,25 +94,51 @@ class Writes:
     cells: Cells = field(default_factory=Cells)
     anything: str = ""
 
+    @classmethod
+    def unknown(cls, token: str) -> Writes:
+        """What an instruction may change of which nothing is known."""
+        return cls(Cells.anything(), token)
+
     def add(self, box: DrawnBox, calls: Mapping[str, Writes]) -> None:
         action = action_in(box)
-        if action is not None and action.spec is CALL:
-            called = calls.get(action.word("subroutine"), Writes(anything=box.token))
-            self.cells.update(called.cells)
-            self.anything = self.anything or called.anything
-        elif action is None:
-            self.anything = self.anything or box.token
+        if action is None:
+            self.update(Writes.unknown(box.token))
+        elif action.spec is CALL:
+            self.update(calls.get(action.word("subroutine")) or Writes.unknown(box.token))
         else:
-            self.cells.update(_with_bits(_EFFECTS.writes(action)))
+            self.cells.update(_EFFECTS.writes(action))
 
-    def may_change(self, cells: Cells) -> bool:
-        """True when some of the cells may have been written. No instruction writes an input (click-facts, 3 and 6)."""
-        is_input = cells.addresses and not cells.banks and all(address.bank == "X" for address in cells.addresses)
-        return bool(self.anything and not is_input) or self.cells.meets(cells)
+    def update(self, other: Writes) -> None:
+        self.cells.update(other.cells)
+        self.anything = self.anything or other.anything
 
 
-def writes_of(rungs: Iterable[DrawnRung]) -> Writes:
-    """What the rungs of a subroutine may change."""
+@dataclass(frozen=True)
+class Surroundings:
+    """What is known of the program around the rungs that are compared.
+
+    ``calls`` says what each subroutine may change; a call of any other may change everything. ``received`` is what
+    arrives from other devices in its own time.
+    """
+
+    calls: Mapping[str, Writes] = field(default_factory=dict)
+    received: Cells = field(default_factory=Cells)
+
+    @classmethod
+    def of(cls, routines: Mapping[str, Sequence[DrawnRung]]) -> Surroundings:
+        """``routines`` are all of the program by CLICK's names, main among them."""
+        received = Cells()
+        for box in (box for rungs in routines.values() for rung in rungs for box in rung.boxes):
+            received.update(_received_by(box))
+        return cls({name: _writes_of(rungs) for name, rungs in routines.items()}, received)
+
+
+ALONE = Surroundings()
+"""The surroundings of rungs of whose program nothing is known."""
+
+
+def _writes_of(rungs: Iterable[DrawnRung]) -> Writes:
+    """What the rungs of a subroutine may change. CLICK has no calls in subroutines."""
     found = Writes()
     for rung in rungs:
         for box in rung.boxes:
@@ -115,16 +146,9 @@ def writes_of(rungs: Iterable[DrawnRung]) -> Writes:
     return found
 
 
-def _with_bits(cells: Cells) -> Cells:
-    """With the bits of timers and counters whose current values are written: when they follow nobody knows."""
-    found = Cells({*cells.addresses}, {*cells.banks})
-    found.addresses |= {
-        Address(CURRENT_VALUE_OF[address.bank], address.number)
-        for address in cells.addresses
-        if address.bank in CURRENT_VALUE_OF
-    }
-    found.banks |= {CURRENT_VALUE_OF[bank] for bank in cells.banks if bank in CURRENT_VALUE_OF}
-    return found
+def _received_by(box: DrawnBox) -> Cells:
+    action = _parsed(_written(box))
+    return touched_by(box) if action is None else received_by(action)
 
 
 def touched_by(box: DrawnBox) -> Cells:

@@ -8,19 +8,30 @@ nothing that must not be looked at twice. Splitting keeps every other condition 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 
 from clickgen.comparing.contacts import Literal, literal_of
-from clickgen.comparing.outputs import Said, Writes, action_in, leaves_early, loops, outputs_of, said_by, touched_by
+from clickgen.comparing.outputs import (
+    ALONE,
+    Said,
+    Surroundings,
+    Writes,
+    action_in,
+    leaves_early,
+    loops,
+    outputs_of,
+    said_by,
+    touched_by,
+)
 from clickgen.comparing.power import Logic, contacts_before, power_of
 from clickgen.device.banks import Address
 from clickgen.instructions.coils import OUT
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Immediate
 from clickgen.ladder.grid import DrawnBox, DrawnRung
-from clickgen.lower.effects import Cells, reads
+from clickgen.lower.effects import Cells, is_volatile, reads
 
 
 @dataclass
@@ -36,14 +47,11 @@ class _Part:
 
 @dataclass(frozen=True)
 class Run:
-    """Rungs that stand for one. ``scratch`` are the addresses that may serve this run alone.
-
-    ``calls`` tells what subroutines may change; a call of any other may change everything.
-    """
+    """Rungs that stand for one. ``scratch`` are the addresses that may serve this run alone."""
 
     rungs: tuple[DrawnRung, ...]
     scratch: frozenset[Address] = frozenset()
-    calls: Mapping[str, Writes] = field(default_factory=dict)
+    surroundings: Surroundings = ALONE
 
     @cached_property
     def _parts(self) -> list[_Part]:
@@ -79,10 +87,21 @@ class Run:
 
     @cached_property
     def looks(self) -> Counter[str]:
-        """How often the rungs look at each terminal itself: between two looks it may change."""
-        squares = (square for rung in self.rungs for row in rung.rows for square in row.squares)
-        contacts = (square.contact for square in squares if square.contact is not None)
-        return Counter(literal_of(contact).name for contact in contacts if _is_immediate(contact))
+        """How often the rungs look at what may change between two looks.
+
+        A rung looks at its conditions before its outputs run, and at a terminal itself once for each contact.
+        """
+        looks: Counter[str] = Counter()
+        for rung in self.rungs:
+            squares = (square for row in rung.rows for square in row.squares)
+            contacts = [square.contact for square in squares if square.contact is not None]
+            looks.update(literal_of(contact).name for contact in contacts if _is_immediate(contact))
+            looks.update({literal_of(contact).name for contact in contacts if self._arrives(contact)})
+        return looks
+
+    def _arrives(self, contact: Contact | Compare) -> bool:
+        """True for what CLICK or another device changes in its own time; terminals aside."""
+        return not _is_immediate(contact) and is_volatile(contact, self.surroundings.received)
 
     def powers(self, logic: Logic) -> list[list[int]]:
         """Of each output when it has power, and then when each of its inputs has, by what was on before the run."""
@@ -121,7 +140,7 @@ class Run:
                 elif reads(contact).addresses & self.scratch:
                     yield f"rung {index + 1} looks at the scratch address {literal_of(contact).name}"
                 else:
-                    yield from past.doubts(contact, index)
+                    yield from past.doubts(contact, index, self.surroundings)
             is_last = index + 1 == len(self._parts)
             for box in part.outputs:
                 if len(self._parts) > 1 and loops(box) and not (is_last and box is part.outputs[-1]):
@@ -131,7 +150,7 @@ class Run:
                     yield f"{said_by(box).token} stands above outputs of the same rung, and is drawn in a rung before"
                 if touched_by(box).meets(dropped):
                     yield f"{said_by(box).token} may touch a scratch bit"
-            past.add(part, self.calls)
+            past.add(part, self.surroundings)
 
 
 @dataclass
@@ -142,21 +161,22 @@ class _Past:
     defined: set[Address] = field(default_factory=set)
     has_run: bool = False
 
-    def add(self, part: _Part, calls: Mapping[str, Writes]) -> None:
+    def add(self, part: _Part, surroundings: Surroundings) -> None:
         for box in part.outputs:
-            self.writes.add(box, calls)
+            self.writes.add(box, surroundings.calls)
             self.has_run = True
         self.defined |= part.definitions.keys()
 
-    def doubts(self, contact: Contact | Compare, index: int) -> Iterator[str]:
+    def doubts(self, contact: Contact | Compare, index: int, surroundings: Surroundings) -> Iterator[str]:
         """Why a contact may look otherwise in this rung than it did before the first one."""
         name = literal_of(contact).name
         if not name:
             return
         where = f"{name} in rung {index + 1}"
-        if _is_immediate(contact) and self.has_run:
-            yield f"{where} looks at the terminal itself, which may have changed since the first rung"
-        if self.writes.may_change(reads(contact)):
+        if self.has_run and is_volatile(contact, surroundings.received):
+            look = "looks at the terminal itself, which" if _is_immediate(contact) else "changes by itself: it"
+            yield f"{where} {look} may have changed since the first rung"
+        if self.writes.cells.meets(reads(contact)):
             writer = f": {self.writes.anything} may change anything" if self.writes.anything else ""
             yield f"{where} may be changed by an output above it{writer}"
 

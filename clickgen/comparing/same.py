@@ -7,13 +7,13 @@ decision diagrams, which are exact, prove that there are none; a rung whose diag
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
 from clickgen.comparing.contacts import contact_name
 from clickgen.comparing.logics import Decisions, Situations, TooMany
-from clickgen.comparing.outputs import Said, Writes, said_by
+from clickgen.comparing.outputs import ALONE, Said, Surroundings, said_by
 from clickgen.comparing.run import Run
 from clickgen.device.banks import Address
 from clickgen.ladder.grid import DrawnRung
@@ -57,14 +57,14 @@ def compare(
     one: Sequence[DrawnRung],
     other: Sequence[DrawnRung],
     scratch: Collection[Address] = (),
-    calls: Mapping[str, Writes] | None = None,
+    surroundings: Surroundings = ALONE,
     scratch_of_other: Collection[Address] | None = None,
 ) -> Comparison:
     """Compare two runs of rungs, each of which stands for one rung of a program. Comments are not compared.
 
     ``scratch`` are addresses that clickgen took for itself: a coil on such a bit that a later rung of its run reads is
     no output of the program. Nothing outside the run may read the bit, unless the runs are the same rung by rung.
-    ``calls`` says what subroutines may change (``writes_of``); without it a call may change everything.
+    ``surroundings`` is what is known of the rest of the program; without it a call may change everything.
     ``scratch`` holds for both runs, or for the first alone where ``scratch_of_other`` says what holds for the other.
     """
     for rung in (*one, *other):
@@ -80,7 +80,7 @@ def compare(
         if all(pair.is_same for pair in pairs):
             return Comparison(Likeness.SAME)
     taken = (scratch, scratch if scratch_of_other is None else scratch_of_other)
-    runs = (Run(tuple(rungs), frozenset(own), calls or {}) for rungs, own in zip((one, other), taken, strict=True))
+    runs = (Run(tuple(rungs), frozenset(own), surroundings) for rungs, own in zip((one, other), taken, strict=True))
     return _compared(*runs)
 
 
@@ -109,12 +109,13 @@ def _compared(one: Run, other: Run) -> Comparison:
     if one.doubt or other.doubt:
         return Comparison(Likeness.UNKNOWN, one.doubt or other.doubt)
     compared = _by_power(one, other)
-    # Between two looks a terminal may change: then any(...) of them is no longer all(...) of them.
+    # Between two looks something may change: then any(...) of them is no longer all(...) of them.
     repeated = sorted(name for name, count in (one.looks | other.looks).items() if count > 1)
     if compared.is_same and repeated:
         name = repeated[0]
         times = " and ".join(str(count) for count in sorted((one.looks[name], other.looks[name])))
-        reason = f"{name} looks at the terminal itself, {times} times: it may change in between"
+        what = "looks at the terminal itself" if "immediate" in name else "is looked at"
+        reason = f"{name} {what}, {times} times: it may change in between"
         return Comparison(Likeness.UNKNOWN, reason)
     return compared
 

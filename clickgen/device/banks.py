@@ -129,8 +129,14 @@ POINTED = ("C", "DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "TXT")
 READ_ONLY = {"X": "an input", "T": "a timer's bit", "CT": "a counter's bit", "XD": "an input word"}
 """The banks that no instruction writes, and what they are (click-facts, sections 3 and 6)."""
 
-TWIN_BANKS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
+WORD_TWINS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
 """Bits and the words that hold the same points: changing either changes the other."""
+
+TWIN_BANKS = {**WORD_TWINS, **VALUE_BANK, **CURRENT_VALUE_OF}
+"""Banks whose cells change with those of another: points and words, bits of timers and counters and current values.
+
+When a bit follows a current value that an instruction writes, no source says: it may be at once.
+"""
 
 UPPER_BYTE_BANKS = ("XD", "YD")
 """Banks that also have an address ``0u``."""
@@ -171,7 +177,18 @@ def points_of(word: Address) -> list[Address]:
     if word.bank not in UPPER_BYTE_BANKS:
         return []
     first = 21 if word.upper else word.number * 100 + 1
-    return [Address(TWIN_BANKS[word.bank], number) for number in range(first, first + 16)]
+    return [Address(WORD_TWINS[word.bank], number) for number in range(first, first + 16)]
+
+
+def twins_of(address: Address) -> list[Address]:
+    """The addresses that may change when an instruction writes this one: see ``TWIN_BANKS``."""
+    twin = TWIN_BANKS.get(address.bank)
+    if twin is None:
+        return []
+    if twin in UPPER_BYTE_BANKS:
+        is_upper = 16 < address.number < 100
+        return [Address(twin, address.number // 100, is_upper)]
+    return points_of(address) or [Address(twin, address.number)]
 
 
 _DIGITS_MAX = 4

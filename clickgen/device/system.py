@@ -27,6 +27,15 @@ WRITABLE_SD = frozenset(
 )
 """The numbers of the SD registers that an instruction may write (click-facts, section 3); CLICK 3.41 agrees."""
 
+_STEADY = {"SC": frozenset((1, 2, 3, 40, 43, 44, 202)), "SD": frozenset((5, 6, 7, 8, 9, 13, *range(188, 200)))}
+"""The system points that stay as they are until the next scan, unless an instruction of the program changes them.
+
+SC1 to SC3 and SD9 count scans. SC40, SC43 and SC44 are results of instructions (click-facts, sections 4 and 8). SC202,
+SD13, the firmware's versions (SD5 to SD8) and the MAC addresses (SD188 to SD199) are settings. So their names say in
+CLICK's own export (click-facts, section 1, E341). No source says when CLICK changes the others, such as its clocks and
+what a port reports.
+"""
+
 _DATA = Path(__file__).with_name("system_nicknames.csv")
 
 
@@ -64,6 +73,11 @@ def addresses_of_system_name(name: str) -> tuple[Address, ...]:
     """
     lower = name.lower()
     return _by_name().get(lower) or _by_name_without_spaces().get(lower.replace(" ", ""), ())
+
+
+def changes_by_itself(address: Address) -> bool:
+    """True for a system point that CLICK may change in the middle of a scan."""
+    return address.bank in _STEADY and address.number not in _STEADY[address.bank]
 
 
 def find_system_name(name: str) -> tuple[str, Address] | None:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import cached_property
 from itertools import zip_longest
 
-from clickgen.comparing.outputs import Writes, writes_of
+from clickgen.comparing.outputs import Surroundings
 from clickgen.comparing.same import Comparison, Likeness, compare
 from clickgen.device.banks import Address
 from clickgen.diffing.changes import ADDED, CHANGED, COMMENTED, MOVED, REMOVED, RENAMED, SAME, RoutineChange, RungChange
@@ -106,15 +106,15 @@ class RungDiff:
                 self._compared[key] = compare(before, after)
             else:
                 older, newer = self._units
-                self._compared[key] = compare(before, after, older.own(one), self._calls, newer.own(other))
+                self._compared[key] = compare(before, after, older.own(one), self._surroundings, newer.own(other))
         return self._compared[key]
 
     @cached_property
-    def _calls(self) -> dict[str, Writes]:
-        """What subroutines may change, on either side."""
+    def _surroundings(self) -> Surroundings:
+        """What subroutines may change and messages bring, on either side."""
         names = {*self._first, *self._second}
-        routines = {name: (*self._first.get(name, ()), *self._second.get(name, ())) for name in names}
-        return {name: writes_of(rung.drawn for rung in rungs) for name, rungs in routines.items()}
+        both = {name: (*self._first.get(name, ()), *self._second.get(name, ())) for name in sorted(names)}
+        return Surroundings.of({name: [rung.drawn for rung in rungs] for name, rungs in both.items()})
 
     def _note_drawing(self, one: Sequence[WordedRung], other: Sequence[WordedRung]) -> None:
         """Rungs in the same words are the same, unless they are drawn otherwise and it is known that they are not."""

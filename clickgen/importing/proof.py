@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from clickgen.comparing.outputs import Writes, touched_by, writes_of
+from clickgen.comparing.outputs import ALONE, Surroundings, touched_by
 from clickgen.comparing.same import Comparison, Likeness, compare
 from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostic
@@ -52,15 +52,15 @@ def verdict_of(routines: Sequence[ImportedRoutine], result: BuildResult) -> Verd
         return verdict
     scratch = frozenset(row.address for row in result.scratch_rows)
     called = {routine.name: [piece.drawn for piece in routine.pieces if piece.drawn] for routine in routines}
-    calls: dict[str, Writes] = {}
+    surroundings: Surroundings | None = None
     runs = _runs(routines, result)
     for routine in routines:
         for piece, run in zip(routine.pieces, runs[routine.name], strict=True):
             if piece.drawn is None or not piece.rungs:
                 continue
-            if len(run) > 1 and not calls:
-                calls = {name: writes_of(rungs) for name, rungs in called.items()}
-            compared = _compared(piece.drawn, run, scratch, calls)
+            if len(run) > 1 and surroundings is None:
+                surroundings = Surroundings.of(called)
+            compared = _compared(piece.drawn, run, scratch, surroundings or ALONE)
             if not compared.is_same:
                 verdict.differing.append((piece, compared))
                 continue
@@ -95,7 +95,7 @@ def _runs(routines: Sequence[ImportedRoutine], result: BuildResult) -> dict[str,
 
 
 def _compared(
-    drawn: DrawnRung, run: Sequence[DrawnRung], scratch: frozenset[Address], calls: Mapping[str, Writes]
+    drawn: DrawnRung, run: Sequence[DrawnRung], scratch: frozenset[Address], surroundings: Surroundings
 ) -> Comparison:
     """Logic and comment; spaces at the ends of the comment's lines, which a source cannot keep, aside."""
     if not run:
@@ -103,7 +103,7 @@ def _compared(
     before, after = ([line.rstrip() for line in comment.split("\n")] for comment in (drawn.comment, run[0].comment))
     if before != after:
         return Comparison(Likeness.DIFFERENT, "its comment does not come back")
-    return compare([drawn], run, scratch, calls)
+    return compare([drawn], run, scratch, surroundings)
 
 
 # -- what a build refuses ---------------------------------------------------------------------------------------------

@@ -75,6 +75,11 @@ class KeptToken:
     operands: tuple[Cell | Range | Pointer, ...]
     span: Span
 
+    @property
+    def is_formula(self) -> bool:
+        """True for a formula, which runs at once like any other; False for an instruction that nobody knows."""
+        return not self.text.startswith("raw(")
+
 
 Value = Operand | Condition | FormulaText | Options | Word | Operands | Pattern | Target | Remote | KeptToken
 CONDITION_TYPES = (Contact, Compare, All, Any, Always)

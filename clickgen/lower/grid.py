@@ -119,7 +119,7 @@ class _Canvas:
                 below += used
             else:
                 assert isinstance(item, Action)
-                self.wire(below, split, COLUMNS)
+                self.lead(below, split, item)
                 self.box(below, item)
                 starts.append(below)
                 below += item.height
@@ -135,23 +135,23 @@ class _Canvas:
         spec = action.spec
         enable = net if net is not None or spec.bare_enable else Leaf(ALWAYS_CONTACT)
         row = enable.height - 1 if enable is not None else 0
-        self._input(enable, row, step=-1)
+        self._input(enable, row, action, step=-1)
         self.box(row, action)
         for param in spec.pins:
             at = row + pin_row(spec, param)
             if param.name not in action.args and not param.missing_pin:
                 self.unused.add(at)
                 continue
-            self._input(pin_network(action, param), at)
+            self._input(pin_network(action, param), at, action)
             self.outputs[at] = pin_token(action, param)
 
-    def _input(self, net: Net | None, row: int, step: int = 1) -> None:
+    def _input(self, net: Net | None, row: int, action: Action, step: int = 1) -> None:
         if net is None:
             self.wire(row, 0, COLUMNS)
             return
         _, exits = self.net(net, row, 0, step)
         self.tie(net.width, exits)
-        self.wire(row, net.width, COLUMNS)
+        self.lead(row, net.width, action)
 
     # -- strokes ------------------------------------------------------------------------------------------------------
 
@@ -170,6 +170,15 @@ class _Canvas:
         if stop > COLUMNS:
             raise DoesNotFit
         self.row(row)[start:stop] = ["-"] * (stop - start)
+
+    def lead(self, row: int, start: int, action: Action) -> None:
+        """The wire from the last contact to an instruction. To a box of several rows it takes a column at least.
+
+        laddercodec 0.2.2 cannot decode what it encodes of a contact in the last column before such a box.
+        """
+        if start >= COLUMNS and action.height > 1:
+            raise DoesNotFit
+        self.wire(row, start, COLUMNS)
 
     def tie(self, boundary: int, rows: Iterable[int]) -> None:
         """A vertical wire at a boundary over all these rows. The power rail ties every row by itself."""

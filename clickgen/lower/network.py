@@ -38,9 +38,7 @@ Net = Leaf | Series | Parallel
 def network(condition: Condition) -> Net | None:
     """The contacts of a condition, flattened: no series in a series, no parallel in a parallel. None is a bare wire."""
     if isinstance(condition, Contact):
-        operand = condition.operand
-        target = operand.target if isinstance(operand, Immediate) else operand
-        if isinstance(target, Range):
+        if is_range(condition):
             return series([Leaf(contact_token(bit)) for bit in bits(condition)])
         return Leaf(contact_token(condition))
     if isinstance(condition, Compare):
@@ -54,6 +52,12 @@ def network(condition: Condition) -> Net | None:
         return parallel(legs) if len(legs) == len(condition.terms) else None
     assert isinstance(condition, Always)
     return None
+
+
+def is_range(contact: Contact) -> bool:
+    """True for a contact that stands for several bits."""
+    operand = contact.operand
+    return isinstance(operand.target if isinstance(operand, Immediate) else operand, Range)
 
 
 def bits(contact: Contact) -> list[Contact]:

@@ -2,27 +2,44 @@
 
 Every condition of a source rung is looked at before any of its actions runs. Where the rung has to be split, a
 condition that an earlier part could change, or that must not be looked at twice, goes to a scratch bit first.
+``effects.py`` knows which these are.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import accumulate, takewhile
 
 from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import END, NEXT, NOP, RETURN
+from clickgen.instructions.control import NEXT, NOP
 from clickgen.instructions.timers import RTOF
 from clickgen.ir.conditions import All, Always, Any, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Rung, Value, actions_in, rungs_in
-from clickgen.lower.effects import Cells, Effects, has_edge, is_volatile, reads
+from clickgen.ir.walk import leaves
+from clickgen.lower.effects import Effects
 from clickgen.lower.expand import OffDelays, Own, expand
 from clickgen.lower.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw
+from clickgen.lower.looks import asserted, look_of, looking_at
 from clickgen.lower.network import bits, network
 from clickgen.lower.scratch import Scratch, shown_in_reason
+from clickgen.lower.steps import (
+    LEAVING,
+    Node,
+    Part,
+    Past,
+    Step,
+    apart,
+    is_of_program,
+    is_special,
+    nodes_of,
+    pins_of,
+    run_by,
+)
 from clickgen.lower.words import condition_words
 from clickgen.source import Span
 
@@ -55,55 +72,6 @@ class ClickRoutine:
     is_main: bool
     rungs: tuple[ClickRung, ...]
     span: Span
-
-
-@dataclass(eq=False)
-class _Node:
-    """A rung's or a branch's condition, by identity."""
-
-    condition: Condition
-    parent: _Node | None = None
-    is_own: bool = False
-
-    @property
-    def path(self) -> tuple[_Node, ...]:
-        return (*(self.parent.path if self.parent else ()), self)
-
-
-@dataclass
-class _Step:
-    """One action with the conditions it stands on; a loop's ``for`` brings the rungs of its body."""
-
-    node: _Node
-    action: Action
-    body: tuple[Rung, ...] | None = None
-
-
-@dataclass
-class _Past:
-    """What ran in a rung before one of its parts."""
-
-    parts: int = 0
-    written: Cells = field(default_factory=Cells)
-    may_have_left: bool = False
-
-    def spoils(self, condition: Condition) -> bool:
-        """True when a condition may look otherwise now than it did before the first part.
-
-        Something it reads was written; or it holds an edge, which a scan that left early has not seen; or an
-        immediate contact, which looks at the point itself.
-        """
-        if self.parts == 0:
-            return False
-        left = self.may_have_left and has_edge(condition)
-        return left or is_volatile(condition) or reads(condition).meets(self.written)
-
-
-_LEAVING = (RETURN, END)
-"""After one of these the rest of the rung may not be looked at in this scan."""
-
-_Part = list[_Step]
-"""Steps that share one CLICK rung."""
 
 
 def lower(program: Program, scratch: Scratch) -> tuple[ClickRoutine, ...]:
@@ -150,15 +118,17 @@ class _RungSplit:
         self._comment = rung.comment
 
     def run(self) -> None:
-        steps = list(self._steps(self._rung.items, _Node(self._rung.condition)))
+        steps = list(self._steps(self._rung.items, Node(self._rung.condition)))
         # One NOP keeps a rung legal; a second one, or one beside an output, does not (click-facts, section 3, NOP).
-        parts = _apart([step for step in steps if step.action.spec is not NOP] or steps[:1])
-        if len(parts) == 1:
-            rung = self._rung_of(parts[0])
-            if _draws(rung) and not _is_special(parts[0][0]):
-                self._put(rung)
-                return
-        for node in _nodes(parts):
+        parts = apart([step for step in steps if step.action.spec is not NOP] or steps[:1])
+        rung = self._rung_of(parts[0])
+        if len(parts) == 1 and _draws(rung) and not is_special(parts[0][0]):
+            self._put(rung)
+            return
+        looking = [part for part in parts if is_of_program(part)]
+        if len(looking) > 1 or not _draws(self._rung_of(looking[0])):
+            self._look_once(parts)
+        for node in nodes_of(parts):
             node.condition = self._reduced(node.condition)
         parts = [piece for part in parts for piece in self._fitting(part)]
         for node in self._unsafe(parts):
@@ -169,21 +139,21 @@ class _RungSplit:
 
     # -- taking the rung apart ----------------------------------------------------------------------------------------
 
-    def _steps(self, items: tuple[Item, ...], node: _Node) -> Iterator[_Step]:
+    def _steps(self, items: tuple[Item, ...], node: Node) -> Iterator[Step]:
         """Every action in source order with the conditions it stands on, in instructions that CLICK has."""
         for item in items:
             if isinstance(item, Branch):
-                yield from self._steps(item.items, _Node(item.condition, node))
+                yield from self._steps(item.items, Node(item.condition, node))
             elif isinstance(item, Loop):
-                yield _Step(node, item.action, item.body)
+                yield Step(node, item.action, item.body)
             else:
                 for expanded in expand(item, self._take, self._home.delays):
                     if isinstance(expanded, Own):
-                        yield _Step(_Node(expanded.condition, is_own=True), expanded.action)
+                        yield Step(Node(expanded.condition, is_own=True), expanded.action)
                     else:
-                        yield _Step(node, expanded)
+                        yield Step(node, expanded)
 
-    def _fitting(self, part: _Part) -> Iterator[_Part]:
+    def _fitting(self, part: Part) -> Iterator[Part]:
         """A part in as few pieces as fit CLICK's rows, each as long as can be."""
         while len(part) > 1:
             # Each output takes its rows, whatever the conditions are: more steps than these cannot fit.
@@ -197,45 +167,60 @@ class _RungSplit:
             part = part[count:]
         yield part
 
-    def _rung_of(self, part: _Part) -> ClickRung:
+    def _rung_of(self, part: Part) -> ClickRung:
         condition, items = _tree(part, 0)
         return ClickRung(condition, items, self._comment, self._rung.span)
 
     # -- keeping the meaning ------------------------------------------------------------------------------------------
 
-    def _unsafe(self, parts: list[_Part]) -> list[_Node]:
+    def _look_once(self, parts: list[Part]) -> None:
+        """Put each contact that changes by itself, and that several conditions look at, on one scratch bit for all."""
+        nodes = [node for node in nodes_of(parts) if not node.is_own]
+        steps = [step for part in parts for step in part]
+        conditions = [*(node.condition for node in nodes), *(pin for step in steps for pin in pins_of(step).values())]
+        looks = Counter(look_of(leaf) for condition in conditions for leaf in leaves(condition))
+        kept: dict[str, Contact] = {}
+        for condition in conditions:
+            for leaf in leaves(condition):
+                look = look_of(leaf)
+                if looks[look] > 1 and look not in kept and self._home.effects.is_volatile(leaf):
+                    kept[look] = self._on_scratch(asserted(leaf), "contact")
+        if not kept:
+            return
+        for node in nodes:
+            node.condition = looking_at(node.condition, kept)
+        for step in steps:
+            step.take_pins({name: looking_at(pin, kept) for name, pin in pins_of(step).items()})
+
+    def _unsafe(self, parts: list[Part]) -> list[Node]:
         """The conditions that a later part would see changed, or that must not be looked at twice."""
-        unsafe: dict[_Node, None] = {}
+        unsafe: dict[Node, None] = {}
         for part, past in self._with_past(parts):
-            for node in _nodes([part]):
+            for node in nodes_of([part]):
                 if not node.is_own and past.spoils(node.condition):
                     unsafe[node] = None
         return list(unsafe)
 
-    def _hoist_pins(self, parts: list[_Part]) -> None:
+    def _hoist_pins(self, parts: list[Part]) -> None:
         """Pins whose condition an earlier part changes, or with parallel legs where the grid has no room for them."""
         for part, past in self._with_past(parts):
             for step in part:
-                pins = step.action.spec.pins
-                for param in pins:
-                    condition = step.action.pin(param.name)
-                    if condition is None:
-                        continue
+                for name, condition in pins_of(step).items():
                     reduced = self._reduced(condition)
-                    too_tall = _height(reduced) > 1 and param is not pins[-1]
+                    too_tall = _height(reduced) > 1 and name != step.action.spec.pins[-1].name
                     if too_tall or past.spoils(condition):
-                        reduced = self._on_scratch(reduced, f"{param.name} input")
-                    step.action = Action(step.action.spec, {**step.action.args, param.name: reduced}, step.action.span)
+                        reduced = self._on_scratch(reduced, f"{name} input")
+                    step.take_pins({name: reduced})
 
-    def _with_past(self, parts: list[_Part]) -> Iterator[tuple[_Part, _Past]]:
+    def _with_past(self, parts: list[Part]) -> Iterator[tuple[Part, Past]]:
         """Each part with what ran in this rung before it."""
-        past = _Past()
+        past = Past(self._home.effects)
         for part in parts:
             yield part, past
-            past.parts += 1
-            for action in _run_by(part):
+            past.has_run = past.has_run or is_of_program(part)
+            for action in run_by(part):
                 past.written.update(self._home.effects.writes(action))
-                past.may_have_left = past.may_have_left or action.spec in _LEAVING
+                past.may_have_left = past.may_have_left or action.spec in LEAVING
 
     def _on_scratch(self, condition: Condition, purpose: str) -> Contact:
         """A condition on a scratch bit, in a rung before those to come; the contact that reads it."""
@@ -269,7 +254,7 @@ class _RungSplit:
 
     # -- putting CLICK rungs down -------------------------------------------------------------------------------------
 
-    def _emit_part(self, part: _Part) -> None:
+    def _emit_part(self, part: Part) -> None:
         rung = self._rung_of(part)
         self._put(rung if _draws(rung) else self._squeezed(part[0]))
         body = part[-1].body
@@ -277,7 +262,7 @@ class _RungSplit:
             self._home.lower(body)
             self._emit(Always(part[-1].action.span), (Action(NEXT, {}, part[-1].action.span),))
 
-    def _squeezed(self, step: _Step) -> ClickRung:
+    def _squeezed(self, step: Step) -> ClickRung:
         """One action whose conditions, small enough one by one, do not fit together: they go to scratch bits."""
         action = step.action
         path = All(tuple(node.condition for node in step.node.path), self._rung.condition.span)
@@ -305,39 +290,7 @@ class _RungSplit:
         self._comment = ""
 
 
-def _is_special(step: _Step) -> bool:
-    """True for a box with pins, which may need scratch bits, and for a loop, which brings its body."""
-    return bool(step.action.spec.pins) or step.body is not None
-
-
-def _run_by(part: _Part) -> Iterator[Action]:
-    """Every action that runs in a part, those in the body of a loop included."""
-    for step in part:
-        yield step.action
-        for rung in rungs_in(step.body or ()):
-            yield from actions_in(rung.items)
-
-
-def _apart(steps: list[_Step]) -> list[_Part]:
-    """Instructions with pins, and those that stand alone, get a part of their own (click-facts, trap 3)."""
-    parts: list[_Part] = []
-    joins = False
-    for step in steps:
-        single = bool(step.action.spec.pins) or step.action.spec.alone or step.node.is_own
-        if joins and not single:
-            parts[-1].append(step)
-        else:
-            parts.append([step])
-        joins = not single
-    return parts
-
-
-def _nodes(parts: Sequence[_Part]) -> list[_Node]:
-    """Every condition of these parts once, in source order."""
-    return list(dict.fromkeys(node for part in parts for step in part for node in step.node.path))
-
-
-def _tree(part: _Part, depth: int) -> tuple[Condition, tuple[Item, ...]]:
+def _tree(part: Part, depth: int) -> tuple[Condition, tuple[Item, ...]]:
     """The condition at this depth of the part's first step, and what hangs on it; lone branches join their parent."""
     condition = part[0].node.path[depth].condition
     items: list[Item] = []

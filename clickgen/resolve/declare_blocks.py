@@ -217,7 +217,18 @@ def _warn_of_marks(marks: Marks, declared: set[str], table: AddressTable, proble
         if block.name.lower() not in declared and CURRENT_VALUE_OF.get(block.bank) != other.bank:
             message = f"a second block {block.name}, {block}, is marked: {other} is it in {other.said_by}, and counts"
             problems.add("CG606", block.span, message, "give one of the two another name in both of its marks")
-    for block in marks.blocks.values():
+    for lower, block in marks.blocks.items():
+        if lower in table.by_nickname:
+            row = table.by_nickname[lower]
+            dotted = f"{block.bank.lower()}.{block.name}"
+            problems.add(
+                "CG429",
+                table.span(row),
+                f"{row.nickname} is the nickname of {row.address} and the name of the block {block}, which "
+                f"{block.said_by} marks: {dotted} alone is {row.address}, and {dotted}[0] is {block.addresses()[0]}",
+                "give one of the two another name: the nickname, or the block in both of its marks",
+                _label(block),
+            )
         missing = next((address for address in block.addresses() if not BANKS[block.bank].has(address.number)), None)
         if missing is not None:
             message = f"the block {block.name}, {block}, spans addresses that CLICK does not have, such as {missing}"

@@ -18,6 +18,8 @@ Place = tuple[object, ...]
 OPERATORS: Mapping[str, Callable[[int, int], bool]] = {
     "==": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge,
 }  # fmt: skip
+MOVING = ("SC4", "SC7", "SD26")
+"""System points that change by themselves."""
 HIDDEN = "~"
 """Marks the bit of the on-delay timer inside an rtof; its number is the retentive off-delay's own in the source."""
 BOXES = ("on_delay", "off_delay", "count_up", "count_down", "shift", "event_drum", "time_drum")
@@ -37,6 +39,11 @@ class Machine:
     seed: int
     edges_by_bit: bool
     inputs_move: bool
+    """Immediate inputs, system bits, and what messages bring change between two instructions."""
+    bits_follow: bool = False
+    """The bit of a timer or counter follows at once when another instruction writes its current value."""
+    hidden: frozenset[str] = frozenset()
+    """The timers of the source that are an rtof, ``T11``: their current value belongs to the timer inside."""
     memory: dict[str, int] = field(default_factory=dict)
     scan: int = 0
     clock: int = 0
@@ -47,8 +54,8 @@ class Machine:
     edges: dict[Place, int] = field(default_factory=dict)
     once: dict[Place, bool] = field(default_factory=dict)
     drums: dict[Place, DrumState] = field(default_factory=dict)
-    off_delays: set[str] = field(default_factory=set)
-    """Retentive off-delay timers that the source has run."""
+    arriving: dict[str, int] = field(default_factory=dict)
+    """What messages that ran write, each with as many values as it can have: it may arrive later too."""
 
     def __post_init__(self) -> None:
         draw = random.Random(self.seed)
@@ -72,13 +79,22 @@ class Machine:
     # -- reading
 
     def bit(self, name: str) -> int:
-        return 1 if name == "SC1" else self.memory.get(name, 0)
+        if name == "SC1":
+            return 1
+        return self.moving(name) if name in MOVING else self.memory.get(name, 0)
+
+    def moving(self, name: str, values: int = 2) -> int:
+        """What changes by itself: it stays as it is until the next instruction writes."""
+        moment = self.clock if self.inputs_move else 0
+        return random.Random(f"{self.seed} {self.scan} {name} {moment}").randrange(values)
 
     def value(self, name: str) -> int:
         if name.startswith('"'):
             return ord(name[1])
         if not name[0].isalpha():
             return int(name[:-1], 16) if name.endswith("h") else int(name)
+        if name in MOVING:
+            return self.moving(name, 4)
         if name in ("XD0", "YD0"):
             return sum(self.bit(f"{name[0]}{number:03d}") << number - 1 for number in range(1, 17))
         return self.memory.get(self.pointed(name), 0)
@@ -95,8 +111,7 @@ class Machine:
         if not kind:
             return self.bit(name)
         if kind == "immediate":
-            moment = self.clock if self.inputs_move else 0
-            return random.Random(f"{self.seed} {self.scan} {name} {moment}").randrange(2)
+            return self.moving(name)
         now, key = self.bit(name), (place, token)
         before = self.before.get(name, 0) if self.edges_by_bit else self.edges.get(key, 0)
         self.edges[key] = now
@@ -115,7 +130,19 @@ class Machine:
                 self.store(f"{name[0]}{number:03d}", value >> number - 1 & 1)
             return
         self.memory[name] = value
-        self.clock += is_users(name)
+        bit = name.replace("TD", "T")
+        if self.bits_follow and bit != name:
+            self.memory[HIDDEN + bit if bit in self.hidden else bit] = int(value >= 2)
+        if is_users(name):
+            self.clock += 1
+            self.arrive()
+
+    def arrive(self) -> None:
+        """Another device may answer now."""
+        draw = random.Random(f"{self.seed} {self.scan} {self.clock} arrives")
+        if self.inputs_move and self.arriving and draw.randrange(2):
+            name = draw.choice(sorted(self.arriving))
+            self.memory[name] = draw.randrange(self.arriving[name])
 
     def run(self, token: str, place: Place, enable: bool, pins: Mapping[str, bool]) -> None:
         name, _, rest = token.partition("(")
@@ -164,12 +191,11 @@ class Machine:
             down = name == "count_down"
             so_far += running * (-1 if down else 1) - pins.get(".down()", False)
             on = so_far <= -preset if down else so_far >= preset
-            if name == "on_delay" and not running:
+            if name in ("on_delay", "off_delay") and not running:
                 on = bool(self.bit(done))
         self.store(count, so_far)
         self.store(done, int(on))
         if retentive_off:
-            self.off_delays.add(own)
             # decisions.md: Q is on when E, or when Q and not T.
             self.memory[own] = int(enable or (bool(self.bit(own)) and not on))
 
@@ -286,13 +312,16 @@ class Machine:
         sent = [self.value(cell) for cell in cells(given.get("source", ""))]
         draw = random.Random(f"{self.seed} {self.scan} {inner} {sent}")
         for cell in cells(given.get("dest", "")):
-            self.store(cell, draw.randrange(2 if cell[0] in "CY" and cell[1] != "T" else 4))
+            values = 2 if cell[0] in "CY" and cell[1] != "T" else 4
+            self.store(cell, draw.randrange(values))
+            self.arriving[cell] = values
         well = draw.randrange(2)
         answers = {"sending": 1, "receiving": 1, "success": well, "error": 1 - well}
         answers["exception_response"] = draw.randrange(4)
         for name, value in answers.items():
             if name in given:
                 self.store(given[name], value)
+                self.arriving[given[name]] = 4 if name == "exception_response" else 2
 
     instructions: ClassVar[dict[str, Callable[[Machine, str], None]]] = {
         "latch": latch, "reset": unlatch, "copy": copy, "fill": fill, "blockcopy": blockcopy, "math": math,

@@ -178,10 +178,12 @@ def check_meaning(program: Program, inputs_move: bool = False, seeds: int = SEED
 def check_same(program: Program, files: Mapping[str, str], inputs_move: bool = False, seeds: int = SEEDS) -> None:
     """A source and the ladder of these files leave the same memory and show the same power to each box."""
     routines = drawings(files)
+    hidden = frozenset(_off_delays(program))
     for edges_by_bit in (False, True):
         for seed in range(seeds):
-            source = SourceForm(program, Machine(seed, edges_by_bit, inputs_move))
-            ladder = LadderForm(routines, Machine(seed, edges_by_bit, inputs_move))
+            bits_follow = seed % 2 == 0
+            source = SourceForm(program, Machine(seed, edges_by_bit, inputs_move, bits_follow, hidden))
+            ladder = LadderForm(routines, Machine(seed, edges_by_bit, inputs_move, bits_follow))
             for scan in range(SCANS):
                 for form in (source, ladder):
                     form.machine.begin_scan()
@@ -192,10 +194,29 @@ def check_same(program: Program, files: Mapping[str, str], inputs_move: bool = F
                 assert visible(source.machine) == visible(ladder.machine), f"{where}: the memory differs"
 
 
+def _off_delays(program: Program) -> Iterator[str]:
+    """The timers of the source that CLICK does not have."""
+
+    def acts(items: Sequence[Item]) -> Iterator[Act]:
+        for item in items:
+            if isinstance(item, Act):
+                yield item
+            elif isinstance(item, Branch):
+                yield from acts(item.items)
+            else:
+                for rung in item.body:
+                    yield from acts(rung.items)
+
+    for rung in (*program.main, *(rung for _, rungs in program.subroutines for rung in rungs)):
+        for act in acts(rung.items):
+            if act.token.startswith("off_delay(") and act.pins:
+                yield act.token[len("off_delay(") :].partition(",")[0]
+
+
 def visible(machine: Machine) -> dict[str, int]:
     """The memory as a person may look at it: no scratch, no flags, and of an rtof the timer inside."""
     found = {name: value for name, value in machine.memory.items() if value and is_users(name) and name[:2] != "SC"}
-    for name in machine.off_delays:
+    for name in machine.hidden:
         found.pop(name, None)
         if HIDDEN + name in found:
             found[name] = found.pop(HIDDEN + name)

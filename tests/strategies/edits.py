@@ -41,6 +41,8 @@ RUNGS: tuple[str, ...] = (
 )
 PLAIN, SCRATCH = range(3), (3, 4, 5, 7, 12, 15, 16)
 """Forms that need no scratch cells, and some that do."""
+MESSAGES = tuple(form for form, text in enumerate(RUNGS) if "send(" in text or "receive(" in text)
+"""Forms whose cells change in their own time, so that every routine that looks at them keeps what it saw."""
 
 
 @dataclass(frozen=True)

@@ -40,10 +40,10 @@ BOX_NUMBERS = {"T": (11, 12, 15), "CT": (13, 14)}
 
 
 def world_leaves(world: World, immediate: bool = False) -> st.SearchStrategy[Condition]:
-    bits = ["X001", "X002", "C1", "C2", "C3", "Y001", f"T{BOX_NUMBERS['T'][0]}", f"CT{BOX_NUMBERS['CT'][0]}"]
+    bits = ["X001", "X002", "C1", "C2", "C3", "Y001", f"T{BOX_NUMBERS['T'][0]}", f"CT{BOX_NUMBERS['CT'][0]}", "SC7"]
     if world.flags:
         bits += ["SC43", "SC40", "SC43", "SC44"]
-    registers = [register(name) for name in ("DS1", "DS2", "DS3", "DD1", "TD11", "CTD13")]
+    registers = [register(name) for name in ("DS1", "DS2", "DS3", "DD1", "TD11", "CTD13", "SD26")]
     numbers = [*registers, *((str(n), str(n)) for n in range(4))]
     decimal = st.builds(compared, st.sampled_from(registers), st.sampled_from(OPERATORS), st.sampled_from(numbers))
     others = (Compare("DS1!=0", "ds[1]"), Compare("YD0==0001h", "yd[0] == 1"), Compare("DH1>0001h", "dh[1] > 0x0001"))
@@ -102,6 +102,17 @@ WORLD_ACTS = (
         2,
     ),
 )
+WORLD_COUNTS = (
+    Act("copy(0, td[11])", "copy(0,TD11)", 2),
+    Act("copy(2, ctd[13])", "copy(2,CTD13)", 2),
+    Act("copy(ds[1], ctd[13], oneshot=True)", "copy(DS1,CTD13,oneshot=1)", 2),
+    Act("copy_fill(3, td[10:13])", "fill(3,TD10..TD12)", 2),
+    Act("copy_block(ds[1:3], ctd[12])", "blockcopy(DS1..DS2,CTD12..CTD13)", 2),
+    Act('calc("ds[1] + ds[2]", ctd[13])', "math(DS1 + DS2,CTD13,mode=decimal)"),
+    Act('calc("ctd[13] + 1", td[11])', "math(CTD13 + 1,TD11,mode=decimal)"),
+    Act("copy(ds[1], td[ds[2]])", "copy(DS1,TD[DS2])", 2),
+)
+"""What writes current values of timers and counters."""
 WORLD_TEXTS = (
     Act('copy("10", txt[1])', 'copy("10",TXT1)', 2),
     Act("copy(ds[1].as_text(), txt[1])", f"copy(DS1,TXT1,{_TO_TEXT.format(1, 'none')})", 2),
@@ -198,7 +209,10 @@ def _world_items(world: World, place: str, large: bool) -> st.SearchStrategy[Run
     branch, pin = conditions_of["branch"], conditions_of["branch"]
     acts = WORLD_ACTS if world.flags else (*WORLD_ACTS, *POINTER_FORMULAS)
     plain: st.SearchStrategy[Item] = weighted(
-        (6, st.sampled_from(acts)), (2, st.sampled_from(WORLD_MESSAGES)), (1, st.sampled_from(WORLD_TEXTS))
+        (6, st.sampled_from(acts)),
+        (2, st.sampled_from(WORLD_MESSAGES)),
+        (2, st.sampled_from(WORLD_COUNTS)),
+        (1, st.sampled_from(WORLD_TEXTS)),
     )
     boxes: list[st.SearchStrategy[Item]] = [with_inputs(box, pin) for box in WORLD_BOXES]
     drum: st.SearchStrategy[Item] = world_drums(world).flatmap(lambda box: with_inputs(box, pin))

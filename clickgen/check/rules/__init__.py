@@ -7,6 +7,7 @@ from collections.abc import Callable
 from clickgen.check.facts import Facts
 from clickgen.check.rules import (
     calls,
+    chosen_points,
     comments,
     comparisons,
     contacts,
@@ -18,6 +19,7 @@ from clickgen.check.rules import (
     loops,
     modbus,
     operands,
+    overruns,
     owners,
     pins,
     retentive_off_delay,
@@ -39,6 +41,8 @@ RULES: tuple[Rule, ...] = (
     comparisons.check,
     operands.check,
     copies.check,
+    overruns.check,
+    chosen_points.check,
     searches.check,
     drums.check,
     modbus.check,

@@ -1,13 +1,13 @@
-"""Loops are closed, stand in no other loop, and close in a rung of their own (C0103, C0009)."""
+"""Loops are closed, are in no other loop, and close in a rung of their own (C0103, C0009)."""
 
 from __future__ import annotations
 
 from clickgen.check.facts import Facts, Placed
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions import timers
-from clickgen.instructions.control import FOR, NEXT
+from clickgen.instructions.control import CALL, FOR, NEXT
 from clickgen.instructions.drums import TIME_DRUM
-from clickgen.ir.program import Routine, actions_in
+from clickgen.ir.program import Action, Routine, actions_in
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
@@ -33,6 +33,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         elif placed.spec is NEXT:
             _check_next(placed, open_loop, problems)
             open_loop = None
+        elif outer is not None and placed.spec is CALL:
+            _check_call(facts, placed, outer, problems)
         elif outer is not None and placed.spec in (*timers.SPECS, TIME_DRUM):
             problems.add(
                 "CG423",
@@ -41,6 +43,21 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 "move it out of the loop",
             )
     _refuse_open(open_loop, problems)
+
+
+def _check_call(facts: Facts, call: Placed, outer: Action, problems: Diagnostics) -> None:
+    """CLICK allows no loop in a loop (C0103). Whether it finds one through a call, no source says."""
+    name = call.action.word("subroutine")
+    inner = next((each for each in facts.actions if each.spec is FOR and each.routine.name == name), None)
+    if inner is not None:
+        problems.add(
+            "CG427",
+            call.action.span,
+            f"{name} has a loop, and this call stands in the loop of line {outer.span.line}: CLICK has no loop in a "
+            "loop (C0103)",
+            "move the call out of the loop, or unroll one of the two loops",
+            (Label(outer.span, "the outer loop"), Label(inner.action.span, "the inner loop")),
+        )
 
 
 def _check_opening(placed: Placed, problems: Diagnostics) -> None:

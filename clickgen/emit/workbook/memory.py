@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 
-from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, TWIN_BANKS, Bank
+from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, WORD_TWINS, Bank
 from clickgen.emit.workbook.project import Project
 from clickgen.emit.workbook.sheet import Cells, Column, Sheet
 from clickgen.emit.workbook.states import GIVEN, State
@@ -52,8 +52,8 @@ def _summary(project: Project) -> Iterator[Cells]:
 def _nature(bank: Bank) -> Iterator[str]:
     if bank.name in CURRENT_VALUE_OF:
         yield f"the current values of {CURRENT_VALUE_OF[bank.name]}, same numbers"
-    elif bank not in GIVEN and bank.name in TWIN_BANKS:
-        yield f"the points of {TWIN_BANKS[bank.name]} as words; also {bank.name}0u"
+    elif bank not in GIVEN and bank.name in WORD_TWINS:
+        yield f"the points of {WORD_TWINS[bank.name]} as words; also {bank.name}0u"
     elif bank not in GIVEN:
         yield "CLICK's own"
 
@@ -70,7 +70,7 @@ def pointers(project: Project) -> Mapping[str, list[str]]:
     for use in project.uses.every:
         if isinstance(use.operand, Pointer):
             bank = use.operand.bank
-            for name in (bank, TWIN_BANKS.get(bank) or CURRENT_VALUE_OF.get(bank)):
+            for name in (bank, WORD_TWINS.get(bank) or CURRENT_VALUE_OF.get(bank)):
                 if name:
                     found[name, use.is_written][operand_token(use.operand)] = None
     remarks: dict[str, list[str]] = defaultdict(list)
