@@ -100,6 +100,25 @@ class Diagnostics:
         return tuple(sorted(dict.fromkeys(self.found), key=lambda problem: problem.sort_key))
 
 
+class Suggestions:
+    """``did_you_mean`` for the mistakes of one program.
+
+    Each compares a word with all the names of a kind, so the first ones are answered and no others: a program with so
+    many mistakes has another problem than its spelling.
+    """
+
+    def __init__(self) -> None:
+        self._left = _SUGGESTED_MAX
+
+    def __call__(self, word: str, known: Iterable[str]) -> str:
+        """``did you mean x?``; an empty string where nothing is near, and after many answers."""
+        self._left -= 1
+        return did_you_mean(word, known) if self._left >= 0 else ""
+
+
+_SUGGESTED_MAX = 100
+
+
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """``did you mean x?`` for a slip of the keyboard, whatever its case; else an empty string."""
     from clickgen.suggest import near_words

@@ -130,3 +130,26 @@ def test_names_that_have_no_room_apart_are_not_compared(
     assert "b/p.py cannot be compared by its names" in capsys.readouterr().err.replace("\\", "/")
     assert main(["diff", "a/p.py", "moved/p.py"]) == 1
     assert "rung 1 moved to rung 1001" in capsys.readouterr().out
+
+
+def unknown_calls(n: int) -> str:
+    calls = "".join(f"    if x[1]:\n        call(other{i})\n" for i in range(n))
+    return (
+        "def main():\n" + calls + END + "".join(f"@sub\ndef s{i}():\n    if True:\n        return\n" for i in range(n))
+    )
+
+
+def test_unknown_names_are_not_all_compared_with_all_names(tmp_path: Path) -> None:
+    """The first hundred get a suggestion where there is one."""
+    small, large = (judged(unknown_calls(n), tmp_path) for n in (200, 400))
+    assert large < 2.4 * small
+
+
+def python_logic(n: int) -> str:
+    lines = (f"    if x[1] and not c[{i + 1}] or x[2]:\n        copy({i}, ds[{i + 1}])\n" for i in range(n))
+    return "def main():\n" + "".join(lines) + END
+
+
+def test_lines_with_and_or_not_are_rewritten_one_by_one(tmp_path: Path) -> None:
+    small, large = (judged(python_logic(n), tmp_path) for n in (100, 200))
+    assert large < 2.4 * small

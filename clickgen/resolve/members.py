@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from clickgen.device.banks import BANKS, Address
-from clickgen.diagnostics import Diagnostics, did_you_mean
+from clickgen.diagnostics import Diagnostics, Suggestions
 from clickgen.formula.printer import source_reference
 from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Operand, Range, Section, Single
@@ -41,6 +41,7 @@ class _Members(Rewriter):
         self._blocks = blocks
         self._table = table
         self._problems = problems
+        self._near = Suggestions()
 
     # -- where an operand stands --------------------------------------------------------------------------------------
 
@@ -139,7 +140,7 @@ class _Members(Rewriter):
         if row is not None:
             place = self._table.place(row)
             return f"the block {named.name} in {place} has no end", f"mark its last address </{named.name}>"
-        known = did_you_mean(named.name, [block.name for block in self._blocks.values()])
+        known = self._near(named.name, [block.name for block in self._blocks.values()])
         return f"{shown} is no block", known or f"declare it: nickname({shown}, {named.bank.lower()}[1:11])"
 
     def _refused(self, named: Named, message: str, help: str) -> Named:

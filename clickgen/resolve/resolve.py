@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import nickname_fault
 from clickgen.device.system import addresses_of_system_name, lookalike_of, near_system_name, system_name_of
-from clickgen.diagnostics import Diagnostics, Label, did_you_mean
+from clickgen.diagnostics import Diagnostics, Label, Suggestions
 from clickgen.formula.printer import source_reference
 from clickgen.instructions.spec import Access
 from clickgen.ir.conditions import Compare
@@ -156,6 +156,7 @@ class _Resolver:
         self.reserved = tuple(reserved)
         self.frozen = frozen
         self.problems = problems
+        self._near = Suggestions()
         self.meanings: dict[str, Meaning] = {
             name: Meaning(row.address, table.place(row), table.span(row)) for name, row in table.by_nickname.items()
         }
@@ -312,7 +313,7 @@ class _Resolver:
                 "CG207",
                 use.span,
                 f"there is no {kind} {use.name!r}",
-                did_you_mean(use.name, self._named_in(CURRENT_VALUE_OF[use.bank]))
+                self._near(use.name, self._named_in(CURRENT_VALUE_OF[use.bank]))
                 or f"use {bit}.{use.name} in the program, or give the name to an address with nickname(...)",
             )
         elif not bank.allocatable and use.bank not in CURRENT_VALUE_OF:

@@ -59,19 +59,49 @@ def _rungs_with_several(rungs: tuple[Rung, ...]) -> Iterator[Rung]:
 
 
 def _judge(facts: Facts, problems: Diagnostics, writes: _Writes, rung: Rung) -> None:
-    written: list[_Write] = []
+    written = _Written()
     for step in _steps(rung.items, (rung.condition,)):
         if isinstance(step, _Look):
             for leaf in leaves(step.condition):
-                write = next((one for one in written if _is_stale(step, leaf, one)), None)
+                write = next((one for one in written.near(leaf) if _is_stale(step, leaf, one)), None)
                 if write is not None:
                     _report(facts, problems, step, leaf, write)
         else:
             action, path = step
             extents = writes.of(action)
             if extents:
-                written.append(_Write(action, path, extents))
+                written.add(_Write(action, path, extents))
 
+
+class _Written:
+    """What the actions of a rung have written so far, by address: a contact asks those alone that may concern it."""
+
+    def __init__(self) -> None:
+        self._writes: list[_Write] = []
+        self._at: dict[tuple[str, int], list[int]] = {}
+        self._wide: dict[str, list[int]] = {}
+        """Those that write a long stretch of a bank."""
+
+    def add(self, write: _Write) -> None:
+        index = len(self._writes)
+        self._writes.append(write)
+        for bank, first, last in write.extents:
+            if last - first >= _LONG:
+                self._wide.setdefault(bank, []).append(index)
+            else:
+                for number in range(first, last + 1):
+                    self._at.setdefault((bank, number), []).append(index)
+
+    def near(self, leaf: Contact | Compare) -> list[_Write]:
+        """The writes that may meet what a contact or a comparison reads, in their order."""
+        found: set[int] = set()
+        for bank, first, last in (extent for operand in condition_operands(leaf) for extent in extents_of(operand)):
+            found.update(self._wide.get(bank, ()))
+            found.update(index for number in range(first, last + 1) for index in self._at.get((bank, number), ()))
+        return [self._writes[index] for index in sorted(found)]
+
+
+_LONG = 64
 
 _Step = tuple[Action, tuple[Condition, ...]] | _Look
 
