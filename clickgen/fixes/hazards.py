@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations, pairwise
 
-from clickgen.device.banks import VALUE_BANK, Address
+from clickgen.device.banks import Address
 from clickgen.instructions import communication, copies, maths
 from clickgen.instructions.coils import RESET, SET
 from clickgen.instructions.control import CALL, END, FOR, NEXT, NOP, RETURN
@@ -74,11 +74,11 @@ class Hazards:
             if done is None or any(action.spec in _LEAVING for action in _all_actions(earlier.items)):
                 return False
             written.update(done)
-            looked_at = _with_values(reads(later.alone))
+            looked_at = reads(later.alone)
             if _is_unsteady(later.alone) or looked_at.meets(self._arriving):
                 return False
             for condition in _conditions(later.items):
-                looked_at.update(_with_values(reads(condition)))
+                looked_at.update(reads(condition))
             if looked_at.meets(written):
                 return False
         return True
@@ -146,9 +146,3 @@ def _conditions(items: Iterable[Item]) -> Iterator[Condition]:
             yield from _conditions(item.items)
         elif not isinstance(item, Loop):
             yield from (pin for param in item.spec.pins if (pin := item.pin(param.name)) is not None)
-
-
-def _with_values(cells: Cells) -> Cells:
-    """With each bit of a timer or counter the current value that decides it (click-facts, section 8)."""
-    values = {Address(VALUE_BANK[cell.bank], cell.number) for cell in cells.addresses if cell.bank in VALUE_BANK}
-    return Cells(cells.addresses | values, set(cells.banks))
