@@ -68,6 +68,8 @@ CODES: dict[str, Code] = {
     "CG212": Code(_E, "a pointer goes through a DS register"),
     "CG213": Code(_E, "this bank cannot be pointed into"),
     "CG214": Code(_E, "this is no member of a block"),
+    "CG215": Code(_E, "one of CLICK's own names has two addresses in two versions of CLICK"),
+    "CG216": Code(_W, "an older name of CLICK's own reads like the name of another address"),
     # -- operands and types ---------------------------------------------------------------------------------------
     "CG301": Code(_E, "the instruction does not take this operand"),
     "CG302": Code(_E, "the constant is out of range"),
@@ -140,6 +142,13 @@ CODES: dict[str, Code] = {
     "CG525": Code(_W, "a suppression suppresses nothing"),
     "CG526": Code(_W, "a range in any(...) means all of its bits"),
     "CG527": Code(_W, "a subroutine with timers or edges may run twice in a scan"),
+    "CG540": Code(_W, "a name looks like a misspelling of another"),
+    "CG541": Code(_W, "a name left the program and its value stays behind"),
+    "CG542": Code(_W, "a branch looks at what its own rung writes"),
+    "CG543": Code(_W, "out and set or reset drive one bit"),
+    "CG544": Code(_W, "a rung undoes in the same scan what a rung before it did"),
+    "CG545": Code(_W, "an output or timer may freeze in a subroutine that does not always run"),
+    "CG546": Code(_W, "two messages may want one port at the same time"),
     "CG550": Code(_W, "the initial value of a retentive address is masked"),
     "CG551": Code(_W, "a Modbus number means a coil here and another register in a manual"),
     "CG552": Code(_W, "the clock has no such value"),
@@ -156,6 +165,7 @@ CODES: dict[str, Code] = {
     "CG604": Code(_W, "part of a row of the workbook is left out"),
     "CG605": Code(_E, "the workbook and the address table beside it disagree"),
     "CG606": Code(_W, "marks of blocks in the address table do not fit"),
+    "CG607": Code(_W, "a Modbus number in the address table is not that of its address"),
     # -- bringing a project in ------------------------------------------------------------------------------------
     "CG701": Code(_E, "a ladder file is damaged"),
     "CG702": Code(_E, "a rung cannot be kept as it is"),
@@ -164,4 +174,9 @@ CODES: dict[str, Code] = {
     "CG705": Code(_I, "something that does nothing is left out"),
     "CG706": Code(_W, "a nickname is left out"),
     "CG707": Code(_W, "what is imported is a part of a program"),
+    "CG708": Code(_E, "what is read of a rung is not what its bytes say"),
+    "CG709": Code(_W, "part of the comment of a rung is left out"),
 }
+
+LEFT = "CG541"
+"""The code of a name that left its program: only a look at the other programs of its table settles it."""

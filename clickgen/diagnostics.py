@@ -94,9 +94,9 @@ class Diagnostics:
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """``did you mean x?`` for a near miss, whatever its case; else an empty string."""
-    import difflib
+    """``did you mean x?`` for a slip of the keyboard, whatever its case; else an empty string."""
+    from clickgen.suggest import near_words
 
-    spelled = {name.lower(): name for name in known}
-    close = difflib.get_close_matches(word.lower(), list(spelled), n=1, cutoff=0.6)
-    return f"did you mean {spelled[close[0]]}?" if close else ""
+    near = near_words(word, known)
+    shown = f"{', '.join(near[:-1])} or {near[-1]}" if len(near) > 1 else "".join(near)
+    return f"did you mean {shown}?" if near else ""

@@ -593,10 +593,6 @@ class _SCBank(_NoCondition):
     """SC1: CLICK's own"""
     _Battery_Installed: Final[_SC]
     """SC203: CLICK's own"""
-    _Battery_Low_Voltage: Final[_SC]
-    """SC28: CLICK's own"""
-    _Battery_Replacement: Final[_SC]
-    """SC29: CLICK's own"""
     _BT_Activate_Pairing: Final[_SC]
     """SC61: CLICK's own"""
     _BT_Disable_Pairing: Final[_SC]
@@ -605,7 +601,7 @@ class _SCBank(_NoCondition):
     """SC62: CLICK's own"""
     _BT_Pairing_SW_State: Final[_SC]
     """SC63: CLICK's own"""
-    _C2INT_FW_Ver_Error: Final[_SC]
+    _C2DCM_FW_Ver_Error: Final[_SC]
     """SC32: CLICK's own"""
     _Division_Error: Final[_SC]
     """SC40: CLICK's own"""
@@ -623,8 +619,6 @@ class _SCBank(_NoCondition):
     """SC116: CLICK's own"""
     _Fixed_Scan_Mode: Final[_SC]
     """SC202: CLICK's own"""
-    _Lost_SDRAM_Data: Final[_SC]
-    """SC27: CLICK's own"""
     _Math_Operation_Error: Final[_SC]
     """SC46: CLICK's own"""
     _Mode_Switch: Final[_SC]
@@ -635,8 +629,6 @@ class _SCBank(_NoCondition):
     """SC131: CLICK's own"""
     _Password_Locked_Out: Final[_SC]
     """SC132: CLICK's own"""
-    _PLC_Error: Final[_SC]
-    """SC19: CLICK's own"""
     _PLC_Mode: Final[_SC]
     """SC11: CLICK's own"""
     _PLC_Mode_Change_to_STOP: Final[_SC]
@@ -671,10 +663,6 @@ class _SCBank(_NoCondition):
     """SC103: CLICK's own"""
     _Port_3_Ready_Flag: Final[_SC]
     """SC102: CLICK's own"""
-    _Project_File_Error: Final[_SC]
-    """SC24: CLICK's own"""
-    _Project_File_Ver_Error: Final[_SC]
-    """SC25: CLICK's own"""
     _PTO_Axis1_Ready_Flag: Final[_SC]
     """SC150: CLICK's own"""
     _PTO_Axis2_Ready_Flag: Final[_SC]
@@ -771,8 +759,6 @@ class _SCBank(_NoCondition):
     """SC31: CLICK's own"""
     _Sub_CPU_Reset: Final[_SC]
     """SC76: CLICK's own"""
-    _System_Config_Error: Final[_SC]
-    """SC21: CLICK's own"""
     _Watchdog_Timer_Reset: Final[_SC]
     """SC51: CLICK's own"""
     _WLAN_AL_Denied_Flag: Final[_SC]
@@ -973,10 +959,6 @@ class _SDBank(_NoCondition):
     """SD131: CLICK's own"""
     _PLC_Error_Code: Final[_SD]
     """SD1: CLICK's own"""
-    _Port1_AL_Denied_Count: Final[_SD]
-    """SD134: CLICK's own"""
-    _Port1_AL_Denied_No1_Cnt: Final[_SD]
-    """SD132: CLICK's own"""
     _Port1_Default_Gateway1: Final[_SD]
     """SD88: CLICK's own"""
     _Port1_Default_Gateway2: Final[_SD]
@@ -1027,8 +1009,16 @@ class _SDBank(_NoCondition):
     """SD61: CLICK's own"""
     _Port3_Received_Data_Len: Final[_SD]
     """SD60: CLICK's own"""
-    _RTC_Day_of_the_Week: Final[_SD]
+    _RTC_Day: Final[_SD]
+    """SD22: CLICK's own"""
+    _RTC_Day_of_The_Week: Final[_SD]
     """SD23: CLICK's own"""
+    _RTC_Hour: Final[_SD]
+    """SD24: CLICK's own"""
+    _RTC_Minute: Final[_SD]
+    """SD25: CLICK's own"""
+    _RTC_Month: Final[_SD]
+    """SD21: CLICK's own"""
     _RTC_New_Day: Final[_SD]
     """SD32: CLICK's own"""
     _RTC_New_Hour: Final[_SD]
@@ -1039,6 +1029,8 @@ class _SDBank(_NoCondition):
     """SD31: CLICK's own"""
     _RTC_New_Second: Final[_SD]
     """SD36: CLICK's own"""
+    _RTC_Second: Final[_SD]
+    """SD26: CLICK's own"""
     _S0_Application_USAGE: Final[_SD]
     """SD351: CLICK's own"""
     _S0_CPU_USAGE: Final[_SD]
@@ -1289,10 +1281,6 @@ class _SDBank(_NoCondition):
     """SD8: CLICK's own"""
     _Sub_Firmware_Version_L: Final[_SD]
     """SD7: CLICK's own"""
-    _WLAN_AL_Denied_Count: Final[_SD]
-    """SD135: CLICK's own"""
-    _WLAN_AL_Denied_No1_Cnt: Final[_SD]
-    """SD133: CLICK's own"""
     _WLAN_Connected_Channel: Final[_SD]
     """SD216: CLICK's own"""
     _WLAN_Connection_Status: Final[_SD]
@@ -1315,7 +1303,7 @@ class _SDBank(_NoCondition):
     """SD202: CLICK's own"""
     _WLAN_IP_Address4: Final[_SD]
     """SD203: CLICK's own"""
-    _WLAN_No_Com_Time: Final[_SD]
+    _WLAN_No_Comm_Time: Final[_SD]
     """SD214: CLICK's own"""
     _WLAN_No_Connect_Status: Final[_SD]
     """SD218: CLICK's own"""

@@ -1,4 +1,7 @@
-"""What a code means, as Markdown: of a rule about logic from the rule, of any other from its own file."""
+"""What a code means, as Markdown: of a rule about logic from the rule, of any other from its own file.
+
+And, from the pages of the documentation, an instruction and a part of the language.
+"""
 
 from __future__ import annotations
 
@@ -38,6 +41,38 @@ def _of_rule(code: str) -> str:
 def _block(text: str) -> str:
     body = text.strip("\n")
     return f"<!-- example: rule -->\n```python\n{body}\n```"
+
+
+def documentation() -> Path:
+    """The folder of the pages: package data in a wheel, a folder beside the package in a checkout."""
+    inside = Path(__file__).with_name("docs")
+    return inside if inside.is_dir() else Path(__file__).parents[1] / "docs"
+
+
+def instruction_page(name: str) -> str:
+    """The page of an instruction, by its name. Raises KeyError where there is none."""
+    if name not in instructions():
+        raise KeyError(name)
+    text = (documentation() / "instructions" / f"{name}.md").read_text("utf-8")
+    return text.replace("\n[All instructions](README.md)\n", "")
+
+
+def instructions() -> dict[str, str]:
+    """What each instruction does, return, for and pass among them."""
+    from clickgen.instructions import INSTRUCTIONS
+    from clickgen.instructions.control import FOR, NOP, RETURN
+
+    return {spec.name: spec.summary for spec in (*INSTRUCTIONS.values(), RETURN, FOR, NOP)}
+
+
+def topics() -> dict[str, str]:
+    """The parts of the language page, each by its title in small letters; the instructions are a list."""
+    text = (documentation() / "language.md").read_text("utf-8")
+    parts = re.split(r"^## ", text, flags=re.MULTILINE)[1:]
+    pages = {part.partition("\n")[0].lower(): f"# {part}" for part in parts}
+    rows = [f"{name:<14}{summary}" for name, summary in instructions().items()]
+    pages["instructions"] = "\n".join(["# Instructions", "", *rows, "", "clickgen explain NAME tells of one.", ""])
+    return pages
 
 
 def plain(markdown: str) -> str:

@@ -10,6 +10,7 @@ from functools import cached_property, partial
 from pathlib import Path
 
 from clickgen.check.facts import Facts
+from clickgen.check.left_names import Left, left_names, report_left
 from clickgen.check.rules import RULES
 from clickgen.device.banks import Address
 from clickgen.device.limits import ROWS_AND_RUNGS_MAX, RUNGS_MAX
@@ -29,13 +30,13 @@ from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
 from clickgen.resolve.layers import beside_workbook
 from clickgen.resolve.read_table import TableUnreadable, read_table
-from clickgen.resolve.record import placed_in, record_beside, with_placed
+from clickgen.resolve.record import left_in, placed_in, record_beside, with_placed
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
 from clickgen.settings import TABLE_NAME, Settings
 from clickgen.source import SourceFile
-from clickgen.syntax.files import read_program
+from clickgen.syntax.files import importers, read_program
 from clickgen.syntax.parse import decode
 
 __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "KnownNames", "Settings", "build", "check", "known_names"]
@@ -68,6 +69,8 @@ class BuildResult:
     """As it should be after the build."""
     table_before: bytes | None
     """The file as it was read; None where there was none."""
+    left: tuple[Left, ...] = ()
+    """The names that left the program while others came."""
 
     @property
     def table(self) -> bytes:
@@ -133,6 +136,7 @@ def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
     removals: list[Path] = []
     tables: dict[str, tuple[Path, bytes | None, bytes]] = {}
     placed: dict[Path, list[Row]] = {}
+    left: dict[Path, dict[Address, Address]] = {}
     for result, folder in results:
         if not result.ok:
             raise CouldNotRun("a program with errors is not written")
@@ -148,7 +152,9 @@ def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
         place = os.path.realpath(result.table_path)
         first = tables.get(place, (result.table_path, result.table_before, b""))
         tables[place] = (*first[:2], result.table)
-        placed.setdefault(record_beside(first[0]), []).extend(result.placed_rows)
+        beside = record_beside(first[0])
+        placed.setdefault(beside, []).extend(result.placed_rows)
+        left.setdefault(beside, {}).update((each.new.address, each.old.address) for each in result.left)
     for path in writes:
         if os.path.realpath(path) in tables:
             raise CouldNotRun(f"{path.parent} holds the address table {path.name}; choose another folder with -o")
@@ -161,7 +167,7 @@ def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
             writes[path] = after
     for path, rows in placed.items():
         data = path.read_bytes() if path.is_file() else None
-        record = with_placed(data, rows)
+        record = with_placed(data, rows, left[path])
         if record is not None and record != data:
             writes[path], unchanged[path] = record, data
     return put_in_place(writes, removals, unchanged)
@@ -214,6 +220,7 @@ class _Build:
     parts: dict[str, tuple[ClickRung, ...]] = field(default_factory=dict)
     files: dict[str, str] = field(default_factory=dict)
     new_rows: tuple[Row, ...] = ()
+    left: tuple[Left, ...] = ()
 
 
 def build(
@@ -244,6 +251,7 @@ def build(
         state.table_path,
         state.table,
         state.table_before,
+        state.left,
     )
 
 
@@ -352,6 +360,17 @@ def _check(state: _Build) -> None:
         if state.settings.is_part:
             # A part has no main of its own.
             state.problems.drop("CG401")
+        elif state.program is not None and state.program.main is None:
+            _name_programs(state)
+
+
+def _name_programs(state: _Build) -> None:
+    """Tell of a file without a main which programs it is a part of."""
+    programs = importers(state.shown, partial(_bytes_of, state))
+    if programs:
+        help = f"this file is a part of {' and of '.join(programs[:3])}: build {programs[0]}"
+        found = state.problems.found
+        state.problems.found = [one._replace(help=help) if one.code == "CG401" else one for one in found]
 
 
 def _placed(state: _Build, resolved: Resolved) -> frozenset[Address]:
@@ -399,10 +418,40 @@ def _place_scratch(state: _Build) -> None:
     state.scratch_rows = tuple(placed.values())
     state.new_rows = (
         *resolved.allocated,
-        *(row for row in state.scratch_rows if row.address not in state.table.by_address),
+        *(row for row in state.scratch_rows if _is_new(row, state.table)),
     )
     if not state.settings.frozen:
         state.table = state.table.extended((*resolved.rows, *state.scratch_rows))
+
+
+def _find_left(state: _Build) -> None:
+    """Names that left the program, which the record of what clickgen placed and the table still know."""
+    assert state.resolved is not None
+    if state.settings.is_part or state.facts is None:
+        return
+    path = record_beside(state.table_path)
+    try:
+        record = state.reads[str(path)] = path.read_bytes() if path.is_file() else None
+    except OSError as error:
+        raise CouldNotRun(f"{path} cannot be read: {error.strerror or error}") from None
+    if record is None:
+        return
+    rows = [row for row in state.table.own_rows if row.line]
+    found = left_names(
+        state.facts, rows, placed_in(record), left_in(record), state.resolved.allocated, state.settings.named_elsewhere
+    )
+    state.left = tuple(found)
+    spans = {left.old.address: span for left in found if (span := state.table.span(left.old))}
+    named = os.fspath(state.settings.nicknames or "")
+    here = os.getcwd() + os.sep
+    named = named.removeprefix(here)
+    report_left(state.facts, state.problems, found, state.shown, named, spans)
+
+
+def _is_new(row: Row, table: AddressTable) -> bool:
+    """True for a name that the table lacks; the table may list its address without a name."""
+    stands = table.by_address.get(row.address)
+    return stands is None or not stands.nickname
 
 
 def _divide(state: _Build) -> None:
@@ -475,6 +524,7 @@ STAGES: _Stages = (
     (_check, False),
     (_lower, True),
     (_place_scratch, True),
+    (_find_left, True),
     (_divide, True),
     (_emit, True),
 )

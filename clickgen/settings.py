@@ -22,6 +22,7 @@ class Settings:
     only read: what it lacks stands in ``nicknames.csv`` beside the program. ``table_must_exist`` refuses one that is
     not there. ``frozen`` forbids choosing addresses; ``reserved`` are never chosen. ``overlay`` gives files
     contents other than those on disk, by real path. ``wants`` says of a code whether a check should look for it.
+    ``named_elsewhere`` are the names, in small letters, and the addresses that other programs of the table use.
     """
 
     nicknames: str | os.PathLike[str] | None = None
@@ -31,6 +32,7 @@ class Settings:
     overlay: Mapping[str, bytes] = field(default_factory=dict)
     wants: Callable[[str], bool] = field(default=lambda _: True)
     is_part: bool = False
+    named_elsewhere: frozenset[str] = frozenset()
 
     @property
     def workbook(self) -> Path | None:

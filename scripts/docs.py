@@ -19,9 +19,12 @@ from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.explain import explanation
 from clickgen.instructions import FAMILIES, control
 from clickgen.instructions.spec import Spec
+from clickgen.trade import ACTIONS, CONDITIONS, FORMULAS, Advice
+from clickgen.trade import BANKS as FOREIGN_BANKS
 
 ROOT = Path(__file__).parents[1]
 LANGUAGE = ROOT / "docs" / "language.md"
+WORDS = ROOT / "docs" / "words-of-other-machines.md"
 INSTRUCTIONS = ROOT / "docs" / "instructions"
 PROBLEMS = ROOT / "docs" / "problems"
 MATCHER = ROOT / ".github" / "clickgen-problem-matcher.json"
@@ -37,7 +40,7 @@ def made() -> dict[Path, str]:
     pages[INSTRUCTIONS / "README.md"] = index()
     pages[MATCHER] = problem_matcher()
     pages |= {PROBLEMS / f"{code}.md": _with_origin(explanation(code)) for code in CODES}
-    for page in (LANGUAGE, PROBLEMS / "README.md"):
+    for page in (LANGUAGE, WORDS, PROBLEMS / "README.md"):
         text = page.read_text("utf-8")
         pages[page] = _PART.sub(lambda match: f"{match[1]}\n{PARTS[match[2]]()}\n\n{match[3]}", text)
     return pages
@@ -154,11 +157,39 @@ def codes_table() -> str:
     return "\n\n".join(parts)
 
 
+def trade_tables() -> str:
+    """What is written as a condition, an action and in a formula elsewhere, and here."""
+    parts = []
+    for title, words in (("As a condition", CONDITIONS), ("As an action", ACTIONS), ("In a formula", FORMULAS)):
+        rows: dict[Advice, list[str]] = {}
+        for word, advice in words.items():
+            rows.setdefault(advice, []).append(quoted(word.upper() if len(word) < 5 else word))
+        shown = [(", ".join(names), _quoting(advice)) for advice, names in rows.items()]
+        parts += [f"## {title}", table(("Word", "Here"), *shown)]
+    return "\n\n".join(parts)
+
+
+def _quoting(advice: Advice) -> str:
+    pieces = [quoted(code.replace("|", "\\|")) for code in advice.code]
+    text = advice.text.format(*pieces)
+    return text.removeprefix("write ")
+
+
+def trade_banks() -> str:
+    rows: dict[str, list[str]] = {}
+    for word, bank in FOREIGN_BANKS.items():
+        rows.setdefault(bank, []).append(quoted(word.upper() if len(word) < 4 else word))
+    shown = [(", ".join(words), f"`{bank}`: {BANKS[bank.upper()].title}") for bank, words in rows.items()]
+    return table(("Elsewhere", "Here"), *shown)
+
+
 PARTS: dict[str, Callable[[], str]] = {
     "banks": banks_table,
     "writable": writable_points,
     "instructions": families_table,
     "codes": codes_table,
+    "trade": trade_tables,
+    "trade_banks": trade_banks,
 }
 """The parts of hand-written pages by the words in their comments."""
 

@@ -1,27 +1,48 @@
-"""Makes clickgen/device/system_nicknames.csv from pyclickplc's catalog; ``--check`` only says whether it is stale."""
+"""Makes clickgen/device/system_nicknames.csv from an export of CLICK PLUS 3.41 and the catalog of pyclickplc.
+
+Where the two spell a name otherwise, the export is what CLICK shows (fixtures/click-3.41) and the catalog's spelling is
+kept as another one. ``--check`` writes nothing and only says whether the file is stale.
+"""
 
 from __future__ import annotations
 
 import argparse
+import csv
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-TARGET = Path(__file__).resolve().parents[1] / "clickgen" / "device" / "system_nicknames.csv"
+ROOT = Path(__file__).resolve().parents[1]
+TARGET = ROOT / "clickgen" / "device" / "system_nicknames.csv"
+EXPORT = ROOT / "fixtures" / "click-3.41" / "system-names.csv"
 
 
 def system_nicknames_csv() -> str:
-    """The data file: one ``Address,Nickname`` line for each of CLICK's own names, in CLICK's row order."""
+    """The data file: ``Address,Nickname,Other`` for each of CLICK's own points, in CLICK's row order.
+
+    A name stands once as a nickname. So where the export and the catalog give one name to two addresses, the address of
+    the export has it as its nickname, and that of the catalog has it under ``Other`` alone.
+    """
     from pyclickplc.system import AUTOMATIONDIRECT_SYSTEM_NICKNAMES
 
-    lines = ["Address,Nickname"]
+    with EXPORT.open(newline="", encoding="utf-8") as file:
+        shown = {_point(row["Address"]): row["Nickname"] for row in csv.DictReader(file)}
+    listed = {point: guidance.nickname for point, guidance in AUTOMATIONDIRECT_SYSTEM_NICKNAMES.items()}
+    taken = {name.lower() for name in shown.values()}
+    lines = ["Address,Nickname,Other"]
     # Only SC and SD have such names, so CLICK's row order is the plain one.
-    for (bank, number), guidance in sorted(AUTOMATIONDIRECT_SYSTEM_NICKNAMES.items()):
-        name = guidance.nickname
-        if bank not in ("SC", "SD") or any(character in name for character in ',"\r\n'):
-            raise ValueError(f"{bank}{number}: system.py does not read the name {name!r}")
-        lines.append(f"{bank}{number},{name}")
+    for bank, number in sorted(shown.keys() | listed.keys()):
+        other = listed.get((bank, number), "")
+        name = shown.get((bank, number)) or ("" if other.lower() in taken else other)
+        other = "" if other == name else other
+        if bank not in ("SC", "SD") or any(character in name + other for character in ',"\r\n'):
+            raise ValueError(f"{bank}{number}: system.py does not read {name!r} and {other!r}")
+        lines.append(f"{bank}{number},{name},{other}")
     return "\n".join(lines) + "\n"
+
+
+def _point(address: str) -> tuple[str, int]:
+    return address[:2], int(address[2:])
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -10,7 +10,21 @@ from pathlib import Path
 import pytest
 
 PACKAGE = Path(__file__).parents[1] / "clickgen"
-BELOW = ("wording", "formats", "codes", "source", "diagnostics", "fixing", "device", "config", "instructions", "dsl")
+BELOW = (
+    "wording",
+    "formats",
+    "codes",
+    "source",
+    "suggest",
+    "diagnostics",
+    "spelling",
+    "fixing",
+    "device",
+    "trade",
+    "config",
+    "instructions",
+    "dsl",
+)
 ROAD = (
     "ir",
     "formula",

@@ -10,7 +10,7 @@ import pytest
 
 from clickgen.cli import main
 
-MAIN = "from lib import lamp\n\n\ndef main():\n    if c.A:\n        call(lamp)\n{more}    if True:\n        end()\n"
+MAIN = "from lib import lamp\n\n\ndef main():\n    if True:\n        call(lamp)\n{more}    if True:\n        end()\n"
 LIB = "@sub\ndef lamp():\n    if c.A:\n        out(y[1]){comment}\n{more}    if True:\n        return\n"
 AGAIN = "    if c.B:\n        out(y[1])\n"
 IGNORE = "  # clickgen: ignore[CG501]"

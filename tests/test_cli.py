@@ -271,3 +271,31 @@ def test_the_functions_of_the_package_stay_functions(tmp_path: Path) -> None:
     (tmp_path / "prog.py").write_text("def main():\n    if x[1]:\n        out(y[1])\n    if True:\n        end()\n")
     code = "import clickgen\nassert clickgen.build('prog.py').ok\nassert not clickgen.check('prog.py').diagnostics"
     subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=True)
+
+
+# -- new names --------------------------------------------------------------------------------------------------------
+
+
+def _built(folder: Path, capsys: pytest.CaptureFixture[str], *names: str) -> list[str]:
+    """What a build of a program with these control relays says, from the count of new addresses on."""
+    rungs = "".join(f"    if x[1]:\n        out(c.{name})\n" for name in names)
+    (folder / "prog.py").write_text(f"def main():\n{rungs}    if True:\n        end()\n")
+    capsys.readouterr()
+    assert main(["build", "prog.py"]) == 0
+    return capsys.readouterr().out.split("commit it.\n")[-1].split("Files:")[0].splitlines()
+
+
+def test_a_build_lists_the_names_that_are_new_to_it(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert _built(folder, capsys, "Guard_Fault", "Run") == ["New names: C1 Guard_Fault, C2 Run."]
+    assert _built(folder, capsys, "Guard_Fault", "Run", "Gaurd_Fault", "Run2") == [
+        "New names: C3 Gaurd_Fault, C4 Run2.",
+        "  C3 Gaurd_Fault looks like C1 Guard_Fault: is one of them misspelled?",
+    ]
+    assert _built(folder, capsys, "Guard_Fault", "Run") == ["Built prog.py: 3 rungs in main."]
+
+
+def test_many_new_names_are_counted_and_a_pair_is_told_once(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    names = [*(f"Zone{number}" for number in range(1, 20)), "MotorRunning", "MotorRuning"]
+    lines = _built(folder, capsys, *names)
+    assert lines[0] == f"New names: {', '.join(f'C{number} Zone{number}' for number in range(1, 9))} and 13 more."
+    assert lines[1:] == ["  C21 MotorRuning looks like C20 MotorRunning: is one of them misspelled?"]

@@ -104,7 +104,7 @@ per-file-ignores = { "legacy/*.py" = ["CG5"] }
         ("reserved = ['DS9..DS3']", "reserved[0] must be addresses"),
         ("reserved = ['ZZ1']", "reserved[0] must be addresses"),
         ("reserved = ['DS1..DD3']", "reserved[0] must be addresses"),
-        ("[allocation]\nDX = {}", "allocation has no bank DX; did you mean"),
+        ("[allocation]\nDX = {}", "allocation has no bank DX; clickgen chooses addresses in X, Y, C, T, CT, DS"),
         ("[allocation]\nSD = {}", "allocation has no bank SD"),
         ("[allocation]\nDS = 5", "allocation.DS must be a table"),
         ("[allocation.DS]\nuses = []", "unknown key allocation.DS.uses; did you mean use?"),

@@ -213,11 +213,11 @@ def test_mistakes_at_their_place(source: str, mode: Mode, expected: list[tuple[s
     [
         ("ds[5000]", "decimal", "1..4500"),
         ("xd[9]", "decimal", 'xd["0u"]'),
-        ("dss.A", "decimal", "did you mean `ds`"),
+        ("dss.A", "decimal", "did you mean ds?"),
         ("DS5", "decimal", "write ds[5]"),
         ("XD0u", "decimal", 'write xd["0u"]'),
         ("SINE(2)", "decimal", "did you mean SIN?"),
-        ("POW(ds.A, 2)", "decimal", "x ^ y"),
+        ("POW(ds.A, 2)", "decimal", "write (ds.A ^ 2)"),
         ("dh.A AND 5", "decimal", "math_hex"),
         ("SIN(dh.A)", "hex", "calc"),
         ("0xFF", "decimal", "write 255"),

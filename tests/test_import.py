@@ -223,7 +223,7 @@ def test_click_s_own_names_are_written(capsys: pytest.CaptureFixture[str]) -> No
     ran(capsys, "ladder.csv", "-o", "prog.py")
     text = Path("prog.py").read_text()
     assert "sc._1st_SCAN" in text
-    assert 'sd["_RTC_Year (4 digits)"]' in text
+    assert 'sd["_RTC_Year(4 digits)"]' in text
 
 
 # -- nothing of the user's is lost ------------------------------------------------------------------------------------
@@ -335,8 +335,10 @@ def test_notes_are_said_and_do_not_stop(capsys: pytest.CaptureFixture[str]) -> N
 
 
 def test_every_code_of_import_is_called_forth_here() -> None:
-    tested = set(re.findall(r"CG7\d\d", Path(__file__).read_text("utf-8"))) - {"CG703"}
-    assert tested | {"CG703"} == {code for code in CODES if code.startswith("CG7")}
+    # Those of binary files are called forth in test_ladder_bytes.py, with the bytes that it takes.
+    elsewhere = {"CG703", "CG708", "CG709"}
+    tested = set(re.findall(r"CG7\d\d", Path(__file__).read_text("utf-8"))) - elsewhere
+    assert tested | elsewhere == {code for code in CODES if code.startswith("CG7")}
 
 
 def test_a_rung_that_comes_back_otherwise_is_refused(

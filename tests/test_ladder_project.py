@@ -8,6 +8,7 @@ import json
 import os
 import re
 import struct
+import zipfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -17,12 +18,13 @@ from judges.power import HEADER
 from judges.program_files import program_file
 
 import clickgen
-from clickgen.diagnostics import CouldNotRun
+from clickgen.diagnostics import CouldNotRun, Diagnostics
 from clickgen.ladder import project
 from clickgen.ladder.grid import DrawnRung, Square
 from clickgen.ladder.problem import LadderProblem
 from clickgen.ladder.project import DrawnRoutine, Project, read_project
 from clickgen.ladder.rungs import import_rung
+from clickgen.resolve.read_table import TableUnreadable, read_table
 
 WIDTH = 31
 SPAN = re.compile(r"Span\([^)]*\)")
@@ -359,6 +361,15 @@ def test_damage_is_told_with_its_line(tmp_path: Path, content: str | bytes, expe
     assert messages(tmp_path / "bundle") == [message.replace("a.csv", "main.csv") for message in expected]
 
 
+def archived(members: dict[str, bytes]) -> bytes:
+    """A zip archive, packed so that its members cannot be read from outside."""
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in members.items():
+            archive.writestr(name, content)
+    return data.getvalue()
+
+
 OTHERS = [
     (b"", "empty"),
     (b"\xef\xbb\xbf\r\n \n", "empty"),
@@ -371,6 +382,12 @@ OTHERS = [
     (b"PK\x03\x04" + bytes(100), "a workbook or an archive, not ladder"),
     (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "a workbook or an archive, not ladder"),
     (b"M\x08t\0" + bytes(100) + b"PK\x03\x04 scp.bin.zi", "a project of CLICK, which only CLICK opens"),
+    (b"SC-PRJ  \x01\x00" + bytes(100), "a project of CLICK, which only CLICK opens"),
+    (archived({"SC-PRJ": b"x" * 99}), "a project of CLICK, which only CLICK opens"),
+    (archived({"SC-PRJ": b"x" * 99, "scp.bin.zi": b"y"}), "a project of CLICK, which only CLICK opens"),
+    (archived({"data.bin": b"SC-PRJ  " + b"x" * 99}), "a project of CLICK, which only CLICK opens"),
+    (archived({"data.bin": b"x" * 99}), "a workbook or an archive, not ladder"),
+    (b"def main():\n    pass  # SC-PRJ and scp.bin.zi\n", "no ladder: its first line is not"),
     (ladder(MAIN).encode("utf-16"), "UTF-16 text, and a ladder file UTF-8"),
     (b"\x7fELF\x00\x01", "neither text nor anything that CLICK makes"),
     (b"def main():\n", "no ladder: its first line is not marker,A,...,AF"),
@@ -387,6 +404,17 @@ def test_what_is_no_ladder(tmp_path: Path, content: bytes, expected: str) -> Non
     assert message.endswith("a folder with main.csv, or with the Scr*.tmp files of a project")
     [told] = messages(tmp_path / "bundle")
     assert told.startswith(f"subroutines{os.sep}Heat.csv:1: the file is {expected}")
+
+
+@pytest.mark.parametrize("content", [b"anything", bytes(40), archived({"SC-PRJ": b"x"}), b""])
+def test_a_project_file_of_click_is_known_by_its_name_too(tmp_path: Path, content: bytes) -> None:
+    put(tmp_path, {"plant.ckp": content})
+    for path in (tmp_path / "plant.ckp", tmp_path):
+        message = refused(path)
+        assert "only CLICK opens" in message
+        assert "Scr*.tmp" in message
+    with pytest.raises(TableUnreadable, match="project of CLICK, which only CLICK opens: open it there, export its"):
+        read_table(tmp_path / "plant.ckp", "plant.ckp", Diagnostics())
 
 
 def test_what_is_not_there(tmp_path: Path) -> None:

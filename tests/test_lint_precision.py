@@ -36,6 +36,7 @@ GOLDEN: dict[str, dict[str, tuple[int, ...]]] = {
     "allocation": {"CG502": (10, 11, 12), "CG503": (9,), "CG521": (16,)},
     "banks": {"CG521": (16, 16, 16, 16)},
     "calc": {"CG521": (15, 15)},
+    "call": {"CG545": (20, 29)},
     "chains": {"CG513": (18,)},
     "comments": {"CG515": (52,)},
     "comparisons": {"CG521": (11, 11)},
@@ -50,14 +51,23 @@ GOLDEN: dict[str, dict[str, tuple[int, ...]]] = {
     "nickname_options": {"CG550": (4, 8, 9, 10, 11)},
     "pin_conditions": {"CG513": (9, 12)},
     "quoted_names": {"CG510": (16,)},
-    "scratch_on_scratch": {"CG502": (15,), "CG513": (17,), "CG526": (17,)},
+    "receive": {"CG546": (15, 16, 17, 18, 21, 22, 27)},
+    "return_and_end": {"CG545": (27,)},
+    "scratch_on_scratch": {"CG502": (15,), "CG513": (17,), "CG526": (17,), "CG542": (17,)},
     "search": {"CG521": (12,), "CG524": (7, 9)},
+    "several_files": {"CG545": (10,)},
     "several_outputs": {"CG502": (10,), "CG503": (12,), "CG510": (15,)},
-    "split_changed_condition": {"CG502": (11,), "CG503": (37,), "CG513": (7, 18, 23, 28, 33, 38, 42, 43)},
+    "split_changed_condition": {
+        "CG502": (11,),
+        "CG503": (37,),
+        "CG513": (7, 18, 23, 28, 33, 38, 42, 43),
+        "CG542": (12, 38, 43),
+    },
     "split_edge_and_return": {"CG513": (30, 43)},
     "split_hidden_writes": {"CG513": (8, 13)},
     "split_immediate": {"CG513": (7, 10, 15)},
     "split_pinned_box": {"CG513": (13, 18)},
+    "subroutine_names": {"CG542": (17,), "CG545": (4, 11, 27)},
     "table_given": {"CG550": (3, 10, 12)},
     "time_drum": {"CG512": (36,)},
     "ton": {"CG512": (7,), "CG521": (13,)},
@@ -114,7 +124,7 @@ def test_the_specification_s_example(tmp_path: Path) -> None:
     program = tmp_path / "prog.py"
     program.write_text(blocks[-1], "utf-8")
     # A counter that counts down on a level, an edge where only one mode looks, and a cycle that nothing ends.
-    assert findings(program) == Counter({("CG513", 32): 1, ("CG514", 94): 1, ("CG502", 95): 1})
+    assert findings(program) == Counter({("CG513", 32): 1, ("CG514", 94): 1, ("CG502", 95): 1, ("CG545", 98): 1})
 
 
 # -- several files ----------------------------------------------------------------------------------------------------

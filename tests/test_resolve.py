@@ -8,7 +8,7 @@ from textwrap import dedent, indent
 import pytest
 
 import clickgen
-from clickgen.device.system import system_nicknames
+from clickgen.device.system import find_system_name, system_name_of, system_nicknames, system_points
 from clickgen.diagnostics import Diagnostic
 from clickgen.pipeline import BuildResult
 
@@ -537,6 +537,91 @@ def test_every_system_name_resolves(desk: Desk) -> None:
 def test_a_misspelt_system_name_gets_a_hint(desk: Desk) -> None:
     problem = desk.bad("CG206", "if sc._1st_SCN:\n    out(y[1])")
     assert problem.help == "did you mean _1st_SCAN?"
+
+
+@pytest.mark.parametrize(
+    ("written", "help"),
+    [
+        ("sd._RTC_Hours", "did you mean _RTC_Hour?"),
+        ("sd._RTC_New_Hours", "did you mean _RTC_New_Hour?"),
+        ("sd._Minimun_Scan_Time", "did you mean _Minimum_Scan_Time?"),
+        ("sc._Run_Edit_Project_Error", 'did you mean sc["_Run Edit Project Error"]?'),
+        ("sc._Port1_Ready_Flag", "did you mean _Port_1_Ready_Flag?"),
+    ],
+)
+def test_a_name_that_can_only_mean_one_point_is_suggested(desk: Desk, written: str, help: str) -> None:
+    rung = f"if {written}:\n    out(y[1])" if written.startswith("sc") else f"if {written} == 1:\n    out(y[1])"
+    assert desk.bad("CG206", rung).help == help
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        "sd._RTC_Mins",
+        "sd._RTC_Hour_New",
+        "sd._Port4_No_Comm_Time",
+        "sd._Scan_Time",
+        "sd._S2_CPU_USAGE",
+        "sd._WLAN_IP_Address5",
+        "sc._Always_OFF",
+        "sc._5sec_Clock",
+        "sc._2nd_SCAN",
+        "sc._Port_4_Ready_Flag",
+        "sc._BT_Enable_Pairing",
+        "sc._RTC_Date_Chance_Time",
+        "sc._WLAN_Unready_Flag",
+    ],
+)
+def test_no_neighbour_is_suggested(desk: Desk, written: str) -> None:
+    rung = f"if {written}:\n    out(y[1])" if written.startswith("sc") else f"if {written} == 1:\n    out(y[1])"
+    assert "did you mean" not in desk.bad("CG206", rung).help
+
+
+def test_other_spellings_of_click_s_own_names_mean_the_same_address(desk: Desk) -> None:
+    others = [point for point in system_points() if point.name and point.other]
+    assert len(others) == 23
+    bits = [point for point in others if point.address.bank == "SC"]
+    result = desk.good("\n".join(f'if sc["{point.other}"]:\n    out(y[1])' for point in bits))
+    assert "".join(result.files["main.csv"]).count("\nR,SC") == len(bits)
+    for point in others:
+        assert find_system_name(point.other) == (point.name, point.address)
+        assert system_name_of(point.address) == point.name
+
+
+def test_a_name_that_moved_between_versions_of_click_is_refused(desk: Desk) -> None:
+    for name, newest, older in (("_Port1_AL_Denied_Count", 132, 134), ("_WLAN_AL_Denied_Count", 133, 135)):
+        problem = desk.bad("CG215", f"if x[1]:\n    copy(sd.{name}, ds[1])")
+        assert f"SD{newest} in CLICK 3.41 and SD{older}" in problem.message
+        assert f"sd[{newest}] or sd[{older}]" in problem.help
+        # The way out compiles: the number, or the name tied to it.
+        assert f"copy(SD{older},DS1)" in desk.good(f"if x[1]:\n    copy(sd[{older}], ds[1])").files["main.csv"]
+        for number in (newest, older):
+            pinned = desk.build(f"if x[1]:\n    copy(sd.{name}, ds[1])", top=f"nickname(sd.{name}, sd[{number}])")
+            assert f"copy(SD{number},DS1)" in pinned.files["main.csv"]
+    desk.rows('SD134,INT,"_Port1_AL_Denied_Count",0,No,""')
+    assert "copy(SD134,DS1)" in desk.good("if x[1]:\n    copy(sd._Port1_AL_Denied_Count, ds[1])").files["main.csv"]
+
+
+def test_an_older_name_that_reads_like_another_is_warned_of(desk: Desk) -> None:
+    result = desk.build('if sc["_I/O_Module_Error"]:\n    out(y[1])')
+    assert result.ok
+    assert "SC22,-" in result.files["main.csv"]
+    [warning] = [problem for problem in result.diagnostics if problem.code == "CG216"]
+    assert "SC22" in warning.message
+    assert "SC20" in warning.message
+    for name, number in (("_I/O Module Error", 20), ("_I/O Config Error", 22)):
+        assert f'sc["{name}"] for SC{number}' in warning.help
+        clean = desk.build(f'if sc["{name}"]:\n    out(y[1])')
+        assert f"SC{number},-" in clean.files["main.csv"]
+        assert not clean.diagnostics
+
+
+def test_disputed_system_bits_are_written_with_a_warning(desk: Desk) -> None:
+    result = desk.build("if x[1]:\n    set(sc[305])\n    reset(sc[325:327])\n    out(sc[303])")
+    assert result.ok
+    warnings = [problem for problem in result.diagnostics if problem.code == "CG312"]
+    assert [problem.message.split(" has ")[1].split(" as ")[0] for problem in warnings] == ["SC305", "SC325, SC326"]
+    desk.bad("CG304", "if x[1]:\n    set(sc[307])")
 
 
 # -- frozen ------------------------------------------------------------------------------------------------------------

@@ -38,6 +38,8 @@ def test_the_wheel_builds_the_demo(tmp_path: Path) -> None:
         name = expected.relative_to(DEMO / "expected")
         if expected.is_file() and name.parts[0] != "table" and name.name != "diagnostics.txt":
             assert (built / name).read_bytes() == expected.read_bytes(), name
+    assert run(scripts / "clickgen", "explain", "TON", cwd=tmp_path).startswith("ton\n")
+    assert run(scripts / "clickgen", "explain", "addresses", cwd=tmp_path).startswith("Addresses\n")
     installed = run(scripts / "python", "-c", "import clickgen; print(clickgen.__file__)", cwd=tmp_path).strip()
     assert Path(installed).is_relative_to(tmp_path / "venv")
 

@@ -11,7 +11,7 @@ from clickgen.check.uses import Uses, addresses_of
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.system import ALWAYS_ON, system_name_of
 from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import CALL, NEXT
+from clickgen.instructions.control import CALL, END, NEXT, RETURN
 from clickgen.instructions.spec import Spec
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.logic import always_holds, are_exclusive
@@ -137,6 +137,17 @@ class Facts:
         """Every action in source order; a loop comes before its body."""
         return tuple(placed for routine in self.program.routines for placed in _placed_in(routine))
 
+    def actions_of(self, routine: Routine) -> Sequence[Placed]:
+        """The actions of one routine in source order."""
+        return self._by_routine.get(routine.name, ())
+
+    @cached_property
+    def _by_routine(self) -> Mapping[str, Sequence[Placed]]:
+        found: dict[str, list[Placed]] = {}
+        for placed in self.actions:
+            found.setdefault(placed.routine.name, []).append(placed)
+        return found
+
     @cached_property
     def declared(self) -> Mapping[Address, Declaration]:
         """What ``nickname(...)`` says in the source, by address."""
@@ -164,6 +175,10 @@ class Facts:
         """The actions that write an address by its own number, each once, in source order."""
         return tuple(self._by_action[action] for action in {id(use.action): None for use in self.uses.writes(address)})
 
+    def place_of(self, action: Action) -> Placed:
+        """Where an action of the program stands."""
+        return self._by_action[id(action)]
+
     @cached_property
     def places(self) -> Mapping[int, int]:
         """The place of each action in ``actions``, by its id."""
@@ -190,6 +205,12 @@ class Facts:
         if not calls or always_holds(Any((*conditions, never), routine.span)):
             return None
         return Any(conditions, routine.span)
+
+    @cached_property
+    def left_early(self) -> frozenset[str]:
+        """The names of the routines that an end() or return under a condition may leave before their last rung."""
+        exits = (placed for placed in self.actions if placed.spec in (END, RETURN))
+        return frozenset(placed.routine.name for placed in exits if not placed.is_unconditional)
 
     def run_apart(self, one: Routine, other: Routine) -> bool:
         """True for two subroutines that are never called in the same scan: all their calls exclude each other."""

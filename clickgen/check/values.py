@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from clickgen.device.banks import FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, VALUE_CLASSES, Kind
 from clickgen.diagnostics import Diagnostics
-from clickgen.ir.operands import CharCode, Hex, Integer, Operand, Real, Text
+from clickgen.instructions.spec import Spec
+from clickgen.ir.operands import CharCode, Hex, Integer, Operand, Real, Text, form_of
 from clickgen.resolve.constants import kind_of
 from clickgen.source import Span
 
@@ -55,3 +56,9 @@ def range_fault(constant: Operand, kind: Kind | None) -> str:
     if isinstance(constant, CharCode) and constant.value > 0x7F:
         return f"${constant.value:02X} is outside $00..$7F"
     return ""
+
+
+def copies(spec: Spec, source: object, target: object) -> bool:
+    """True where an instruction of the copy family copies from one of these to the other."""
+    pairs = [pair for variant in spec.variants for pair in variant.pairs]
+    return any(form_of(source) in pair.sources and form_of(target) in pair.targets for pair in pairs)

@@ -50,6 +50,10 @@ class Judge(NamedTuple):
             self.progress(len(found))
         return found
 
+    def again(self, target: Target, named_elsewhere: frozenset[str]) -> Cached:
+        """The findings of a target, with the knowledge of what other programs name: kept in no cache."""
+        return judge(target, self.selection, self.reserved, self.overlay, named_elsewhere)[0]
+
     def _key(self, target: Target) -> str:
         return key_of(target, self.reserved, self.selection)
 
@@ -86,12 +90,23 @@ def judged_at_any_rate(
     return Cached((problem,), ()), {}
 
 
-def judge(target: Target, selection: Selection, reserved: tuple[Address, ...], overlay: Mapping[str, bytes]) -> Judged:
+def judge(
+    target: Target,
+    selection: Selection,
+    reserved: tuple[Address, ...],
+    overlay: Mapping[str, bytes],
+    named_elsewhere: frozenset[str] = frozenset(),
+) -> Judged:
     """What is to be said about one program, of what is wanted. Raises CouldNotRun."""
     from clickgen.pipeline import Settings, check
 
     settings = Settings(
-        target.nicknames, reserved=reserved, overlay=overlay, wants=selection.wants, is_part=target.is_part
+        target.nicknames,
+        reserved=reserved,
+        overlay=overlay,
+        wants=selection.wants,
+        is_part=target.is_part,
+        named_elsewhere=named_elsewhere,
     )
     result = check(target.path, settings)
     findings = tuple(finding for finding in result.diagnostics if selection.wants(finding.code))

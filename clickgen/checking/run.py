@@ -13,7 +13,7 @@ from clickgen.checking.agree import agreed
 from clickgen.checking.cache import FOLDER, Cache, Cached
 from clickgen.checking.discover import Target, discover, matches, partly_judged, wholly_judged
 from clickgen.checking.judge import Judge
-from clickgen.codes import CODES
+from clickgen.codes import CODES, LEFT
 from clickgen.config import Config
 from clickgen.diagnostics import Diagnostic, Diagnostics, Fix
 
@@ -38,6 +38,8 @@ class Request(NamedTuple):
     progress: Callable[[int, int], None] = lambda *_: None
     baseline: Baseline | None = None
     """What is known already: neither told nor mended nor silenced."""
+    elsewhere: Callable[[Target], frozenset[str]] | None = None
+    """What the other programs around the table of one name: asked where a name seems to have left."""
 
 
 class Outcome(NamedTuple):
@@ -136,6 +138,10 @@ def _look(request: Request, found: Sequence[Target], overlay: Mapping[str, bytes
         lambda done: request.progress(done, len(found)),
     )
     judged = judge(found)
+    if request.elsewhere is not None:
+        for target, cached in judged.items():
+            if any(finding.code == LEFT for finding in cached.findings):
+                judged[target] = judge.again(target, request.elsewhere(target))
     checked = tuple(sorted({path for cached in judged.values() for path in cached.sources}))
     findings = agreed(judged, lambda paths: partly_judged(paths, judged, request.config, overlay))
     left, about = _heard(request, findings, checked, judged, overlay)

@@ -4,16 +4,24 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain
-from clickgen.cli.jobs import Job, jobs, near
+from clickgen.cli.jobs import Job, jobs, near, settings_of
 from clickgen.diagnostics import CouldNotRun
-from clickgen.pipeline import BuildResult, build_all, write_all
+from clickgen.nicknames.elsewhere import build_among
+from clickgen.pipeline import BuildResult, write_all
 from clickgen.report.frames import summary, write_problems
+from clickgen.resolve.rows import Row
+from clickgen.spelling import Spellings
 from clickgen.wording import counted
+
+_NAMES_MAX = 8
+"""So many new names a build lists."""
 
 DESCRIPTION = "Build a program: ladder CSV files, the nickname CSV, a listing and a source map."
 EXAMPLES = """\
@@ -42,7 +50,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Build and write, without a program every configured one, all of them or none; returns the exit code."""
     jobs = _jobs(options.program, options.output, options.nicknames, options.frozen, options.config)
-    results = build_all((job.program, job.settings) for job in jobs)
+    results = build_among(jobs, partial(settings_of, options.config))
     for result in results:
         write_problems(result.diagnostics, result.sources, sys.stderr)
     if not all(result.ok for result in results):
@@ -81,6 +89,7 @@ def _report(result: BuildResult, folder: Path) -> str:
     lines = [f"Built {near(result.program)}: {', '.join(counts)}."]
     if new:
         lines.append(f"{counted(len(new), 'new address', 'new addresses')} in {result.table_path}: commit it.")
+        lines += _new_names(result)
     noted = _summary([result])
     if noted:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
@@ -92,6 +101,31 @@ def _report(result: BuildResult, folder: Path) -> str:
     steps.append(f"in ClickNick: Ladder > Open in Guided Paste, {folder}")
     lines += [f"  {number}. {step}" for number, step in enumerate(steps, 1)]
     return "\n".join(lines)
+
+
+def _new_names(result: BuildResult) -> list[str]:
+    """The names that were new to the build, a few of them, and each that another name of its bank looks like."""
+    new = sorted(result.placed_rows, key=lambda row: row.address.sort_key)
+    if not new:
+        return []
+    listed = [f"{row.address} {row.nickname}" for row in new[:_NAMES_MAX]]
+    more = f" and {len(new) - _NAMES_MAX} more" if len(new) > _NAMES_MAX else ""
+    lines = [f"New names: {', '.join(listed)}{more}."]
+    by_bank: dict[str, dict[str, Row]] = defaultdict(dict)
+    for row in result.rows:
+        if row.nickname:
+            by_bank[row.address.bank][row.nickname] = row
+    spellings = {bank: Spellings(names) for bank, names in by_bank.items()}
+    fresh = {row.address for row in new}
+    for row in new:
+        bank = row.address.bank
+        for other in (by_bank[bank][name] for name in spellings[bank].near(row.nickname)):
+            # Of two new names that look alike one line is enough.
+            if other.address not in fresh or other.address.sort_key < row.address.sort_key:
+                pair = f"{row.address} {row.nickname} looks like {other.address} {other.nickname}"
+                lines.append(f"  {pair}: is one of them misspelled?")
+                break
+    return lines
 
 
 def _summary(results: Iterable[BuildResult]) -> str:

@@ -9,10 +9,12 @@ import sys
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from clickgen.check.select import Selection
+from clickgen.checking.discover import Target
 from clickgen.checking.run import Outcome, Request, add_ignores
 from clickgen.checking.run import run as run_check
 from clickgen.cli import OK, PROBLEMS, complain
@@ -180,6 +182,7 @@ def _request(options: argparse.Namespace, config: Config, progress: Callable[[in
         stdin,
         progress,
         _baseline(Path(options.baseline)) if options.baseline else None,
+        partial(_named_elsewhere, config),
     )
 
 
@@ -188,6 +191,16 @@ def _standard_input() -> bytes:
     if sys.stdin is None:
         raise CouldNotRun("the standard input is closed: clickgen check - < prog.py")
     return sys.stdin.buffer.read()
+
+
+def _named_elsewhere(config: Config, target: Target) -> frozenset[str]:
+    """What the other programs around the table of one name."""
+    from clickgen.cli.jobs import Job
+    from clickgen.nicknames.elsewhere import named_elsewhere
+    from clickgen.settings import Settings
+
+    job = Job(target.path, Settings(target.nicknames, reserved=config.reserved), Path())
+    return named_elsewhere(job, config)
 
 
 def _joined(lists: list[list[str]] | None) -> tuple[str, ...] | None:

@@ -1,4 +1,4 @@
-"""``clickgen explain CODE``: what a code means and what to do."""
+"""``clickgen explain NAME``: what a code means, what an instruction takes, what a word of the trade is here."""
 
 from __future__ import annotations
 
@@ -7,23 +7,76 @@ import argparse
 from clickgen.cli import COULD_NOT_RUN, OK, complain
 from clickgen.codes import CODES
 from clickgen.diagnostics import did_you_mean
-from clickgen.explain import explanation, plain
+from clickgen.explain import explanation, instruction_page, instructions, plain, topics
+from clickgen.trade import ACTIONS, CONDITIONS, FORMULAS, bank_hint
 
-DESCRIPTION = "What a code means and what to do."
-EXAMPLES = ""
+DESCRIPTION = "What a code means and what to do; an instruction; a part of the language; a word of another machine."
+EXAMPLES = """\
+examples:
+  clickgen explain CG501         what a code means
+  clickgen explain ton           an instruction: arguments, banks, an example
+  clickgen explain instructions  the list of them
+  clickgen explain conditions    a part of the language
+  clickgen explain XIC           what a word of another machine is here
+"""
+
+_CONDITIONS = ("all", "any", "nc", "re", "fe")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("code", metavar="CODE", help="such as CG501")
+    parser.add_argument("name", metavar="NAME", nargs="*", help="a code, an instruction, a topic or a word")
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print the page of a code; returns the exit code."""
-    name = options.code.upper()
-    if name not in CODES:
-        group = [known for known in CODES if known.startswith(name)]
-        hint = f"it begins {', '.join(group)}" if group else did_you_mean(name, CODES) or "clickgen rules lists them"
-        complain(f"there is no code {options.code}; {hint}")
-        return COULD_NOT_RUN
-    print(plain(explanation(name)), end="")
-    return OK
+    """Print the page; returns the exit code."""
+    written = " ".join(options.name)
+    if not written:
+        print(_overview(), end="")
+        return OK
+    page = _page(written)
+    if page:
+        print(page, end="")
+        return OK
+    complain(f"there is nothing about {written}; {_hint(written)}")
+    return COULD_NOT_RUN
+
+
+def _page(written: str) -> str:
+    """The page of a code, an instruction, a topic or a word of the trade; "" where there is none."""
+    name = written.lower().removesuffix("()")
+    if written.upper() in CODES:
+        return plain(explanation(written.upper()))
+    if name in instructions():
+        return plain(instruction_page(name))
+    pages = topics()
+    begun = [title for title in pages if title.startswith(name)]
+    if name in _CONDITIONS:
+        begun = ["conditions"]
+    if name in pages or len(begun) == 1:
+        return plain(pages[name if name in pages else begun[0]])
+    return _word(name)
+
+
+def _word(name: str) -> str:
+    """What a word of another machine is here, in a condition, as an action and in a formula."""
+    lines = []
+    for place, table in (("In a condition", CONDITIONS), ("As an action", ACTIONS), ("In a formula", FORMULAS)):
+        if name in table:
+            lines.append(f"{place}: {table[name].shown}\n")
+    hint = bank_hint(name)
+    return "".join([*lines, f"As a bank: {hint}\n" if hint else ""])
+
+
+def _overview() -> str:
+    codes = "codes           clickgen rules lists them, such as CG501"
+    names = ", ".join(instructions())
+    titles = ", ".join(topics())
+    return f"clickgen explain NAME\n\n{codes}\ninstructions    {names}\ntopics          {titles}\n"
+
+
+def _hint(written: str) -> str:
+    group = [known for known in CODES if known.startswith(written.upper())]
+    if group:
+        return f"it begins {', '.join(group)}"
+    near = did_you_mean(written, CODES) or did_you_mean(written, [*instructions(), *topics()])
+    return near or "clickgen explain lists what there is"

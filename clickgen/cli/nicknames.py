@@ -18,6 +18,7 @@ from clickgen.emit.write import put_in_place
 from clickgen.nicknames.changes import KINDS, RENAMED, SWAPPED
 from clickgen.nicknames.merge import Merge
 from clickgen.nicknames.programs import Program
+from clickgen.nicknames.rename import Rename, rename
 from clickgen.nicknames.sync import TableSync
 from clickgen.nicknames.uses import FileNames
 from clickgen.pipeline import BuildResult, build
@@ -365,9 +366,18 @@ def _indented(lines: Iterable[str]) -> list[str]:
 # -- rename -----------------------------------------------------------------------------------------------------------
 
 
-def _rename(options: argparse.Namespace) -> int:
-    from clickgen.nicknames.rename import rename
+def _adoption_lines(result: Rename, is_dry: bool) -> Iterator[str]:
+    """What became of a rename that somebody had begun in the programs."""
+    assert result.adoption is not None
+    programs = ", ".join(str(near(Path(program))) for program in result.programs)
+    address, is_now = result.adoption.row.address, "would be" if is_dry else "is"
+    yield f"{address} {is_now} {result.new} and no longer {result.old}, as {programs} said already"
+    for row in result.adoption.freed:
+        had = f"{row.address}, which a build had given to {result.new}"
+        yield f"{had}, {is_now} free: build again and load that into CLICK"
 
+
+def _rename(options: argparse.Namespace) -> int:
     found = _jobs(options, options.programs)
     result = rename(options.old, options.new, found, settings_of(options.config))
     if not options.dry_run:
@@ -380,6 +390,9 @@ def _rename(options: argparse.Namespace) -> int:
     for span in result.left:
         place = f"{near(Path(span.path))}:{span.line}"
         print(f"{place} says {result.old} too, in a file that no program imports: it stays as it is")
+    if result.adoption is not None:
+        print("\n".join(_adoption_lines(result, options.dry_run)))
+        return OK
     becomes, stays = ("would become", "would be") if options.dry_run else ("is", "is")
     now = "" if options.dry_run else " now"
     programs = ", ".join(str(near(Path(program))) for program in result.programs)

@@ -21,7 +21,7 @@ COMMANDS = {
     "workbook": ("clickgen.cli.workbook", "write the project as an Excel workbook"),
     "stubs": ("clickgen.cli.stubs", "write what editors complete and check programs with"),
     "rules": ("clickgen.cli.rules", "list every code"),
-    "explain": ("clickgen.cli.explain", "say what a code means"),
+    "explain": ("clickgen.cli.explain", "say what a code, an instruction or a word means"),
 }
 """Each command's module and what it is for, in the order of the help."""
 
@@ -36,6 +36,7 @@ examples:
   clickgen import plant/ -o plant.py  an existing CLICK project as a program
   clickgen stubs                      what editors complete and check programs with
   clickgen explain CG501              what a code means and what to do
+  clickgen explain ton                what an instruction takes
 """
 
 
@@ -62,19 +63,19 @@ class _Parser(argparse.ArgumentParser):
 
 
 def _hint(message: str, parser: argparse.ArgumentParser) -> str:
-    """``did you mean --frozen?`` for a near miss of a flag or a command."""
-    import difflib
+    """``did you mean --frozen?`` for a slip in a flag or a command."""
+    from clickgen.diagnostics import did_you_mean
 
     words = message.replace("'", " ").replace(":", " ").split()
     known = [option for action in parser._actions for option in (*action.option_strings, *(action.choices or ()))]
     # These name flags that are spelled right.
     if "are required" in message or "expected" in message:
         return ""
-    unknown = [word for word in words if word.startswith("-") or "invalid choice" in message]
-    for word in unknown:
-        close = difflib.get_close_matches(word, known, n=1, cutoff=0.6)
-        if close and close[0] != word:
-            return f"; did you mean {close[0]}?"
+    for word in words:
+        if word not in known and (word.startswith("-") or "invalid choice" in message):
+            near = did_you_mean(word, [option for option in known if option.startswith("-") == word.startswith("-")])
+            if near:
+                return f"; {near}"
     return ""
 
 

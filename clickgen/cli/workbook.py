@@ -5,13 +5,15 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from functools import partial
 from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain
-from clickgen.cli.jobs import Job, jobs
+from clickgen.cli.jobs import Job, jobs, settings_of
 from clickgen.diagnostics import CouldNotRun
 from clickgen.emit.write import put_in_place
-from clickgen.pipeline import BuildResult, build
+from clickgen.nicknames.elsewhere import build_among
+from clickgen.pipeline import BuildResult
 from clickgen.report.frames import summary, write_problems
 from clickgen.wording import counted
 
@@ -41,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
     (job,) = jobs([options.program], options.nicknames, config=options.config)
     path = _place(job, options.output)
     before = _former(path, job)
-    result = build(job.program, settings=job.settings)
+    (result,) = build_among([job], partial(settings_of, options.config))
     write_problems(result.diagnostics, result.sources, sys.stderr)
     noted = summary(problem.severity for problem in result.diagnostics)
     if not result.ok:

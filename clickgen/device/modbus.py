@@ -1,7 +1,12 @@
 """What Modbus has: register types, their numbers, and how much goes into one request (the Modbus protocol, and the
-codec where CLICK's own reading of it counts)."""
+codec where CLICK's own reading of it counts); and under which number each address of CLICK is found."""
 
 from __future__ import annotations
+
+from typing import NamedTuple
+
+from clickgen.device.banks import BANKS, UPPER_BYTE_BANKS, Address
+from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 
 COIL, DISCRETE_INPUT, HOLDING, INPUT = "coil", "discrete_input", "holding", "input"
 REGISTER_TYPES = (COIL, DISCRETE_INPUT, HOLDING, INPUT)
@@ -28,9 +33,6 @@ NUMBERS_984 = {
 _MANUAL_TYPES = {1: DISCRETE_INPUT, 3: INPUT, 4: HOLDING}
 """The first of the five digits that manuals print, and what it stands for; CLICK has six digits for the same."""
 
-CLICK_COILS = range(16385, 18385)
-"""The coils C1 to C2000 of another CLICK (export of CLICK PLUS 3.41), the only ones between 10001 and 49999."""
-
 HEX_MAX = 0xFFFF
 PORT_MAX = 65535
 TCP_DEVICE_MAX = 255
@@ -48,6 +50,92 @@ def register_type_of(number: int) -> str | None:
     return next((name for name, (low, high) in NUMBERS_984.items() if low <= number <= high), None)
 
 
+# -- CLICK's own addresses over Modbus --------------------------------------------------------------------------------
+
+
+class ModbusNumber(NamedTuple):
+    """Where a master finds an address of CLICK: the register type and the offset in it, from 0 to 0xFFFF."""
+
+    register_type: str
+    offset: int
+
+    @property
+    def decimal(self) -> str:
+        """The number in the 984 counting, as CLICK shows it: ``400001``."""
+        return str(NUMBERS_984[self.register_type][0] + self.offset)
+
+    @property
+    def hexadecimal(self) -> str:
+        """The number in CLICK's hexadecimal counting: ``0000h``."""
+        return f"{self.offset:04X}h"
+
+    @property
+    def function_code(self) -> str:
+        """The function codes that read and write it, in CLICK's words."""
+        return FUNCTION_CODES[self.register_type]
+
+
+FUNCTION_CODES = {COIL: "FC=01,05,15", DISCRETE_INPUT: "FC=02", HOLDING: "FC=03,06,16", INPUT: "FC=04"}
+"""The words of the column Function Code in a nickname export of CLICK PLUS 3.41."""
+
+
+class _Place(NamedTuple):
+    """Where a bank begins, and how many addresses one register, and how many registers one address takes."""
+
+    register_type: str
+    base: int
+    registers: int = 1
+    sharing: int = 1
+
+
+_PLACES = {
+    "X": _Place(DISCRETE_INPUT, 0x0000),
+    "Y": _Place(COIL, 0x2000),
+    "C": _Place(COIL, 0x4000),
+    "T": _Place(DISCRETE_INPUT, 0xB000),
+    "CT": _Place(DISCRETE_INPUT, 0xC000),
+    "SC": _Place(DISCRETE_INPUT, 0xF000),
+    "DS": _Place(HOLDING, 0x0000),
+    "DD": _Place(HOLDING, 0x4000, registers=2),
+    "DH": _Place(HOLDING, 0x6000),
+    "DF": _Place(HOLDING, 0x7000, registers=2),
+    "XD": _Place(INPUT, 0xE000, registers=2),
+    "YD": _Place(HOLDING, 0xE200, registers=2),
+    "TD": _Place(HOLDING, 0xB000),
+    "CTD": _Place(HOLDING, 0xC000, registers=2),
+    "SD": _Place(INPUT, 0xF000),
+    "TXT": _Place(HOLDING, 0x9000, sharing=2),
+}
+"""The export of CLICK PLUS 3.41 (fixtures/click-3.41/modbus.csv), which lists every address."""
+
+_CLICK_COILS = range(_PLACES["C"].base + 1, _PLACES["C"].base + 1 + BANKS["C"].last)
+"""C1 to C2000 of another CLICK, the only coils of one between 10001 and 49999."""
+
+_SLOT_POINTS = 32
+"""Registers of a slot of X or Y; only 16 are points of the module, and slot 0 has two groups of 16."""
+
+_WRITABLE = {
+    "SC": (WRITABLE_SC - {303, 304, 305, 306, 323, 324, 325, 326}, COIL),
+    "SD": (WRITABLE_SD, HOLDING),
+}
+"""Which of the read-only banks' addresses the export lets a master write, and as what."""
+
+
+def modbus_number(address: Address) -> ModbusNumber:
+    """The register where an address begins. Two TXT share one, the first in its low byte."""
+    place = _PLACES[address.bank]
+    if address.bank in ("X", "Y"):
+        slot, point = divmod(address.number, 100)
+        offset = slot * _SLOT_POINTS + (point - 5 if point > 16 else point - 1)
+    elif address.bank in UPPER_BYTE_BANKS:
+        offset = address.number * place.registers + address.upper
+    else:
+        offset = (address.number - 1) * place.registers // place.sharing
+    writable, written_as = _WRITABLE.get(address.bank, (frozenset[int](), COIL))
+    register_type = written_as if address.number in writable else place.register_type
+    return ModbusNumber(register_type, place.base + offset)
+
+
 def of_manual(number: int) -> tuple[str, int] | None:
     """The register type and the six digits of a number as manuals print it: 42332 is the holding register 402332.
 
@@ -55,4 +143,4 @@ def of_manual(number: int) -> tuple[str, int] | None:
     """
     first, rest = divmod(number, 10000)
     name = _MANUAL_TYPES.get(first)
-    return (name, first * 100000 + rest) if name and rest and number not in CLICK_COILS else None
+    return (name, first * 100000 + rest) if name and rest and number not in _CLICK_COILS else None

@@ -58,8 +58,14 @@ def nickname_fault(name: str, *, system: bool = False) -> str | None:
     return None
 
 
+def nickname_fault_at(address: Address, name: str) -> str | None:
+    """What is wrong with a nickname of an address; CLICK's own names pass on CLICK's own points."""
+    fault = nickname_fault(name)
+    return nickname_fault(name, system=True) if fault and is_click_owned(address, name) else fault
+
+
 def is_click_owned(address: Address, name: str) -> bool:
-    """True where a nickname may be CLICK's own: on SC and SD, and ``_IO...`` on X (an input module's feedback)."""
+    """True where a nickname may be CLICK's own: on SC and SD, and ``_IO...`` on X (an analog module's state)."""
     return address.bank in ("SC", "SD") or (address.bank == "X" and name.startswith("_IO"))
 
 

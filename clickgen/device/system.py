@@ -1,60 +1,191 @@
-"""CLICK's own points: the names of its system relays and registers, and which of them a program may write."""
+"""CLICK's own points: the names of its system relays and registers, and which of them a program may write.
+
+The names are those that CLICK PLUS 3.41 shows. Spellings of other lists are known as well, so that a program that was
+written with them still builds (scripts/make_system_nicknames.py says where each comes from).
+"""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
 from clickgen.device.banks import Address
 
 ALWAYS_ON = Address("SC", 1)
 
-WRITABLE_SC = frozenset((50, 51, 53, 55, 60, 61, 65, 66, 67, 75, 76, 120, 121, 303, 304, 323, 324))
-"""The numbers of the SC bits that a coil may drive (click-facts, section 3)."""
+WRITABLE_SC = frozenset((50, 51, 53, 55, 60, 61, 65, 66, 67, 75, 76, 120, 121, 303, 304, 305, 306, 323, 324, 325, 326))
+"""The numbers of the SC bits that a coil may drive (click-facts, section 3); the disputed ones included."""
+
+DISPUTED_SC = frozenset((305, 306, 325, 326))
+"""SC bits that one list, taken from an export, has as writable and CLICK PLUS 3.41 has not (click-facts, section 1)."""
 
 WRITABLE_SD = frozenset(
     (29, 31, 32, 34, 35, 36, 40, 41, 42, 50, 51, 60, 61, 106, 107, 108, 112, 113, 114, *range(140, 148), 214, 215)
 )
-"""The numbers of the SD registers that an instruction may write (click-facts, section 3)."""
+"""The numbers of the SD registers that an instruction may write (click-facts, section 3); CLICK 3.41 agrees."""
 
 _DATA = Path(__file__).with_name("system_nicknames.csv")
 
 
+class SystemPoint(NamedTuple):
+    """One of CLICK's own points. ``name`` is "" where CLICK 3.41 shows none, ``other`` is what another list has."""
+
+    address: Address
+    name: str
+    other: str
+
+
+@cache
+def system_points() -> tuple[SystemPoint, ...]:
+    """Every point that CLICK names itself, in CLICK's row order."""
+    # Made by scripts/make_system_nicknames.py: SC and SD only, no quotes, a name may hold anything but a comma.
+    rows = (line.split(",") for line in _DATA.read_text("utf-8").splitlines()[1:])
+    return tuple(SystemPoint(Address(address[:2], int(address[2:])), name, other) for address, name, other in rows)
+
+
 @cache
 def system_nicknames() -> dict[str, tuple[str, Address]]:
-    """CLICK's own nicknames: lowercase name to the name as CLICK writes it and its address.
+    """The names that CLICK shows and that mean one address: lowercase name to the name and its address."""
+    return {
+        point.name.lower(): (point.name, point.address)
+        for point in system_points()
+        if point.name and len(addresses_of_system_name(point.name)) == 1
+    }
 
-    Where two addresses share a name, the first of them has it here; ``system_name_of`` knows both.
+
+def addresses_of_system_name(name: str) -> tuple[Address, ...]:
+    """What one of CLICK's own names means; two addresses where versions of CLICK differ, none for any other name.
+
+    Case does not count. Spaces do not either, as CLICK sets one before some brackets and not before others
+    (``_RTC_Year(4 digits)``) and nobody remembers which.
     """
-    names: dict[str, tuple[str, Address]] = {}
-    for address, name in _names_by_address().items():
-        names.setdefault(name.lower(), (name, address))
-    return names
+    lower = name.lower()
+    return _by_name().get(lower) or _by_name_without_spaces().get(lower.replace(" ", ""), ())
 
 
 def find_system_name(name: str) -> tuple[str, Address] | None:
-    """The system point of this name, whatever its case and spaces.
-
-    CLICK sets a space before some brackets and not before others (``_RTC_Year (4 digits)``); nobody remembers which.
-    """
-    return system_nicknames().get(name.lower()) or _names_without_spaces().get(name.lower().replace(" ", ""))
-
-
-@cache
-def _names_without_spaces() -> dict[str, tuple[str, Address]]:
-    return {lower.replace(" ", ""): point for lower, point in reversed(system_nicknames().items())}
+    """The system point with this name, and the name that CLICK shows for it; None where two have had the name."""
+    addresses = addresses_of_system_name(name)
+    return (_shown()[addresses[0]], addresses[0]) if len(addresses) == 1 else None
 
 
 def system_name_of(address: Address) -> str | None:
-    """CLICK's own nickname of an address, or None."""
-    return _names_by_address().get(address)
+    """The nickname that CLICK shows for one of its own addresses, or None."""
+    return _shown().get(address)
+
+
+def is_system_name_of(name: str, address: Address) -> bool:
+    """True for a name that CLICK gives to this address, be it in one version only."""
+    return address in addresses_of_system_name(name)
+
+
+def lookalike_of(name: str) -> tuple[str, Address] | None:
+    """Another point whose shown name differs from this older one only in spaces and underscores.
+
+    ``_I/O_Module_Error`` is SC22 in a list where ``_I/O Module Error`` is SC20 in CLICK.
+    """
+    addresses = addresses_of_system_name(name)
+    others = _by_letters().get(_letters(name), ()) if addresses else ()
+    return next(((_shown()[other], other) for other in others if other not in addresses and other in _shown()), None)
+
+
+def near_system_name(name: str, bank: str) -> str:
+    """The one system point of a bank that a misspelled name can only mean; "" when there is none, or a doubt.
+
+    A register beside the right one is a wrong register: ``_RTC_New_Hour`` is no spelling of ``_RTC_Hours``. So numbers,
+    short words and words that CLICK uses itself must agree, and only one other word may have a slip in it.
+    """
+    same = {address for address in _by_letters().get(_letters(name), ()) if address.bank == bank}
+    if not same:
+        words = _words(name)
+        points = system_nicknames().values()
+        same = {address for shown, address in points if address.bank == bank and _is_slip(words, _words(shown))}
+    shown = {_shown().get(address, "") for address in same}
+    return shown.pop() if len(shown) == 1 and all(name.lower() in system_nicknames() for name in shown) else ""
+
+
+# -- indexes ----------------------------------------------------------------------------------------------------------
 
 
 @cache
-def _names_by_address() -> dict[Address, str]:
-    # Made by scripts/make_system_nicknames.py: SC and SD only, no quotes, a name may hold anything but a comma.
-    names: dict[Address, str] = {}
-    for line in _DATA.read_text("utf-8").splitlines()[1:]:
-        address, _, name = line.partition(",")
-        names[Address(address[:2], int(address[2:]))] = name
-    return names
+def _shown() -> dict[Address, str]:
+    return {point.address: point.name for point in system_points() if point.name}
+
+
+def _spellings() -> Iterator[tuple[str, Address]]:
+    for point in system_points():
+        for name in filter(None, (point.name, point.other)):
+            yield name.lower(), point.address
+
+
+def _grouped(pairs: Iterator[tuple[str, Address]]) -> dict[str, tuple[Address, ...]]:
+    groups: dict[str, tuple[Address, ...]] = {}
+    for key, address in pairs:
+        known = groups.get(key, ())
+        groups[key] = known if address in known else (*known, address)
+    return groups
+
+
+@cache
+def _by_name() -> dict[str, tuple[Address, ...]]:
+    return _grouped(_spellings())
+
+
+@cache
+def _by_name_without_spaces() -> dict[str, tuple[Address, ...]]:
+    return _grouped((name.replace(" ", ""), address) for name, address in _spellings())
+
+
+@cache
+def _by_letters() -> dict[str, tuple[Address, ...]]:
+    return _grouped((_letters(name), address) for name, address in _spellings())
+
+
+def _letters(name: str) -> str:
+    return re.sub(r"[_ ]", "", name.lower())
+
+
+# -- slips of the pen -------------------------------------------------------------------------------------------------
+
+_SHORTEST_SLIP = 4
+"""In a shorter word one other letter makes another word: ``on`` and ``of``, ``day`` and ``dry``."""
+
+
+def _words(name: str) -> list[str]:
+    return [word for word in re.split(r"[_ ]+", name.lower()) if word]
+
+
+@cache
+def _vocabulary() -> frozenset[str]:
+    return frozenset(word for name, _ in _spellings() for word in _words(name))
+
+
+def _is_slip(written: list[str], known: list[str]) -> bool:
+    if len(written) != len(known):
+        return False
+    differing = [(one, other) for one, other in zip(written, known, strict=True) if one != other]
+    if len(differing) != 1:
+        return False
+    [(one, other)] = differing
+    return (
+        one.isalpha()
+        and other.isalpha()
+        and max(len(one), len(other)) >= _SHORTEST_SLIP
+        and one[0] == other[0]
+        and one not in _vocabulary()
+        and _is_one_letter_off(one, other)
+    )
+
+
+def _is_one_letter_off(one: str, other: str) -> bool:
+    """One letter too many, too few or another, or two neighbours the other way round."""
+    if len(one) > len(other):
+        one, other = other, one
+    start = next((index for index, letter in enumerate(one) if letter != other[index]), len(one))
+    if len(one) < len(other):
+        return one[start:] == other[start + 1 :]
+    swapped = one[start : start + 2] == other[start : start + 2][::-1] and one[start + 2 :] == other[start + 2 :]
+    return swapped or one[start + 1 :] == other[start + 1 :]

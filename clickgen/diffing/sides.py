@@ -21,6 +21,7 @@ from clickgen.resolve.layers import is_workbook
 from clickgen.resolve.read_table import PROBLEMS_MAX, TableUnreadable, read_table
 from clickgen.resolve.rows import HEADER, Row, format_row, is_scratch
 from clickgen.resolve.table import AddressTable, Entry
+from clickgen.resolve.table_form import TableForm
 from clickgen.settings import TABLE_NAME, Settings
 from clickgen.source import SourceFile
 
@@ -169,13 +170,13 @@ def _unread(table: AddressTable, lines: Iterable[int]) -> Iterator[tuple[Address
         row = at.get(line)
         text = row.raw if row else texts[line - 1]
         address = row.address if row else parse_address(text.partition(",")[0].strip('"')[:_ADDRESS_MAX])
-        if address is not None and (row is None or not _has_values(row)):
+        if address is not None and (row is None or not _has_values(row, table.form)):
             yield address, text.rstrip("\r")
 
 
-def _has_values(row: Row) -> bool:
+def _has_values(row: Row, form: TableForm) -> bool:
     """False where the row does not say what its address begins with, or whether it keeps it."""
-    fields = next(csv.reader([row.raw]))
+    fields = form.fields(next(csv.reader([row.raw])))
     initial_is_legal = row.initial == "0" or initial_value_fault(row.address, row.initial) is None
     retention_is_legal = fields[4] in ("Yes", "No") and retention_fault(row.address, row.retentive) is None
     return fields[1] == row.address.kind.value and initial_is_legal and retention_is_legal

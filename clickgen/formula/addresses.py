@@ -10,8 +10,10 @@ from dataclasses import dataclass, replace
 from lark import Token
 
 from clickgen.device.banks import BANKS, POINTED, UPPER_BYTE_BANKS, Address, Bank
+from clickgen.diagnostics import did_you_mean
 from clickgen.formula.report import Report
 from clickgen.ir.operands import Cell, Named, Pointer, Range, Section
+from clickgen.trade import bank_hint
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,12 +173,9 @@ def _bank(word: Token, report: Report) -> Bank | None:
     if bank is not None:
         message, help = f"banks are written in lower case: `{bank.dsl}`", f"write {bank.dsl} instead of {word.value}"
     else:
-        from difflib import get_close_matches
-
         names = [known.dsl for known in BANKS.values()]
-        close = get_close_matches(word.value.lower(), names, n=1, cutoff=0.5)
         message = f"there is no bank `{word.value}`"
-        help = f"did you mean `{close[0]}`?" if close else f"the banks are {', '.join(names)}"
+        help = bank_hint(word.value) or did_you_mean(word.value, names) or f"the banks are {', '.join(names)}"
     report.add("CG113", start_of(word), end_of(word), message, help)
     return None
 

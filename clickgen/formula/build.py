@@ -12,6 +12,7 @@ from typing import Any
 from lark import Token
 
 from clickgen.device.banks import BANKS, FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, Kind, parse_address
+from clickgen.diagnostics import did_you_mean
 from clickgen.formula import addresses
 from clickgen.formula.addresses import Index, Negative, Reference
 from clickgen.formula.nodes import (
@@ -30,7 +31,6 @@ from clickgen.formula.nodes import (
 from clickgen.formula.report import Report
 from clickgen.formula.words import (
     ALL_FUNCTIONS,
-    FOREIGN,
     FUNCTIONS,
     INSTRUCTION,
     OPERATORS,
@@ -39,6 +39,7 @@ from clickgen.formula.words import (
     TERMINAL,
 )
 from clickgen.ir.operands import WHOLE, Named, Range, Section
+from clickgen.trade import FORMULAS
 
 # A constant beyond the ranges of DD and DF fits no register.
 _LARGEST_INTEGER = INTEGER_RANGES[Kind.INT32][1]
@@ -129,7 +130,7 @@ class Builder:
                 return Told(start, end)
             return Binary(op, arguments[0], arguments[1], start, end)
         if name not in FUNCTIONS[self.mode]:
-            self._no_function(name, token)
+            self._no_function(name, token, arguments)
             return Told(start, end)
         if name == "SUM":
             return self._sum(arguments, start, end)
@@ -150,18 +151,21 @@ class Builder:
             self.loose = [part for part in self.loose if part.start < start]
         return Told(start, end)
 
-    def _no_function(self, name: str, token: Token) -> None:
+    def _no_function(self, name: str, token: Token, arguments: Sequence[Part]) -> None:
+        found = FORMULAS.get(name.lower())
+        message = f"CLICK has no function {token.value}"
         if name in ALL_FUNCTIONS:
             message, help = self._other_mode(name)
-        elif name in FOREIGN:
-            message, help = f"CLICK has no function {name}", FOREIGN[name]
+        elif found is not None:
+            # An argument that calculates would need parentheses of its own.
+            is_plain = all(isinstance(part, Operand | Number | HexNumber) for part in arguments)
+            texts = [self.report.text.value[part.start : part.end] for part in arguments]
+            written = found.written(texts) if is_plain else ""
+            help = found.of(written) if written else found.shown
         else:
-            from difflib import get_close_matches
-
             known = sorted(FUNCTIONS[self.mode])
-            close = get_close_matches(name, [*known, *ALL_FUNCTIONS, *SHIFTS], n=1)
-            message = f"CLICK has no function {token.value}"
-            help = f"did you mean {close[0]}?" if close else f"{INSTRUCTION[self.mode]} has {', '.join(known)}"
+            near = did_you_mean(name, [*known, *ALL_FUNCTIONS, *SHIFTS])
+            help = near or f"{INSTRUCTION[self.mode]} has {', '.join(known)}"
         self.report.add("CG117", token.start_pos or 0, token.end_pos or 0, message, help)
 
     def _check_operator(self, op: str, token: Token) -> None:

@@ -25,15 +25,3 @@ SHIFTS = {"SHL": "LSH", "SHR": "RSH", "LSH": "LSH", "RSH": "RSH", "LRO": "LRO", 
 
 TERMINAL = {word: word for word in ("AND", "OR", "XOR", "NOT", "MOD")} | dict.fromkeys(SHIFTS, "SHIFT")
 """The words that are operators, and their terminal in the grammar; any case."""
-
-FOREIGN = {
-    "POW": "a power is written x ^ y",
-    "POWER": "a power is written x ^ y",
-    "EXP": "a power of e is written 2.7182818 ^ x",
-    "SQR": "a square is written x ^ 2, a square root SQRT(x)",
-    "LOG10": "CLICK's LOG is the logarithm to base 10",
-    "ROL": "rotating left is LRO(x, n)",
-    "ROR": "rotating right is RRO(x, n)",
-    "ABS": "CLICK has no ABS; SQRT(x ^ 2) does the same",
-}
-"""Functions that other languages have, and the way out."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address, Kind
+from clickgen.device.system import find_system_name
 from clickgen.importing.layout import Atom, Brackets, Keyword, Piece, lines
 from clickgen.importing.nicknames import Nicknames
 from clickgen.importing.pieces import operand_text, quoted
@@ -28,11 +29,16 @@ def declarations(routines: Iterable[Routine], nicknames: Nicknames) -> str:
                 bit = CURRENT_VALUE_OF.get(cell.bank)
                 if bit and cell.address not in nicknames.names:
                     used.add(Address(bit, cell.address.number))
-    # CLICK's own points need no declaration.
-    rows = [row for row in nicknames.table.rows if row.address in used and row.address.bank not in ("SC", "SD")]
+    rows = [row for row in nicknames.table.rows if row.address in used and not _is_known(row)]
     rows = [row for row in rows if row.nickname and nicknames.names.get(row.address) == row.nickname]
     rows.sort(key=lambda row: row.address.sort_key)
     return "\n".join(line for row in rows for line in lines(_declaration(row), 0))
+
+
+def _is_known(row: Row) -> bool:
+    """True for a name of CLICK's own that means this address without a declaration."""
+    own = find_system_name(row.nickname)
+    return own is not None and own[1] == row.address
 
 
 def _declaration(row: Row) -> Piece:

@@ -69,7 +69,7 @@ def imported_routines(project: Project) -> list[ImportedRoutine]:
         function = "main" if routine.is_main else function_name(routine.name, functions | others)
         functions.add(function)
         pieces = [_piece(drawn) for drawn in routine.rungs]
-        pieces += [RungImport(None, faults=[("CG701", problem)]) for problem in _between(project, routine)]
+        pieces += [RungImport(None, faults=[(problem.code, problem)]) for problem in _between(project, routine)]
         found.append(ImportedRoutine(routine.name, function, routine.is_main, routine.file, pieces))
     names = {routine.name.lower(): routine.name for routine in project.routines}
     for piece in (piece for routine in found for piece in routine.pieces):
@@ -83,7 +83,7 @@ def imported_routines(project: Project) -> list[ImportedRoutine]:
 
 def _piece(drawn: DrawnRung) -> RungImport:
     if drawn.problems:
-        return RungImport(drawn, faults=[("CG701", problem) for problem in drawn.problems])
+        return RungImport(drawn, faults=[(problem.code, problem) for problem in drawn.problems])
     try:
         imported = import_rung(drawn)
     except LadderProblem as problem:

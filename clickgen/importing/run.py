@@ -251,7 +251,8 @@ class _Import:
     def _report(self, routine: ImportedRoutine, piece: RungImport) -> None:
         for code, fault in piece.faults:
             self._add(code, f"{_named(routine, piece)}{fault.message}", fault)
-        for code, notes in (("CG704", piece.notes), ("CG705", piece.remarks)):
+        notes_of_file = piece.drawn.notes if piece.drawn is not None and piece.rungs else ()
+        for code, notes in (("CG704", piece.notes), ("CG705", piece.remarks), ("CG709", notes_of_file)):
             for note in notes:
                 assert piece.drawn is not None
                 place = LadderProblem(note, piece.drawn.file, piece.drawn.line, piece.drawn.number)
@@ -282,6 +283,8 @@ _HELP = {
     "CG701": "mend the file, or export it again; --keep-going leaves a marked rung in its place",
     "CG702": "change it in CLICK and import again, or use --keep-going, which leaves a marked rung in its place",
     "CG703": "please report this with the rung; --keep-going leaves a marked rung in its place",
+    "CG708": "draw the rung again in CLICK, or use --keep-going, which leaves a marked rung in its place",
+    "CG709": "look whether the comment says in the program what it says in CLICK",
     "CG704": "what it does is the same: look whether it was meant so",
     "CG705": "there is nothing to do",
 }

@@ -9,6 +9,8 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Final
 
+from clickgen.device.banks import READ_ONLY
+
 BITS = ("X", "Y", "C", "T", "CT", "SC")
 REGISTERS = ("DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "SD", "TXT")
 INTEGER, HEX, REAL, TEXT, CODE = "integer", "hex", "real", "text", "code"
@@ -46,10 +48,11 @@ class Slot:
     def describe(self) -> str:
         """What the slot takes, for a message: ``a DS register or an integer 0..32767``."""
         parts = []
-        if self.cells:
-            parts.append(f"an address in {_listed(self.cells)}")
-        if self.ranges:
-            parts.append(f"a range in {_listed(self.ranges)}")
+        cells, ranges = (self._usable(banks) for banks in (self.cells, self.ranges))
+        if cells:
+            parts.append(f"an address in {_listed(cells)}")
+        if ranges:
+            parts.append(f"a range in {_listed(ranges)}")
         if self.immediates:
             parts.append(f"an immediate {_listed(self.immediates)}")
         if self.pointers:
@@ -58,6 +61,10 @@ class Slot:
             parts.append("an integer" + (f" {self.limits[0]}..{self.limits[1]}" if self.limits else ""))
         parts += [_FORM_TITLES[form] for form in self.constants if form != INTEGER]
         return _listed(tuple(parts), "or")
+
+    def _usable(self, banks: tuple[str, ...]) -> tuple[str, ...]:
+        """These banks without those that nothing writes, where the operand is written."""
+        return tuple(bank for bank in banks if self.access is not Access.WRITE or bank not in READ_ONLY)
 
 
 _FORM_TITLES = {HEX: "a hexadecimal constant", REAL: "a number", TEXT: "a text", CODE: "a character code"}

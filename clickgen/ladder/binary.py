@@ -1,4 +1,8 @@
-"""CLICK's own files to drawn rungs, by laddercodec: captures of the clipboard, and program files (``Scr*.tmp``)."""
+"""CLICK's own files to drawn rungs, by laddercodec: captures of the clipboard, and program files (``Scr*.tmp``).
+
+laddercodec takes codes that it does not know for others: a port for ``cpu2``, a unit for milliseconds. So every rung is
+held against its bytes, and one that is read otherwise than they say is refused (capture.py, program_file.py).
+"""
 
 from __future__ import annotations
 
@@ -7,18 +11,23 @@ import io
 import re
 import struct
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeVar
 
+from clickgen.device.banks import Kind, parse_address
 from clickgen.emit.ladder_csv import HEADER
 from clickgen.ladder.grid import DrawnRung, Ladder, read_ladder
 from clickgen.ladder.kinds import PROGRAM_MAGIC
 from clickgen.ladder.problem import LadderProblem
+from clickgen.ladder.rtf import left_out
 from clickgen.lower.grid import COLUMNS
 
 if TYPE_CHECKING:
     from laddercodec import Rung
+    from laddercodec.instructions import AfToken
+
+    from clickgen.ladder.capture import CutRung
 
 _T = TypeVar("_T")
 _INDEX_AT = 0x40
@@ -59,15 +68,30 @@ def read_program(data: bytes, file: str) -> Ladder:
     """The rungs of a program file. Never raises."""
     from laddercodec import decode_program
 
+    from clickgen.ladder.program_file import ProgramFault, differences, read_rungs
+
     try:
-        return _ladder(_guarded(decode_program, data, file).rungs, file)
+        rungs = _guarded(decode_program, data, file).rungs
     except LadderProblem as problem:
         return Ladder((), (problem,))
+    try:
+        said = read_rungs(data)
+    except ProgramFault as fault:
+        why = _unproven(str(fault))
+        return _ladder(rungs, file, lambda _number, _rung: why, [b""] * len(rungs))
+    ladder = _ladder(
+        rungs, file, lambda number, rung: _first(differences(said[number], rung)), [rung.comment for rung in said]
+    )
+    if len(said) < len(rungs) or not all(rung.is_empty for rung in said[len(rungs) :]):
+        return _with_problem(ladder, "there are more rungs in the file than are read", file)
+    return ladder
 
 
 def read_clipboard(data: bytes, file: str) -> Ladder:
     """The rungs of a capture of the clipboard. Never raises."""
     from laddercodec import decode
+
+    from clickgen.ladder.capture import cut
 
     try:
         decoded = _guarded(decode, data, file)
@@ -75,8 +99,46 @@ def read_clipboard(data: bytes, file: str) -> Ladder:
         is_whole = _guarded(lambda whole: _is_whole(whole, rungs), data, file)
     except LadderProblem as problem:
         return Ladder((), (problem,))
-    ladder = _ladder(rungs, file)
-    return ladder if is_whole else Ladder(ladder.rungs, (LadderProblem("the capture is cut off", file),))
+    said = cut(data)
+    comments = [rung.comment for rung in said.rungs] + [b""] * len(rungs)
+
+    def proof(number: int, rung: Rung) -> str:
+        if number >= len(said.rungs):
+            return _unproven(said.fault or "the capture has fewer rungs")
+        return _difference(said.rungs[number], rung)
+
+    ladder = _ladder(rungs, file, proof, comments)
+    if not is_whole:
+        return _with_problem(ladder, "the capture is cut off", file)
+    if len(said.rungs) > len(rungs):
+        return _with_problem(ladder, "there are more rungs in the capture than are read", file)
+    return ladder
+
+
+def _with_problem(ladder: Ladder, message: str, file: str) -> Ladder:
+    return Ladder(ladder.rungs, (*ladder.problems, LadderProblem(message, file)))
+
+
+def _difference(said: CutRung, rung: Rung) -> str:
+    """Where the bytes of a rung are not those that laddercodec writes of what it read; "" when they are."""
+    from laddercodec import encode
+
+    from clickgen.ladder.capture import cut, differences
+
+    try:
+        # Each alone: a file of them has limits, and laddercodec does not tell of all (click-facts, section 0).
+        written = cut(encode(replace(rung, comment=None, comment_rtf=None)))
+    except Exception as error:
+        return _unproven(_words(error))
+    return _unproven(written.fault) if written.fault else _first(differences(said, written.rungs[0]))
+
+
+def _first(differences: Iterator[str]) -> str:
+    return next(differences, "")
+
+
+def _unproven(why: str) -> str:
+    return f"its bytes cannot be compared with what is read of them ({why})"
 
 
 def _is_whole(data: bytes, rungs: list[Rung]) -> bool:
@@ -105,8 +167,47 @@ def _guarded(call: Callable[[bytes], _T], data: bytes, file: str) -> _T:
         raise LadderProblem(message, file, 0, rung) from error
 
 
-def _ladder(rungs: list[Rung], file: str) -> Ladder:
-    return Ladder(tuple(_drawn(rung, number, file) for number, rung in enumerate(rungs, 1)), ())
+def _ladder(rungs: list[Rung], file: str, proof: Callable[[int, Rung], str], comments: Sequence[bytes]) -> Ladder:
+    """The rungs as they are drawn; ``proof`` says, by the number from 0, what the bytes say otherwise than the rung."""
+    drawn = []
+    for number, rung in enumerate(rungs):
+        rung.instructions = [_named(token) for token in rung.instructions]
+        one = _drawn(rung, number + 1, file)
+        if not one.problems:
+            what = _guarded_proof(proof, number, rung)
+            problems = (LadderProblem(what, file, 0, number + 1, "CG708"),) if what else ()
+            # What is read is not what the rung is, so nothing of it is shown.
+            one = replace(one, rows=(), boxes=(), problems=problems) if problems else one
+        marks = left_out(comments[number])
+        note = f"its comment has marks that are left out: {' '.join(marks)}"
+        drawn.append(replace(one, notes=(note,)) if marks else one)
+    return Ladder(tuple(drawn), ())
+
+
+def _guarded_proof(proof: Callable[[int, Rung], str], number: int, rung: Rung) -> str:
+    try:
+        return proof(number, rung)
+    except Exception as error:  # damage shows in many ways, here as in laddercodec
+        return _unproven(_words(error))
+
+
+def _named(token: AfToken) -> AfToken:
+    """A pack or unpack by the word that its banks have.
+
+    The bytes do not say bits or words; laddercodec goes by the letter C, and takes X001 to X016 for words.
+    """
+    from laddercodec.instructions import Pack, Unpack
+
+    if isinstance(token, Pack) and token.pack_type != "text":
+        return replace(token, pack_type=_kind_of_pack(token.source_start, token.pack_type))
+    if isinstance(token, Unpack):
+        return replace(token, unpack_type=_kind_of_pack(token.dest_start, token.unpack_type))
+    return token
+
+
+def _kind_of_pack(address: str, otherwise: str) -> str:
+    found = parse_address(address)
+    return otherwise if found is None else "bits" if found.kind is Kind.BIT else "words"
 
 
 def _drawn(rung: Rung, number: int, file: str) -> DrawnRung:

@@ -66,6 +66,8 @@ class DrawnRung:
     rows: tuple[DrawnRow, ...]
     boxes: tuple[DrawnBox, ...]
     problems: tuple[LadderProblem, ...] = ()
+    notes: tuple[str, ...] = ()
+    """What a person should know of how the rung was read."""
 
     @property
     def span(self) -> Span:

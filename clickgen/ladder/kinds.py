@@ -5,8 +5,10 @@ from __future__ import annotations
 import csv
 from enum import Enum, auto
 
+from clickgen.device.project_file import is_click_project
 from clickgen.emit.ladder_csv import HEADER
 from clickgen.resolve.rows import COLUMNS as NICKNAME_COLUMNS
+from clickgen.resolve.table_form import without_marks
 
 PROGRAM_MAGIC = b"SC-SCR  "
 CLIPBOARD_MAGIC = b"CLICK   "
@@ -33,18 +35,21 @@ def kind_of(data: bytes) -> Kind:
     return Kind.LADDER if is_ladder else Kind.OTHER
 
 
-def other_kind(data: bytes) -> str:
-    """What a file is that is no ladder, after ``the file is``."""
+def other_kind(data: bytes, name: str = "") -> str:
+    """What a file of this name is that is no ladder, after ``the file is``."""
     first = _first_line(data)
+    if is_click_project(data, name):
+        return (
+            "a project of CLICK, which only CLICK opens: open it there, and give the folder of the Scr*.tmp files that "
+            "CLICK keeps of an open project, or rungs copied to the clipboard and saved by ClickNick"
+        )
     if not data.strip(b"\x00\xef\xbb\xbf \t\r\n"):
         return "empty"
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         return "UTF-16 text, and a ladder file UTF-8: save it anew as CSV UTF-8"
-    if b"scp.bin.zi" in data:
-        return "a project of CLICK, which only CLICK opens: give the Scr*.tmp files that it writes of an open project"
     if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
         return "a workbook or an archive, not ladder"
-    if tuple(first[:3]) == NICKNAME_COLUMNS[:3]:
+    if tuple(map(without_marks, first[:2])) == NICKNAME_COLUMNS[:2]:
         return "a nickname table, not ladder"
     if b"\x00" in data[:HEAD_BYTES]:
         return "neither text nor anything that CLICK makes"

@@ -7,11 +7,12 @@ class LadderProblem(Exception):
     """Something that cannot be kept: the file as shown, the place in it, and why.
 
     ``row`` is the line (from 1; 0 where a file has none, or it is about all of it), ``rung`` the number of the rung in
-    its routine (from 1; 0 when it belongs to none).
+    its routine (from 1; 0 when it belongs to none). ``code`` is that of the problem which an import makes of it.
     """
 
-    def __init__(self, message: str, file: str, row: int = 0, rung: int = 0) -> None:
+    def __init__(self, message: str, file: str, row: int = 0, rung: int = 0, code: str = "CG701") -> None:
         super().__init__(message)
+        self.code = code
         self.message = message
         self.file = file
         self.row = row
@@ -19,7 +20,7 @@ class LadderProblem(Exception):
 
     def in_rung(self, rung: int) -> LadderProblem:
         """The same problem, of the rung with this number."""
-        return LadderProblem(self.message, self.file, self.row, rung)
+        return LadderProblem(self.message, self.file, self.row, rung, self.code)
 
     @property
     def place(self) -> str:

@@ -11,6 +11,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from clickgen.device.limits import SUBROUTINE_NAME_MAX
+from clickgen.device.project_file import is_click_project
 from clickgen.diagnostics import CouldNotRun
 from clickgen.ladder.binary import ProgramHeader, program_header, read_clipboard, read_program
 from clickgen.ladder.calls import call_of
@@ -103,7 +104,7 @@ class _Reading:
             return read_clipboard(data, file)
         self.texts[file] = data.decode("utf-8-sig", "replace")
         if kind is Kind.OTHER:
-            return Ladder((), (LadderProblem(f"the file is {other_kind(data)}", file, 1),))
+            return Ladder((), (LadderProblem(f"the file is {other_kind(data, file)}", file, 1),))
         try:
             return read_ladder(decode_ladder(data, file), file)
         except LadderProblem as problem:
@@ -119,7 +120,7 @@ class _Reading:
 def _single(path: Path) -> Project:
     data, file, reading = _bytes(path), _shown(path), _Reading()
     if kind_of(data) is Kind.OTHER:
-        raise CouldNotRun(f"{file} is {other_kind(data)}; import reads a ladder file, or {_READS}")
+        raise CouldNotRun(f"{file} is {other_kind(data, file)}; import reads a ladder file, or {_READS}")
     ladder = reading.ladder(data, file)
     header = program_header(data)
     if header:
@@ -155,7 +156,9 @@ def _folder(path: Path) -> Project:
     programs = [entry for entry in entries if _is_program(entry)]
     if programs:
         return _programs(path, entries, programs, nicknames)
-    raise CouldNotRun(f"{path} holds neither main.csv nor a program file of CLICK; import reads {_READS}")
+    project = next((entry for entry in entries if is_click_project(b"", entry.name)), None)
+    which = f" (and {project.name} is a project, which only CLICK opens)" if project else ""
+    raise CouldNotRun(f"{path} holds neither main.csv nor a program file of CLICK{which}; import reads {_READS}")
 
 
 def _bundle(path: Path, entries: Sequence[Path], tables: Sequence[Path], nicknames: Path | None) -> Project:

@@ -10,9 +10,10 @@ from pathlib import Path
 
 from clickgen.config import Config, find_config
 from clickgen.device.nicknames import nickname_fault
-from clickgen.device.system import find_system_name
+from clickgen.device.system import addresses_of_system_name
 from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics, Edit, Fix, did_you_mean
 from clickgen.fixing import apply_fixes
+from clickgen.nicknames.adopt import Adoption, adopt
 from clickgen.nicknames.programs import Files, Job, Program, programs_around
 from clickgen.nicknames.prove import Side, errors_of, prove_same
 from clickgen.nicknames.tables import Table, read_tables
@@ -42,13 +43,16 @@ class Rename:
     """The programs that were built before and after, and whose ladder is the same."""
     left: tuple[Span, ...] = ()
     """Where the old name stays in parts beside the programs that no program imports."""
+    adoption: Adoption | None = None
+    """What became of a rename that somebody had begun in the sources."""
 
 
 def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None) -> Rename:
     """Rename a nickname in the tables of these programs and in every source file of the programs that share them.
 
     Programs that are not named and share a table are found around it (``config`` is what holds in the working folder).
-    Where the table has the new name already and the old one stands in sources alone, the sources follow. Raises
+    Where the table has the new name already and the old one stands in sources alone, the sources follow; where the
+    sources have the new name already and the old one stands in the table alone, the table follows. Raises
     CouldNotRun when the new name is not free or not legal, or when a program would not stay what it is.
     """
     _check_names(old, new)
@@ -63,6 +67,9 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
     members = [program for program in sharing if program.table_key in tables]
     sources = {os.path.realpath(file.source.path): file for program in members for file in program.names}
     _refuse_unread(members, old)
+    adoption = adopt(old, new, members, tables, files, _edited)
+    if adoption is not None:
+        return _adopted(old, new, members, files, adoption)
     _check_tables(tables.values(), old, new)
     _check_sources(sources.values(), tables.values(), old, new)
     using = {key: file for key, file in sources.items() if file.of(old)}
@@ -88,6 +95,16 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
     )
 
 
+def _adopted(old: str, new: str, members: Sequence[Program], files: Files, adoption: Adoption) -> Rename:
+    """The end of a rename that somebody began in the sources: the table follows, no source changes."""
+    after = Side({**files.overlay, **adoption.writes}, {})
+    proven = _proven(members, adoption.before, after, adoption.old, new)
+    writes = {Path(files.shown[key]): data for key, data in adoption.writes.items()}
+    unchanged = {Path(files.shown[key]): data for key, data in files.contents.items()}
+    counts = {path: 1 for path in writes if path.suffix == ".csv"}
+    return Rename(old, new, writes, unchanged, counts, {}, proven, adoption=adoption)
+
+
 def _knows(table: Table, programs: Iterable[Program], name: str) -> bool:
     files = (file for program in programs if program.table_key == table.key for file in program.names)
     return table.row(name) is not None or any(file.of(name) or file.blocks_of(name) for file in files)
@@ -105,9 +122,9 @@ def _check_names(old: str, new: str) -> None:
     if looks_like_scratch(new):
         raise CouldNotRun(f"clickgen keeps names like {new} for its own cells; choose another name")
     for name in (old, new):
-        point = find_system_name(name)
-        if point is not None:
-            raise CouldNotRun(f"{name} is CLICK's own name of {point[1]}")
+        points = addresses_of_system_name(name)
+        if points:
+            raise CouldNotRun(f"{name} is CLICK's own name of {' or '.join(map(str, points))}")
 
 
 def _unknown(old: str, programs: Iterable[Program], tables: Iterable[Table]) -> str:

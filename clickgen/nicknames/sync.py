@@ -13,7 +13,7 @@ from clickgen.diagnostics import CouldNotRun, Diagnostics
 from clickgen.nicknames.programs import Files, Job, Program, programs_around
 from clickgen.pipeline import BuildResult, build, build_all
 from clickgen.resolve.read_table import read_table
-from clickgen.resolve.record import placed_in, record_beside, record_of
+from clickgen.resolve.record import left_in, placed_in, record_beside, record_of
 from clickgen.resolve.rows import Row, is_scratch
 from clickgen.resolve.table import AddressTable
 
@@ -100,11 +100,15 @@ class _Table:
         self._record = _bytes(record_beside(self._path))
         self._placed = placed_in(self._record)
         self._placed |= {row.address: row.nickname for result in own for row in result.placed_rows}
+        self._left = left_in(self._record)
         table = own[-1].address_table
         readers, doubtful = _read(others, self._path, table)
         users = [*own, *readers]
         named = [row for row in table.own_rows if row.nickname and not BANKS[row.address.bank].settings_fixed]
         unused = [row for row in named if not any(_is_used(row, result) for result in users)]
+        gone = {row.address for row in unused}
+        pairs = ((left.new.address, left.old.address) for result in own for left in result.left)
+        self._left |= {came: old for came, old in pairs if old in gone}
         removed: list[Row] = []
         kept: dict[Address, str] = {}
         for row in unused if prune else ():
@@ -143,7 +147,7 @@ class _Table:
         """The table and the record beside it: what they should hold, and what they held."""
         rows = {row.address: row.nickname for row in self._table.own_rows}
         placed = {address: name for address, name in self._placed.items() if rows.get(address) == name}
-        record = record_of(placed) if placed or self._record is not None else None
+        record = record_of(placed, self._left) if placed or self._record is not None else None
         data = None if self._before is None and not rows else self._table.to_bytes()
         return [
             (self._path, data, self._before),

@@ -12,7 +12,7 @@ from clickgen.nicknames.programs import Files, Program
 from clickgen.resolve.blocks import Block, marked_blocks
 from clickgen.resolve.layers import beside_workbook
 from clickgen.resolve.read_table import TableUnreadable, bytes_of_table, read_table
-from clickgen.resolve.record import placed_in, record_beside, record_of
+from clickgen.resolve.record import left_in, placed_in, record_beside, record_of
 from clickgen.resolve.rows import Row
 from clickgen.resolve.table import AddressTable
 
@@ -57,7 +57,7 @@ class Table:
         row, placed = self.row(old), placed_in(data)
         if row is None or placed.get(row.address) != row.nickname:
             return None
-        return record_of(placed | {row.address: new})
+        return record_of(placed | {row.address: new}, left_in(data))
 
     def stand_in(self, old: str, new: str) -> tuple[Path, bytes] | None:
         """Where the table was renamed already and the sources were not: the table as it was before, and its place."""

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from clickgen.check.uses import Use, extents_of
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, VALUE_BANK, Address, parse_address
-from clickgen.device.system import find_system_name, system_name_of
+from clickgen.device.system import addresses_of_system_name, find_system_name, system_name_of
 from clickgen.diagnostics import did_you_mean
 from clickgen.formula.printer import source_reference
 from clickgen.ir.operands import Named
@@ -33,9 +33,20 @@ def why(name: str, result: BuildResult, reserved: Iterable[Address], record: byt
     """
     blocks = _blocks(result)
     meaning = _meaning(_asked(name.strip()), result, blocks)
+    if meaning is None:
+        return _moved_lines(_asked(name.strip()).name)
     if isinstance(meaning, Block):
         return _block_lines(meaning, result, blocks)
-    return _address_lines(meaning, result, blocks, tuple(reserved), record) if meaning is not None else []
+    return _address_lines(meaning, result, blocks, tuple(reserved), record)
+
+
+def _moved_lines(name: str) -> list[str]:
+    """What is to be said of one of CLICK's own names that has two addresses in two versions of CLICK."""
+    addresses = addresses_of_system_name(name)
+    if not addresses:
+        return []
+    newest, *others = addresses
+    return [f"{name} is {newest} in CLICK 3.41 and {' and '.join(map(str, others))} in another version"]
 
 
 def suggestion(name: str, results: Iterable[BuildResult]) -> str:

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, FLOAT_MAX, INTEGER_RANGES, UPPER_BYTE_BANKS, Address, Kind
-from clickgen.device.nicknames import comment_fault, nickname_fault
-from clickgen.device.system import find_system_name, system_name_of
+from clickgen.device.nicknames import comment_fault, nickname_fault_at
+from clickgen.device.system import addresses_of_system_name
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.ir.operands import CharCode, Constant, Operand
 from clickgen.ir.program import Declaration
@@ -118,7 +118,7 @@ class _Declarations:
         if looks_like_scratch(named.name):
             add("CG203", named.span, f"clickgen keeps names like {named.name} for its own cells", "choose another name")
             return False
-        fault = nickname_fault(named.name, system=system_name_of(address) == named.name)
+        fault = nickname_fault_at(address, named.name)
         if fault:
             add("CG203", named.span, f"CLICK does not take the nickname {named.name!r}: {fault}", "choose another name")
             return False
@@ -135,9 +135,10 @@ class _Declarations:
                 help,
             )
             return False
-        system = find_system_name(named.name)
-        if system and system[1] != address:
-            add("CG205", declaration.span, f"{named.name} is CLICK's own name of {system[1]}", "choose another name")
+        system = addresses_of_system_name(named.name)
+        if system and address not in system:
+            own = " or ".join(map(str, system))
+            add("CG205", declaration.span, f"{named.name} is CLICK's own name of {own}", "choose another name")
             return False
         if bank.settings_fixed and (declaration.initial is not None or declaration.retentive is not None):
             add(

@@ -6,7 +6,7 @@ import re
 from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, Address
-from clickgen.device.nicknames import comment_fault, is_click_owned, nickname_fault
+from clickgen.device.nicknames import comment_fault, nickname_fault_at
 from clickgen.resolve.rows import initial_fault
 
 _FIXED = ("XD", "YD")
@@ -52,9 +52,7 @@ def address_comment_fault(address: Address, comment: str) -> Fault | None:
 
 def address_nickname_fault(address: Address, name: str) -> Fault | None:
     """What is wrong with the nickname of an address, or None; CLICK's own names pass on CLICK's own points."""
-    fault = nickname_fault(name)
-    if fault and is_click_owned(address, name):
-        fault = nickname_fault(name, system=True)
+    fault = nickname_fault_at(address, name)
     if fault is None:
         return None
     return Fault(

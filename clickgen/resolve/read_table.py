@@ -9,6 +9,7 @@ import stat
 from pathlib import Path
 
 from clickgen.device.banks import BANKS, Address, parse_address
+from clickgen.device.project_file import is_click_project
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.resolve.judge_row import (
     Fault,
@@ -20,11 +21,14 @@ from clickgen.resolve.judge_row import (
     retention_fault,
     short,
 )
-from clickgen.resolve.rows import COLUMNS, HEADER, Row, text_span
+from clickgen.resolve.rows import HEADER, Row, text_span
 from clickgen.resolve.table import BOM, AddressTable, Entry
+from clickgen.resolve.table_form import PLAIN, TableForm, form_of, is_upper_word, settled, without_marks
 from clickgen.source import Span
 
 _ADDRESS, _TYPE, _NICKNAME, _INITIAL, _RETENTIVE, _COMMENT = range(6)
+_MODBUS = 2
+"""The column of the Modbus number, in a table that has one."""
 FILE_MAX = 32 * 2**20
 LINES_MAX = 200_000
 PROBLEMS_MAX = 1_000
@@ -49,10 +53,9 @@ def read_table(path: Path, shown: str, problems: Diagnostics, data: bytes | None
     lines = io.StringIO(text, newline="\n").readlines()
     if len(lines) > LINES_MAX:
         raise TableUnreadable(f"{shown} has more than {LINES_MAX:,} lines, far more than CLICK has addresses")
-    _check_header(lines[0] if lines else "", shown)
-    reader = _Reader(shown, problems)
+    reader = _Reader(shown, problems, _form_of(lines[0] if lines else "", shown))
     reader.read(lines)
-    return AddressTable(shown, tuple(reader.entries), reader.entries[0].end or "\n", bom)
+    return AddressTable(shown, tuple(reader.entries), reader.entries[0].end or "\n", bom, form=reader.form)
 
 
 def read_bounded(path: Path, limit: int, shown: str) -> bytes:
@@ -79,6 +82,11 @@ def bytes_of_table(path: Path, shown: str) -> bytes:
 
 
 def _decoded(data: bytes, shown: str) -> tuple[str, bool]:
+    if is_click_project(data[:FILE_MAX], shown):
+        raise TableUnreadable(
+            f"{shown} is a project of CLICK, which only CLICK opens: open it there, export its "
+            "nicknames, and name that file"
+        )
     if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
         raise TableUnreadable(_workbook_in_its_place(data, shown))
     if len(data) > FILE_MAX:
@@ -110,11 +118,13 @@ def _workbook_in_its_place(data: bytes, shown: str) -> str:
     return f"{shown} is a zip archive and no nickname CSV; if it is a spreadsheet, {_SAVE_AS_XLSX}"
 
 
-def _check_header(line: str, shown: str) -> None:
+def _form_of(line: str, shown: str) -> TableForm:
+    """The form that the header names. Raises TableUnreadable when it is no header of a nickname CSV."""
     # The names need no quotes; a spreadsheet may have given them some.
-    fields = line.rstrip("\r\n").split(",")
-    if [re.sub(r'^"(.*)"$', r"\1", field) for field in fields] == list(COLUMNS):
-        return
+    fields = without_marks(line.rstrip("\r\n")).split(",")
+    form = form_of([re.sub(r'^"(.*)"$', r"\1", field) for field in fields])
+    if form is not None:
+        return form
     if not line:
         reason = "it is empty"
     elif not line.strip():
@@ -134,9 +144,10 @@ def _check_header(line: str, shown: str) -> None:
 class _Reader:
     """Turns the lines of a table into entries, saying what is wrong with each row."""
 
-    def __init__(self, shown: str, problems: Diagnostics) -> None:
+    def __init__(self, shown: str, problems: Diagnostics, form: TableForm = PLAIN) -> None:
         self.shown = shown
         self.problems = problems
+        self.form = form
         self.entries: list[Entry] = []
         self._by_address: dict[Address, Row] = {}
         self._by_name: dict[str, Row] = {}
@@ -180,19 +191,21 @@ class _Reader:
         self.entries.append(Entry(row, text, line_end))
 
     def _row(self, fields: list[str], raw: str, line: int) -> Row | None:
-        if len(fields) != len(COLUMNS):
+        if len(fields) != self.form.width:
             self._malformed(
                 text_span(self.shown, line, raw, 0, len(raw)),
                 Fault(
-                    f"this row has {len(fields)} field{'s' * (len(fields) != 1)} where {len(COLUMNS)} are expected",
-                    f"write {HEADER}, with a nickname or comment that holds a comma between double quotes",
+                    f"this row has {len(fields)} field{'s' * (len(fields) != 1)} where {self.form.width} are expected",
+                    f"write {self.form.header}, with a nickname or comment that holds a comma between double quotes",
                 ),
             )
             return None
-        shown_address, word, nickname, initial, retentive, comment = fields
+        shown_address, word, nickname, initial, retentive, comment = self.form.fields(fields)
+        if not shown_address and is_upper_word(self.form, fields):
+            return None
         address = parse_address(shown_address) if len(shown_address) <= _ADDRESS_MAX else None
         if address is None:
-            self._malformed(_field_span(self.shown, line, raw, _ADDRESS), no_address(shown_address))
+            self._malformed(self._field(line, raw, _ADDRESS), no_address(shown_address))
             return None
         row = Row(address, nickname, initial, retentive == "Yes", comment, line, raw)
         for field, fault in (
@@ -202,8 +215,27 @@ class _Reader:
             (_COMMENT, address_comment_fault(address, comment) if comment else None),
         ):
             if fault:
-                self._malformed(_field_span(self.shown, line, raw, field), fault)
+                self._malformed(self._field(line, raw, field), fault)
+        if self.form.has_modbus:
+            self._modbus(row, fields)
         return self._placed(row)
+
+    def _modbus(self, row: Row, fields: list[str]) -> None:
+        """Learn how the table writes its numbers, and say where one is not that of its address."""
+        self.form = settled(self.form, fields, row.raw)
+        if not self.form.has_number(fields, row.address):
+            number = self.form.number(row.address)
+            self._add(
+                "CG607",
+                _field_span(self.shown, row.line, row.raw, _MODBUS),
+                Fault(
+                    f"{row.address} is given the Modbus number {short(fields[_MODBUS])}, and CLICK has it at {number}",
+                    f"write {number}, or look whether the row was meant for another address",
+                ),
+            )
+
+    def _field(self, line: int, raw: str, field: int) -> Span:
+        return _field_span(self.shown, line, raw, self.form.column(field))
 
     def _placed(self, row: Row) -> Row | None:
         """The row, unless its address is taken; says so, and judges the nickname."""
@@ -218,7 +250,7 @@ class _Reader:
             return row
         fault = address_nickname_fault(row.address, name)
         if fault:
-            self._add("CG603", _field_span(self.shown, row.line, row.raw, _NICKNAME), fault)
+            self._add("CG603", self._field(row.line, row.raw, _NICKNAME), fault)
         holder = self._by_name.setdefault(name.lower(), row)
         if holder is not row and not may_share_a_name(holder.address, row.address):
             spelled = "" if holder.nickname == name else f", there spelled {short(holder.nickname)}"
@@ -233,8 +265,8 @@ class _Reader:
         return row
 
     def _twice(self, row: Row, field: int, earlier: Row, message: str, way_out: str) -> None:
-        there = _field_span(self.shown, earlier.line, earlier.raw, field)
-        here = _field_span(self.shown, row.line, row.raw, field)
+        there = self._field(earlier.line, earlier.raw, field)
+        here = self._field(row.line, row.raw, field)
         self._add("CG602", here, Fault(message, way_out), (Label(there, f"the earlier row, {earlier.address}"),))
 
     def _unsplittable(self, reason: str, raw: str, line: int) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import nickname_fault
-from clickgen.device.system import find_system_name, system_nicknames
+from clickgen.device.system import addresses_of_system_name, lookalike_of, near_system_name, system_name_of
 from clickgen.diagnostics import Diagnostics, Label, did_you_mean
 from clickgen.formula.printer import source_reference
 from clickgen.instructions.spec import Access
@@ -27,6 +27,7 @@ from clickgen.resolve.masked import warn_of_masked
 from clickgen.resolve.members import proposal_without_members, without_members
 from clickgen.resolve.rows import Row, is_scratch, looks_like_scratch
 from clickgen.resolve.table import AddressTable
+from clickgen.source import Span
 from clickgen.wording import counted
 
 
@@ -163,7 +164,7 @@ class _Resolver:
         self.addresses: dict[tuple[str, str], Address] = {}
         """(bank, lowercase name) to the address; a name with a problem has none."""
         self.allocated: list[Row] = []
-        self.allocator = Allocator((*table.by_address, *declared.addresses))
+        self.allocator = Allocator((*_taken(table), *declared.addresses))
         self.owned: set[tuple[str, str]] = set()
         """(bank, lowercase name) of what an instruction keeps for itself, such as a drum's accumulator."""
 
@@ -207,14 +208,47 @@ class _Resolver:
         lower = use.name.lower()
         meaning = self.meanings.get(lower)
         if meaning is None:
-            system = find_system_name(use.name)
-            if system is None:
-                return use.name.lower() in self.misdeclared
-            meaning = Meaning(system[1], "CLICK's own name", None)
+            system = addresses_of_system_name(use.name)
+            if len(system) > 1 and lower not in self.misdeclared:
+                self._ambiguous(use, system)
+                return True
+            if not system or lower in self.misdeclared:
+                return lower in self.misdeclared
+            self._warn_of_lookalike(use, system[0])
+            meaning = Meaning(system[0], "CLICK's own name", None)
         address = self._known(use, meaning)
         if address is not None:
             self.addresses[use.bank, lower] = address
         return True
+
+    def _ambiguous(self, use: Named, addresses: tuple[Address, ...]) -> None:
+        """One of CLICK's own names that moved between versions of CLICK."""
+        newest, *others = addresses
+        reference = source_reference(use)
+        written = " or ".join(f"{address.bank.lower()}[{address.number}]" for address in addresses)
+        pin = f"nickname({reference}, {newest.bank.lower()}[{newest.number}])"
+        self.problems.add(
+            "CG215",
+            use.span,
+            f"{use.name} is {newest} in CLICK 3.41 and {' and '.join(map(str, others))} in another version",
+            f"look which one your CLICK shows, and write {written}, or tie the name to it: {pin}",
+        )
+
+    def _warn_of_lookalike(self, use: Named, address: Address) -> None:
+        """An older spelling of one point that reads like the name which CLICK shows for another."""
+        other = lookalike_of(use.name)
+        if other is not None and not self._is_shown(use, address):
+            self.problems.add(
+                "CG216",
+                use.span,
+                f"{use.name} is an older name of {address}; CLICK shows {other[0]!r} for {other[1]}",
+                f"write {_reference(address, system_name_of(address) or '')} for {address}, "
+                f"or {_reference(other[1], other[0])} for {other[1]}",
+            )
+
+    @staticmethod
+    def _is_shown(use: Named, address: Address) -> bool:
+        return use.name.lower() == (system_name_of(address) or "").lower()
 
     def _known(self, use: Named, meaning: Meaning) -> Address | None:
         address = meaning.address
@@ -259,6 +293,10 @@ class _Resolver:
         self.addresses[use.bank, use.name.lower()] = address
         self.allocated.append(self.table.named(address, use.name))
 
+    def _named_in(self, bank: str) -> list[str]:
+        """The names that belong to a bank."""
+        return [name for name, meaning in self.meanings.items() if meaning.address.bank == bank]
+
     def _closed(self, use: Named) -> str:
         """How much of a bank the settings keep free, for a message."""
         count = sum(address.bank == use.bank for address in self.reserved)
@@ -274,7 +312,7 @@ class _Resolver:
                 "CG207",
                 use.span,
                 f"there is no {kind} {use.name!r}",
-                did_you_mean(use.name, self.meanings)
+                did_you_mean(use.name, self._named_in(CURRENT_VALUE_OF[use.bank]))
                 or f"use {bit}.{use.name} in the program, or give the name to an address with nickname(...)",
             )
         elif not bank.allocatable and use.bank not in CURRENT_VALUE_OF:
@@ -282,8 +320,7 @@ class _Resolver:
                 "CG206",
                 use.span,
                 f"CLICK has no {bank.title} named {use.name!r}",
-                did_you_mean(use.name, [name for name, point in system_nicknames().values() if point.bank == use.bank])
-                or f"write the number: {bank.dsl}[{bank.first}]",
+                _own_name_help(use),
             )
         elif looks_like_scratch(use.name):
             add("CG203", use.span, f"clickgen keeps names like {use.name} for its own cells", "choose another name")
@@ -299,6 +336,27 @@ class _Resolver:
         else:
             return True
         return False
+
+
+def _taken(table: AddressTable) -> Iterator[Address]:
+    """The addresses of a table. An export of CLICK may list every address; a row of it that says nothing takes none."""
+    return (row.address for row in table.rows if row.cell is not None or not row.is_default)
+
+
+def _own_name_help(use: Named) -> str:
+    """A name of CLICK's own is suggested only where it can be nothing else: a neighbour is another register."""
+    near = near_system_name(use.name, use.bank)
+    if near:
+        return f"did you mean {near if near.isidentifier() else _reference(Address(use.bank, 0), near)}?"
+    bank = BANKS[use.bank].dsl
+    return f"write its number in brackets, {bank}[number], or one of CLICK's own names as CLICK shows it"
+
+
+def _reference(address: Address, name: str) -> str:
+    return source_reference(Named(address.bank, name, _NOWHERE))
+
+
+_NOWHERE = Span("", 0, 0, 0, 0)
 
 
 def _named(operands: Iterable[Operand]) -> Iterable[Named]:

@@ -15,15 +15,17 @@ from itertools import accumulate
 from typing import NamedTuple
 
 from clickgen.device.banks import ORDER, Address
-from clickgen.resolve.rows import HEADER, Row, default_row, format_row, text_span
+from clickgen.resolve.rows import HEADER, Row, default_row, text_span
+from clickgen.resolve.table_form import PLAIN, TableForm
 from clickgen.source import Span
 
 BOM = b"\xef\xbb\xbf"
 
 _FIELD = r'(?:"(?:[^"]|"")*"|[^",][^,]*|)'
 """A field as the csv module reads it: quotes count where a field begins with one."""
-_NICKNAME = re.compile(rf"({_FIELD},{_FIELD},)({_FIELD})")
-"""A row up to its nickname, and the nickname as it is written."""
+_NICKNAME = rf"((?:{_FIELD},){{%d}})({_FIELD})"
+"""A row up to its nickname, which stands in a column from 0, and the nickname as it is written."""
+_NICKNAME_FIELD = 2
 
 
 class Entry(NamedTuple):
@@ -47,6 +49,7 @@ class AddressTable:
     """The line end of the header, which new rows take too."""
     bom: bool = False
     base: tuple[Row, ...] = ()
+    form: TableForm = PLAIN
 
     @staticmethod
     def empty(path: str) -> AddressTable:
@@ -133,10 +136,10 @@ class AddressTable:
             at.setdefault(places(row.address), []).append(row)
         entries: list[Entry] = []
         for index, entry in enumerate((*self._entries, None)):
-            entries += [Entry(row, format_row(row), self.newline) for row in at.get(index, ())]
+            entries += [Entry(row, self.form.format(row), self.newline) for row in at.get(index, ())]
             if entry is not None:
                 new = replaced.get(entry.row.address) if entry.row else None
-                entries.append(Entry(new, format_row(new), entry.end) if new else entry)
+                entries.append(Entry(new, self.form.format(new), entry.end) if new else entry)
         if not self.final_newline:
             entries = [entry if entry.end else entry._replace(end=self.newline) for entry in entries]
             entries[-1] = entries[-1]._replace(end="")
@@ -158,7 +161,7 @@ class AddressTable:
             if old is None or (new is not None and new.content == old.content):
                 entries.append(entry)
             elif new is not None:
-                entries.append(Entry(replace(new, line=0, raw=""), format_row(new), entry.end))
+                entries.append(Entry(replace(new, line=0, raw=""), self.form.format(new), entry.end))
         if not self.final_newline:
             entries[-1] = entries[-1]._replace(end="")
         kept = replace(self, _entries=tuple(entries))
@@ -173,9 +176,10 @@ class AddressTable:
     def renamed(self, address: Address, nickname: str) -> AddressTable:
         """The table with another nickname at an address; every other byte stays, those of the row included."""
         entries = list(self._entries)
+        pattern = re.compile(_NICKNAME % self.form.column(_NICKNAME_FIELD))
         for index, (row, text, end) in enumerate(entries):
             if row is not None and row.address == address:
-                match = _NICKNAME.match(text)
+                match = pattern.match(text)
                 assert match is not None
                 written = f'"{nickname}"' if match[2].startswith('"') else nickname
                 text = match[1] + written + text[match.end() :]
@@ -191,6 +195,12 @@ class AddressTable:
         return (BOM if self.bom else b"") + self.text().encode("utf-8")
 
 
+def _with_upper_words(entries: tuple[Entry, ...], index: int) -> int:
+    while index + 1 < len(entries) and entries[index + 1].text.startswith((",", '"",')):
+        index += 1
+    return index
+
+
 def _places(entries: tuple[Entry, ...]) -> Callable[[Address], int]:
     """Where a new row goes: before which entry.
 
@@ -202,6 +212,9 @@ def _places(entries: tuple[Entry, ...]) -> Callable[[Address], int]:
         if row is not None:
             banks.setdefault(ORDER[row.address.bank], []).append((row.address.number, row.address.upper, index))
     first = {bank: min(item[2] for item in items) for bank, items in banks.items()}
+    for items in banks.values():
+        # A row without an address, that of the upper word of an XD or YD, stays below the row of its lower word.
+        items[:] = [(number, upper, _with_upper_words(entries, index)) for number, upper, index in items]
     last = {bank: max(item[2] for item in items) for bank, items in banks.items()}
     furthest: dict[int, list[int]] = {}
     for bank, items in banks.items():

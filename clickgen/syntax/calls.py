@@ -3,36 +3,25 @@
 from __future__ import annotations
 
 import ast
+from functools import partial
 
-from clickgen.diagnostics import did_you_mean
+from clickgen.device.banks import READ_ONLY
+from clickgen.diagnostics import Diagnostics, Fix, did_you_mean
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.data import SEARCH, SEARCH_RANGE
-from clickgen.instructions.spec import REQUIRED, Param, ParamKind, Spec
+from clickgen.instructions.spec import REQUIRED, Access, Param, ParamKind, Spec
+from clickgen.ir.operands import Cell, Constant, Immediate, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action, Value
-from clickgen.source import Span
+from clickgen.source import SourceFile, Span
+from clickgen.syntax import no_call
 from clickgen.syntax.arguments import read_argument
 from clickgen.syntax.conditions import read_series
 from clickgen.syntax.context import Context
+from clickgen.syntax.hints import expression_of
+from clickgen.syntax.operands import shorten
 from clickgen.syntax.options import modifier_of, read_modifier
 from clickgen.syntax.searches import read_range_comparison
-
-_ELSEWHERE = {
-    "latch": "set",
-    "on_delay": "ton",
-    "off_delay": "tof",
-    "count_up": "ctu",
-    "count_down": "ctd",
-    "blockcopy": "copy_block",
-    "fill": "copy_fill",
-    "pack_bits": "copy_pack",
-    "pack_words": "copy_pack",
-    "pack_text": "copy_pack",
-    "unpack_to_bits": "copy_unpack",
-    "unpack_to_words": "copy_unpack",
-    "math": "calc",
-    "next": "next_loop",
-}
-"""What CLICK's ladder files and other dialects call an instruction."""
+from clickgen.trade import ARGUMENTS
 
 _NOTHING_CHAINED = "nothing is chained behind it:"
 
@@ -57,9 +46,9 @@ def read_call(context: Context, node: ast.Call) -> Action | None:
     name = base.func.id if isinstance(base.func, ast.Name) else ""
     spec = INSTRUCTIONS.get(name)
     if spec is None:
-        shown = name or context.text(base.func)
-        known = _elsewhere(name) or did_you_mean(name, INSTRUCTIONS) if name else ""
-        context.problem("CG108", base.func, f"there is no instruction {shown!r}", known or "see the language reference")
+        shown = name or shorten(context.text(base.func))
+        help, fix = no_call.no_instruction(context, base, partial(fits_action, context))
+        context.problem("CG108", base.func, f"there is no instruction {shown!r}", help, fix if base is node else None)
         return None
     if spec is SEARCH and _is_range_form(base):
         spec = SEARCH_RANGE
@@ -83,9 +72,33 @@ def _is_range_form(node: ast.Call) -> bool:
     )
 
 
-def _elsewhere(name: str) -> str:
-    own = _ELSEWHERE.get(name)
-    return f"here it is called {INSTRUCTIONS[own].signature}" if own else ""
+def fits_action(context: Context, text: str) -> bool:
+    """True for the text of an action without a fault."""
+    trial = Context(SourceFile(context.source.path, text), Diagnostics(), is_trial=True)
+    node = expression_of(text)
+    action = read_call(trial, node) if isinstance(node, ast.Call) else None
+    return action is not None and not trial.problems.found and _takes_all(action)
+
+
+def _takes_all(action: Action) -> bool:
+    """True where each operand is of a bank that the instruction takes there, as far as names tell."""
+    spec = action.spec
+    for param in spec.params:
+        value, slot = action.args.get(param.name), param.slot
+        if param.kind is not ParamKind.OPERAND or not isinstance(value, Operand):
+            continue
+        places = {Immediate: slot.immediates, Pointer: slot.pointers, Range: slot.ranges, Cell: slot.cells}
+        forms = slot.constants if isinstance(value, Constant) else places.get(type(value), slot.cells + slot.ranges)
+        if form_of(value) not in forms or (slot.access is Access.WRITE and form_of(value) in READ_ONLY):
+            return False
+    ends = [action.args.get(name) for name in spec.matrix]
+    forms_of_ends = [form_of(end) for end in ends if isinstance(end, Operand)]
+    pairs = [pair for variant in spec.variants for pair in variant.pairs]
+    return (
+        not pairs
+        or len(forms_of_ends) < 2
+        or any(forms_of_ends[0] in pair.sources and forms_of_ends[1] in pair.targets for pair in pairs)
+    )
 
 
 class _Call:
@@ -116,11 +129,13 @@ class _Call:
             return None
         return self._args
 
-    def _fault(self, code: str, place: ast.expr | ast.keyword | Span, message: str, hint: str = "") -> None:
+    def _fault(
+        self, code: str, place: ast.expr | ast.keyword | Span, message: str, hint: str = "", fix: Fix | None = None
+    ) -> None:
         span = place if isinstance(place, Span) else self._context.span(place)
         signatures = (SEARCH, SEARCH_RANGE) if self._spec in (SEARCH, SEARCH_RANGE) else (self._spec,)
         help = " ".join(filter(None, (hint, " or ".join(spec.signature for spec in signatures))))
-        self._context.problems.add(code, span, message, help)
+        self._context.problems.add(code, span, message, help, fix=fix)
         self._faults += 1
 
     # -- binding ------------------------------------------------------------------------------------------------------
@@ -142,8 +157,13 @@ class _Call:
             if keyword.arg is None:
                 self._fault("CG115", keyword, "arguments are written one by one")
             elif name is None:
-                hint = self._relative(keyword.arg) or did_you_mean(keyword.arg, names)
-                self._fault("CG109", keyword, f"{self._spec.name} has no argument {keyword.arg!r}", hint)
+                hint, fix = self._relative(keyword.arg), None
+                if not hint:
+                    hint, fix = no_call.other_argument(self._context, self._spec, keyword, tuple(names))
+                if not hint and keyword.arg in ("oneshot", "one_shot", "os", "ons"):
+                    hint = "it has no one-shot; put an edge into the condition, re(c.A):"
+                hint = hint or did_you_mean(keyword.arg, names)
+                self._fault("CG109", keyword, f"{self._spec.name} has no argument {keyword.arg!r}", hint, fix)
             elif name in self._bound:
                 self._fault("CG111", keyword, f"{self._spec.name} is given {name!r} twice")
             else:
@@ -164,7 +184,9 @@ class _Call:
         pin = self._spec.methods.get(method)
         if pin is None:
             known = " and ".join(f".{name}" for name in self._spec.methods)
-            hint = did_you_mean(method, self._spec.methods) or (f"it has {known}:" if known else _NOTHING_CHAINED)
+            other = ARGUMENTS.get(method.lower(), "").replace("count_down", "down")
+            hint = f"write .{other}(...):" if other in self._spec.methods else did_you_mean(method, self._spec.methods)
+            hint = hint or (f"it has {known}:" if known else _NOTHING_CHAINED)
             self._fault("CG109", place, f"{self._spec.name} has no .{method}(...)", self._relative(method) or hint)
             return ""
         if pin.name in self._bound or pin.name in self._args:

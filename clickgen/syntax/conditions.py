@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import ast
 import warnings
+from functools import partial
 
 from clickgen.device.banks import BANKS, Kind
-from clickgen.diagnostics import Diagnostic, Diagnostics, did_you_mean
+from clickgen.diagnostics import Diagnostic, Diagnostics, Edit, Fix
 from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
-from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real
+from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real, form_of
 from clickgen.ir.proposals import Proposal
-from clickgen.source import SourceFile
+from clickgen.source import SourceFile, Span
+from clickgen.syntax import no_condition
 from clickgen.syntax.context import Context
-from clickgen.syntax.operands import address_hint, looks_like_address, read_address, read_operand, shorten
+from clickgen.syntax.operands import looks_like_address, read_address, read_operand, shorten
 from clickgen.syntax.rewrite import Rewritten, has_opposite, in_language, python_logic, terms_in
 from clickgen.wording import no_opposite
 
@@ -33,6 +35,10 @@ def read_condition(context: Context, node: ast.expr) -> Condition | None:
     """The condition that an expression writes; None with a problem."""
     if isinstance(node, ast.Constant) and node.value is True:
         return Always(context.span(node))
+    if isinstance(node, ast.Name) and node.id.lower() == "true":
+        fix = Fix((Edit(context.span(node), "True"),))
+        context.problem("CG107", node, "this is not a condition", "a rung that always runs stands under if True:", fix)
+        return None
     return _read_term(context, node)
 
 
@@ -57,14 +63,11 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
         return _read_function(context, node, node.func.id)
     logic = python_logic(node)
     if logic:
-        rewritten = _rewritten(context, node)
-        help = _WAY_OUT if rewritten else _in_the_way(context, node)
+        rewritten = None if context.is_trial else _rewritten(context, node)
+        help = _WAY_OUT if rewritten or context.is_trial else _in_the_way(context, node)
         context.problem("CG105", node, f"{logic[0]} is not part of the language", help)
         if rewritten:
-            context.proposals.append(_proposal(context, node, rewritten))
-    elif isinstance(node, ast.Call):
-        name = node.func.id if isinstance(node.func, ast.Name) else ""
-        context.problem("CG107", node, "this call is not a condition", did_you_mean(name, FUNCTIONS) or _WAY_OUT)
+            context.proposals.append(_proposal(context, "CG105", context.span(node), rewritten))
     elif isinstance(node, ast.Constant) and node.value is True:
         context.problem(
             "CG107",
@@ -73,23 +76,25 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
             "leave it out; where a contact is needed, sc[1] is always on",
         )
     else:
-        context.problem("CG107", node, "this is not a condition", address_hint(node) or _WAY_OUT)
+        fault = "this call is not a condition" if isinstance(node, ast.Call) else "this is not a condition"
+        help, fix = no_condition.way_out(context, node, partial(fits_condition, context))
+        context.problem("CG107", node, fault, help or _WAY_OUT, fix)
     return None
 
 
 def _rewritten(context: Context, node: ast.expr) -> Rewritten | None:
     """An expression in the language; None where that would be no condition."""
     rewritten = in_language(context, node)
-    return rewritten if rewritten and _fault_of(context, rewritten.text) is None else None
+    return rewritten if rewritten and fits_condition(context, rewritten.text) else None
 
 
-def _proposal(context: Context, node: ast.expr, rewritten: Rewritten) -> Proposal:
-    """The fix that writes an expression in the language, with all that it turns round."""
+def _proposal(context: Context, code: str, place: Span, rewritten: Rewritten) -> Proposal:
+    """The fix of the problem at this place that writes an expression in the language, with all that it turns round."""
     trial = Context(context.source, Diagnostics())
     turned = [_read_term(trial, term) for term in rewritten.turned]
     return Proposal(
-        "CG105",
-        context.span(node),
+        code,
+        place,
         (rewritten.edit,),
         f"write {_on_one_line(rewritten.text)}",
         tuple(term for term in turned if isinstance(term, Contact | Compare)),
@@ -97,9 +102,45 @@ def _proposal(context: Context, node: ast.expr, rewritten: Rewritten) -> Proposa
     )
 
 
-def _fault_of(context: Context, text: str) -> Diagnostic | None:
-    """What is wrong with a condition of this text; None where nothing is."""
-    trial = Context(SourceFile(context.source.path, f"({text})"), Diagnostics())
+def fits_condition(context: Context, text: str) -> bool:
+    """True for the text of a condition without a fault."""
+    return condition_fault(context, text, is_trial=True) is None
+
+
+def as_condition(context: Context, node: ast.expr) -> str:
+    """An expression as the text of a condition, and, or and not rewritten; "" where it is none."""
+    text = " ".join(context.text(node).split())
+    if "#" in text:
+        return ""
+    if fits_condition(context, text):
+        return text
+    rewritten = _rewritten(context, node)
+    return rewritten.text if rewritten is not None and _has_plain_opposites(context, rewritten) else ""
+
+
+def rewrites(context: Context, node: ast.expr) -> bool:
+    """True for and, or and not that can be written in the language, as far as the text says."""
+    return _rewritten(context, node) is not None
+
+
+def _has_plain_opposites(context: Context, rewritten: Rewritten) -> bool:
+    """True where all that is turned round has an opposite, whatever the names of the program stand for.
+
+    A name may be that of a block, whose bits are asked for together, and a DF register may hold no number.
+    """
+    proposal = _proposal(context, "", rewritten.edit.span, rewritten)
+    return proposal.is_read and all(
+        isinstance(leaf.operand, Cell | Immediate)
+        if isinstance(leaf, Contact)
+        else "DF" not in (form_of(leaf.left), form_of(leaf.right))
+        for leaf in proposal.turned
+    )
+
+
+def condition_fault(context: Context, text: str, is_trial: bool = False) -> Diagnostic | None:
+    """What is wrong with a condition of this text; None where nothing is. A trial finds no ways out."""
+    source = SourceFile(context.source.path, f"({text})")
+    trial = Context(source, Diagnostics(), is_trial=is_trial or context.is_trial)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
@@ -125,7 +166,7 @@ def _in_the_way(context: Context, node: ast.expr) -> str:
         text = context.text(term)
         shown = shorten(text)
         # True is a condition where it stands alone, which it does not here.
-        fault = _fault_of(context, f"all({text})")
+        fault = condition_fault(context, f"all({text})")
         if fault is not None:
             both = _compared_too(context, function, compared, term)
             return f"{shown} has no place in it: {f'compare it as well, {both}' if both else fault.help}"
@@ -143,7 +184,7 @@ def _compared_too(context: Context, function: str, before: ast.Compare | None, t
     first = " ".join(context.text(before).split())
     second = f"{context.text(before.left)} {COMPARISONS[type(before.ops[0])]} {context.text(term)}"
     both = f"{function}({first}, {second})"
-    return both if _fault_of(context, both) is None else ""
+    return both if condition_fault(context, both) is None else ""
 
 
 def _read_contact(context: Context, node: ast.Attribute | ast.Subscript) -> Condition | None:
@@ -176,12 +217,19 @@ def _refuse_pointer(context: Context, node: ast.expr) -> None:
 
 
 def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
+    fits = partial(fits_condition, context)
     if len(node.ops) > 1:
-        context.problem("CG106", node, "comparisons do not chain", "write all(1 < ds.A, ds.A < 5)")
+        help, fix = no_condition.unchained(context, node, fits)
+        context.problem("CG106", node, "comparisons do not chain", help, fix)
+        return None
+    bit = no_condition.compared_bit(context, node, fits)
+    if bit is not None:
+        context.problem("CG303", node, "a bit is a condition by itself, and is not compared", *bit)
         return None
     operator = COMPARISONS.get(type(node.ops[0]))
     if operator is None:
-        context.problem("CG107", node, "CLICK has no such comparison", "the comparisons: == != < <= > >=")
+        help = no_condition.listed_values(context, node, fits) or "the comparisons: == != < <= > >="
+        context.problem("CG107", node, "CLICK has no such comparison", help)
         return None
     left = read_operand(context, node.left)
     right = read_operand(context, node.comparators[0])
@@ -197,7 +245,8 @@ def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
             )
             return None
         if isinstance(side, Range | Immediate):
-            context.problems.add("CG107", side.span, "only single registers and constants compare", _WAY_OUT)
+            help = no_condition.compared_range(context, node, side, fits) or _WAY_OUT
+            context.problems.add("CG107", side.span, "only single registers and constants compare", help)
             return None
     assert not isinstance(left, Range | Immediate)
     assert not isinstance(right, Range | Immediate)
@@ -228,7 +277,8 @@ def _read_function(context: Context, node: ast.Call, name: str) -> Condition | N
 def _read_bit_function(context: Context, node: ast.Call, name: str) -> Condition | None:
     argument = node.args[0]
     if not looks_like_address(argument):
-        context.problem("CG107", argument, f"{name}() takes one bit, not a condition", f"{name}(c.A)")
+        help, fix = _without_function(context, node, name, argument)
+        context.problem("CG107", argument, f"{name}() takes one bit, not a condition", help, fix)
         return None
     operand = read_operand(context, argument)
     if operand is None:
@@ -249,3 +299,27 @@ def _read_bit_function(context: Context, node: ast.Call, name: str) -> Condition
         context.problem("CG308", argument, "an edge contact is never immediate", f"{name}(x[1])")
         return None
     return Contact(operand, context.span(node), edge=_EDGES[name])
+
+
+def _without_function(context: Context, node: ast.Call, name: str, argument: ast.expr) -> tuple[str, Fix | None]:
+    """The way out for ``nc(ds.A == 5)`` and ``re(all(...))``: the opposite, or a bit in a rung before."""
+    if context.is_trial:
+        return "", None
+    text = " ".join(context.text(argument).split())
+    if name == "nc" and "#" not in text:
+        rewritten = _rewritten(context, ast.copy_location(ast.UnaryOp(ast.Not(), argument), argument))
+        if rewritten is not None:
+            written = rewritten._replace(edit=Edit(context.span(node), rewritten.text))
+            context.proposals.append(_proposal(context, "CG107", context.span(argument), written))
+            return _WAY_OUT, None
+    if "#" in text or not fits_condition(context, f"all({text})"):
+        return no_condition.way_out(context, argument, partial(fits_condition, context))[0] or f"{name}(c.A)", None
+    turned = {"re": "fe", "fe": "re"}.get(name, "")
+    if (
+        turned
+        and isinstance(argument, ast.Call)
+        and text.startswith("nc(")
+        and fits_condition(context, turned + text[2:])
+    ):
+        return f"write {turned}{text[2:]}", None
+    return f"put the condition on a bit in a rung before, if {text}: out(c.Edge), and write {name}(c.Edge)", None

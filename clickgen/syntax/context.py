@@ -7,7 +7,7 @@ import io
 import tokenize
 from dataclasses import dataclass, field
 
-from clickgen.diagnostics import Diagnostics
+from clickgen.diagnostics import Diagnostics, Fix
 from clickgen.ir.proposals import Proposal
 from clickgen.source import EmbeddedText, SourceFile, Span, embedded_text
 
@@ -20,6 +20,8 @@ class Context:
     problems: Diagnostics
     proposals: list[Proposal] = field(default_factory=list)
     """The fixes of these problems, each still to be judged."""
+    is_trial: bool = False
+    """True where it is only asked whether a text can be read: nobody looks for ways out then, which are tried again."""
 
     def span(self, node: Located) -> Span:
         """Where a node stands."""
@@ -58,5 +60,5 @@ class Context:
                 parts.append((token.string, span.line + row - 1, col + first))
         return embedded_text(self.source, parts, value)
 
-    def problem(self, code: str, node: Located, message: str, help: str = "") -> None:
-        self.problems.add(code, self.span(node), message, help)
+    def problem(self, code: str, node: Located, message: str, help: str = "", fix: Fix | None = None) -> None:
+        self.problems.add(code, self.span(node), message, help, fix=fix)

@@ -6,7 +6,7 @@ import ast
 import re
 
 from clickgen.device.banks import BANKS, POINTED, UPPER_BYTE_BANKS, Address, Bank
-from clickgen.diagnostics import did_you_mean
+from clickgen.diagnostics import Edit, Fix, did_you_mean
 from clickgen.ir.operands import (
     Cell,
     CharCode,
@@ -24,9 +24,20 @@ from clickgen.ir.operands import (
 )
 from clickgen.source import Span
 from clickgen.syntax.context import Context
+from clickgen.syntax.hints import BANK_NAMES as BANK_NAMES
+from clickgen.syntax.hints import (
+    banks_hint,
+    bit_of_word,
+    has_bits,
+    member_hint,
+    name_hint,
+    own,
+    own_advice,
+    text_hint,
+)
 from clickgen.syntax.options import MODIFIERS, modifier_hint
+from clickgen.trade import CONDITIONS, advice, bank_hint
 
-BANK_NAMES = {bank.dsl: bank for bank in BANKS.values()}
 _CHAR_CODE = re.compile(r"\$[0-9A-Fa-f]{2}")
 _ADDRESS_FORMS = "an address is written ds[5] or ds.Name"
 
@@ -63,19 +74,49 @@ def read_constant(context: Context, node: ast.expr, signature: str = "") -> Cons
             return Integer(sign * inner.value, context.span(node))
         if isinstance(inner, Real):
             return Real(sign * inner.value, ("-" if sign < 0 else "") + inner.text, context.span(node))
-    hint = address_hint(node) or modifier_hint(node) or _ADDRESS_FORMS
+    hint = address_hint(node) or modifier_hint(node) or _calculated(context, node) or _ADDRESS_FORMS
     help = f"{hint}: {signature}" if signature else hint
     context.problem("CG113", node, f"{shorten(context.text(node))} is not an address or a constant", help)
     return None
 
 
 def address_hint(node: ast.expr) -> str:
-    """How the language writes what looks like an address of CLICK's: ``C1``, ``ds5``; "" for anything else."""
+    """How the language writes what looks like an address of CLICK's: ``C1``, ``ds5``, ``"X001"``, ``X(1)``."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        return text_hint(node.value)
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id.lower() in BANK_NAMES:
+        bank = BANK_NAMES[node.func.id.lower()]
+        number = _whole_number(node.args[0]) if len(node.args) == 1 else None
+        shown = number if number is not None and bank.has(number) else bank.first
+        return f"an address has square brackets: {bank.dsl}[{shown}]"
     name = node.id if isinstance(node, ast.Name) else ""
-    match = re.fullmatch(r"([A-Za-z]+)([0-9]{1,4})", name)
-    if match and match[1].lower() in BANK_NAMES:
-        return f"write {match[1].lower()}[{int(match[2])}]"
-    return f"{name} is a whole bank: {_ADDRESS_FORMS}" if name.lower() in BANK_NAMES else ""
+    if name.lower() in BANK_NAMES:
+        return f"{name} is a whole bank: {_ADDRESS_FORMS}"
+    return name_hint(name)
+
+
+def _calculated(context: Context, node: ast.expr) -> str:
+    """The way out for a calculation, or another word, in the place of a value; "" for anything else."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+        return own_advice(context, advice(node.func.id, CONDITIONS), (), lambda _: False)
+    if (
+        isinstance(node, ast.BinOp)
+        and isinstance(node.op, ast.Add | ast.Sub | ast.Mult | ast.Div)
+        and not has_bits(node)
+    ):
+        text = own(context, node)
+        if text and "'" not in text:
+            quote = "'" if '"' in text else '"'
+            return f"calculate it first, calc({quote}{text}{quote}, ds.Result), and use ds.Result"
+    if isinstance(node, ast.Constant) and isinstance(node.value, bool):
+        return "a bit is turned on with set(c.Name), off with reset(c.Name); a number is 1 or 0"
+    if isinstance(node, ast.List | ast.Tuple) and node.elts:
+        return (
+            f"addresses are given one by one, each with a line of its own, or as a range: {own(context, node.elts[0])}"
+        )
+    if isinstance(node, ast.Name):
+        return f"a nickname follows its bank: c.{node.id} for a bit, ds.{node.id} for a number"
+    return ""
 
 
 def read_address(context: Context, node: ast.Attribute | ast.Subscript) -> Operand | None:
@@ -90,20 +131,36 @@ def read_address(context: Context, node: ast.Attribute | ast.Subscript) -> Opera
         return None
     bank = BANK_NAMES.get(holder.id)
     if bank is None:
-        known = did_you_mean(holder.id, BANK_NAMES)
-        context.problem(
-            "CG113", holder, f"there is no bank {holder.id!r}", known or f"the banks: {', '.join(BANK_NAMES)}"
-        )
+        _refuse_bank(context, node, holder)
         return None
     if isinstance(node, ast.Attribute):
         return Named(bank.name, node.attr, context.span(node))
     return _read_index(context, bank, node)
 
 
+def _refuse_bank(context: Context, node: ast.Attribute | ast.Subscript, holder: ast.Name) -> None:
+    message, lower = f"there is no bank {holder.id!r}", holder.id.lower()
+    if lower in BANK_NAMES:
+        fix = Fix((Edit(context.span(holder), lower),))
+        shown = lower + own(context, node).removeprefix(holder.id)
+        context.problem("CG113", holder, message, f"banks are written in small letters: {shown}", fix)
+        return
+    number = _whole_number(node.slice) if isinstance(node, ast.Subscript) else None
+    match = re.fullmatch(r"([a-z]+)([0-9]{1,4})", lower)
+    known = bank_hint(lower, str(number)) or did_you_mean(holder.id, BANK_NAMES)
+    if match and match[1] in BANK_NAMES:
+        known = f"a nickname stands alone behind its bank: {match[1]}[{int(match[2])}] or {match[1]}.Name"
+    context.problem("CG113", holder, message, known or banks_hint())
+
+
 def _read_modifier(context: Context, node: ast.Attribute) -> Operand | None:
     if node.attr != "immediate":
-        hint = f"write .{node.attr}()" if node.attr in MODIFIERS else did_you_mean(node.attr, ["immediate", *MODIFIERS])
-        context.problem("CG113", node, f"an address has no .{node.attr}", hint or _ADDRESS_FORMS)
+        hint = f"write .{node.attr}()" if node.attr in MODIFIERS else ""
+        fix: Fix | None = None
+        if not hint:
+            hint, fix = _member(context, node)
+        hint = hint or did_you_mean(node.attr, ["immediate", *MODIFIERS])
+        context.problem("CG113", node, f"an address has no .{node.attr}", hint or _ADDRESS_FORMS, fix)
         return None
     if not isinstance(node.value, ast.Attribute | ast.Subscript):
         context.problem("CG113", node, ".immediate belongs behind an address", "x[1].immediate")
@@ -117,13 +174,26 @@ def _read_modifier(context: Context, node: ast.Attribute) -> Operand | None:
     return Immediate(target, context.span(node))
 
 
+def _member(context: Context, node: ast.Attribute) -> tuple[str, Fix | None]:
+    """The way out for what is written behind an address with a dot."""
+    base = node.value
+    while isinstance(base, ast.Attribute | ast.Subscript):
+        base = base.value
+    bank = BANK_NAMES.get(base.id) if isinstance(base, ast.Name) else None
+    text = own(context, node.value)
+    return member_hint(context, node, bank, text.removeprefix(bank.dsl)) if bank and text else ("", None)
+
+
 def _read_part(context: Context, holder: ast.Attribute | ast.Subscript, node: ast.Subscript) -> Named | None:
     """``ds.Recipe[3]`` and ``ds.Recipe[0:10]``: members of a block."""
     block = read_address(context, holder)
     if block is None:
         return None
     if not isinstance(block, Named) or block.part is not None:
-        context.problem("CG113", node, f"{shorten(context.text(node))} is not an address", _ADDRESS_FORMS)
+        help = _ADDRESS_FORMS
+        if isinstance(block, Cell) and not BANKS[block.bank].is_bit:
+            help = bit_of_word(context.text(holder), BANKS[block.bank], _whole_number(node.slice))
+        context.problem("CG113", node, f"{shorten(context.text(node))} is not an address", help)
         return None
     index, example = node.slice, f"{context.text(holder)}[3] and {context.text(holder)}[0:10]"
     if isinstance(index, ast.Slice):
@@ -161,9 +231,22 @@ def _read_index(context: Context, bank: Bank, node: ast.Subscript) -> Operand | 
         "CG113",
         index,
         f"{bank.dsl}[...] takes a number, a name in quotes, a range or a DS register",
-        "arithmetic belongs into a calc before" if isinstance(index, ast.BinOp) else f"{bank.dsl}[{bank.first}]",
+        _no_index(bank, index),
     )
     return None
+
+
+def _no_index(bank: Bank, index: ast.expr) -> str:
+    """The way out for what stands in brackets and says no number."""
+    if isinstance(index, ast.BinOp):
+        first, last = _whole_number(index.left), _whole_number(index.right)
+        if isinstance(index.op, ast.Sub) and first is not None and last is not None and first < last:
+            return f"a range has a colon, and its end is not included: {bank.dsl}[{first}:{last + 1}]"
+        return 'arithmetic belongs into a calc before: calc("ds.Index + 1", ds.Next)'
+    if isinstance(index, ast.Name):
+        name = index.id
+        return f"a nickname is written {bank.dsl}.{name}; a pointer goes through a register, {bank.dsl}[ds.{name}]"
+    return f"{bank.dsl}[{bank.first}]"
 
 
 def _cell(context: Context, bank: Bank, number: int, span: Span) -> Cell | None:

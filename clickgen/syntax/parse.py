@@ -118,12 +118,19 @@ def _syntax_problem(source: SourceFile, error: SyntaxError, problems: Diagnostic
         fault = "this number is too long: CLICK's largest integers have 32 bits"
         problems.add("CG113", source.span(line, col, end_line, end_col), fault, _LARGEST)
         return
-    problems.add(
-        "CG101",
-        source.span(line, col, end_line, end_col),
+    # Heavy, and needed for a file with a fault alone.
+    from clickgen.syntax.slips import said_otherwise, slip
+
+    known = slip(source, line, error.msg)
+    if known is not None:
+        message, span, help, fix = known
+        problems.add("CG101", span, message, help, fix=fix)
+        return
+    general = (
         f"Python cannot read this: {error.msg}",
-        "the language is written in Python's syntax; correct it here or just before",
+        "a program has Python's syntax: look at this line and the one above",
     )
+    problems.add("CG101", source.span(line, col, end_line, end_col), *(said_otherwise(error.msg) or general))
 
 
 def _too_deep(tree: ast.Module) -> ast.AST | None:

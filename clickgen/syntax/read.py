@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from clickgen.diagnostics import Diagnostic, Diagnostics, did_you_mean
-from clickgen.instructions import INSTRUCTIONS
+from clickgen.diagnostics import Diagnostic, Diagnostics, Edit, Fix, did_you_mean
 from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.imports import Import
-from clickgen.ir.operands import Cell, Constant, Integer, Named, Range
+from clickgen.ir.operands import Cell, Constant, Integer, Named, Operand, Range, Text
 from clickgen.ir.program import Action, BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
 from clickgen.ir.proposals import Proposal
 from clickgen.source import SourceFile, Span
@@ -21,12 +21,17 @@ from clickgen.syntax.chains import Arm, propose
 from clickgen.syntax.comments import rung_comment
 from clickgen.syntax.conditions import read_condition
 from clickgen.syntax.context import Context
+from clickgen.syntax.hints import flat_address, own, replaced
+from clickgen.syntax.misplaced import WayOut, way_out
 from clickgen.syntax.operands import read_constant, read_operand, shorten
 from clickgen.syntax.parse import parse_tree, soundness
 from clickgen.syntax.pieces import Broken, RoutineNode, Statement, statements_in_pieces, statements_of
+from clickgen.trade import ARGUMENTS
 from clickgen.wording import no_opposite, quoted
 
 _DSL_MODULE = "clickgen.dsl"
+_LIBRARIES = frozenset(("clickgen", "pyrung", "pyclickplc", "clickplc", "laddercodec"))
+"""Python libraries that know CLICK; none of them has a place in a program."""
 
 
 @dataclass(frozen=True)
@@ -69,12 +74,8 @@ def _read_statements(context: Context, statements: Iterator[Statement]) -> FileC
         elif isinstance(node, ast.Import | ast.ImportFrom):
             items += _read_imports(context, node)
         elif not _is_docstring(node):
-            context.problem(
-                "CG102",
-                node,
-                "only imports, nickname(...), def main(): and @sub routines stand at the top level",
-                "move logic into a rung of main or of a subroutine",
-            )
+            message = "only imports, nickname(...), def main(): and @sub routines stand at the top level"
+            context.problem("CG102", node, message, _at_top_level(context, node))
         is_declared &= len(problems.found) == before
     kept = tuple(item for item in items if item is not None)
     return FileContent(context.source.path, kept, tuple(context.proposals), is_declared)
@@ -88,6 +89,20 @@ def _hides_declaration(source: SourceFile, problem: Diagnostic) -> bool:
         and span is not None
         and source.line(span.line)[span.col - 1 :].startswith("nickname")
     )
+
+
+def _at_top_level(context: Context, node: ast.stmt) -> str:
+    """The way out for a statement at the top level."""
+    help = "move logic into a rung of main or of a subroutine"
+    if isinstance(node, ast.If):
+        is_start = "__name__" in context.text(node.test)
+        return "a program is never run as Python: leave it out" if is_start else f"a rung stands in def main():; {help}"
+    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+        name = node.value.func.id if isinstance(node.value.func, ast.Name) else ""
+        if name.lower() == "nickname":
+            return "it is written in small letters: nickname(...)"
+        return "main is called by CLICK itself: leave it out" if name == "main" else help
+    return way_out(context, node).help or help
 
 
 def _is_call_of(node: ast.expr, name: str) -> bool:
@@ -109,7 +124,10 @@ def _read_imports(context: Context, node: ast.Import | ast.ImportFrom) -> list[I
         names = tuple((alias.name, _alias_span(context, alias)) for alias in node.names)
         modules = [("" if node.level > 1 else node.module or "", names)]
     help = ""
-    if any(alias.asname for alias in node.names):
+    module = node.module or "" if isinstance(node, ast.ImportFrom) else node.names[0].name
+    if module.partition(".")[0] in _LIBRARIES:
+        help = "leave it out: a program is only read, and its words are known without an import"
+    elif any(alias.asname for alias in node.names):
         help = "a subroutine keeps its name: leave out as"
     elif any(name == "*" for _, names in modules for name, _ in names):
         help = "name the subroutines one by one"
@@ -142,11 +160,19 @@ def _read_routine(context: Context, node: RoutineNode, body: Iterable[ast.stmt])
     is_sub = is_titled or (isinstance(mark, ast.Name) and mark.id == "sub")
     is_main = node.name == "main" and not node.decorator_list
     problems = context.problems
+    name = node.name
+    if name != "main" and name.lower() == "main" and not node.decorator_list:
+        # There is one main; that it is meant is certain where nothing else is called so.
+        place = Span(source.path, node.lineno, end - len(name), node.lineno, end)
+        is_only = re.search(r"^def[ \t]+main\b", source.text, re.MULTILINE) is None
+        fix = Fix((Edit(place, "main"),), is_only)
+        problems.add("CG114", span, "main is written in small letters", "write def main():", fix=fix)
+        is_main, name = True, "main"
     if isinstance(node, ast.AsyncFunctionDef):
         problems.add("CG114", span, "a routine is not async", f"def {node.name}():")
     elif ast.unparse(node.args) or node.returns is not None:
         problems.add("CG114", span, "a routine takes no parameters and returns nothing", f"def {node.name}():")
-    if not is_main and (not is_sub or node.name == "main"):
+    if not is_main and (not is_sub or name == "main"):
         if node.name == "main":
             problems.add("CG114", span, "main has no decorators", "def main():")
         else:
@@ -155,14 +181,24 @@ def _read_routine(context: Context, node: RoutineNode, body: Iterable[ast.stmt])
                 span,
                 "a subroutine stands under @sub alone",
                 f"write @sub on the line above def {node.name}():",
+                fix=_as_sub(context, node),
             )
     title = _read_title(context, mark) if isinstance(mark, ast.Call) and is_titled and node.name != "main" else None
     before = len(problems.found)
     rungs = _read_rungs(context, body, node.lineno)
     is_whole = len(problems.found) == before
     if title is None:
-        return Routine(node.name, rungs, span, node.name == "main", is_whole)
+        return Routine(name, rungs, span, name == "main", is_whole)
     return Routine(str(title.value), rungs, span, False, is_whole, node.name, title.span)
+
+
+def _as_sub(context: Context, node: ast.FunctionDef | ast.AsyncFunctionDef) -> Fix | None:
+    """The fix that writes @sub for what it is called elsewhere: ``@Sub``, ``@subroutine("Auto Mode")``."""
+    mark = node.decorator_list[0] if len(node.decorator_list) == 1 else None
+    named = mark.func if isinstance(mark, ast.Call) else mark
+    if not isinstance(named, ast.Name) or named.id.lower() not in ("sub", "subroutine"):
+        return None
+    return Fix((Edit(context.span(named), "sub"),), is_safe=named.id.lower() == "sub")
 
 
 def _read_title(context: Context, mark: ast.Call) -> Word | None:
@@ -200,7 +236,9 @@ def _read_rungs(
             rungs.append(_read_rung(context, node, rung_comment(context.source, node, before, header)))
         elif not (isinstance(node, ast.Pass) or (before is None and _is_docstring(node))):
             help = "put it under a condition; if True: is the unconditional rung"
-            context.problem("CG103", node, f"{holder} holds only rungs: if ...:", help)
+            is_call = isinstance(node, ast.Expr) and isinstance(node.value, ast.Call)
+            way = WayOut() if is_call else way_out(context, node)
+            context.problem("CG103", node, way.message or f"{holder} holds only rungs: if ...:", way.help or help)
         before = node
     return tuple(rungs)
 
@@ -288,12 +326,9 @@ def _read_item(context: Context, node: ast.stmt) -> Item | None:
         return Action(RETURN, {}, context.span(node))
     if isinstance(node, ast.Pass):
         return None
-    help = "the actions of a rung are instruction calls, nested ifs, for, return and pass"
-    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Name) and node.value.id in INSTRUCTIONS:
-        help = f"write {INSTRUCTIONS[node.value.id].signature}"
-    elif isinstance(node, ast.Assign | ast.AugAssign | ast.AnnAssign):
-        help = "to set a value write copy(value, address) or calc(formula, address)"
-    context.problem("CG112", node, "this statement has no place in a rung", help)
+    way = way_out(context, node)
+    help = way.help or "the actions of a rung are instruction calls, nested ifs, for, return and pass"
+    context.problem("CG112", node, way.message or "this statement has no place in a rung", help, way.fix)
     return None
 
 
@@ -304,13 +339,16 @@ def _read_loop(context: Context, node: ast.For | ast.AsyncFor) -> Loop | None:
         or node.orelse
         or not _is_call_of(node.iter, "range")
     ):
-        context.problem("CG119", node, "a loop is written for _ in range(n):", "the count is a DS register or a number")
+        context.problem("CG119", node, "a loop is written for _ in range(n):", *_counted_loop(context, node))
         return None
     call = node.iter
     assert isinstance(call, ast.Call)
     args: dict[str, Value] = {}
     if len(call.args) != 1 or isinstance(call.args[0], ast.Starred):
-        context.problem("CG119", call, "range takes one count: a DS register or a number", "for _ in range(ds.Count):")
+        bounds = [bound.value for bound in call.args if isinstance(bound, ast.Constant) and type(bound.value) is int]
+        rounds = bounds[1] - bounds[0] if len(bounds) == len(call.args) == 2 else 0
+        help = f"for _ in range({rounds if rounds > 0 else 'ds.Count'}):"
+        context.problem("CG119", call, "range takes one count: a DS register or a number", help)
         return None
     count = read_operand(context, call.args[0])
     for keyword in call.keywords:
@@ -326,6 +364,21 @@ def _read_loop(context: Context, node: ast.For | ast.AsyncFor) -> Loop | None:
     args["count"] = count
     head = Span(context.source.path, *context.span(node)[1:3], *context.span(call)[3:5])
     return Loop(Action(FOR, args, head), body)
+
+
+def _counted_loop(context: Context, node: ast.For | ast.AsyncFor) -> tuple[str, Fix | None]:
+    """The way out for a loop in another form, and the fix for one whose variable nobody uses."""
+    target = node.target
+    is_range = _is_call_of(node.iter, "range") and not node.orelse and isinstance(node, ast.For)
+    if not is_range or not isinstance(target, ast.Name):
+        return "the count is a DS register or a number: for _ in range(ds.Count):", None
+    is_used = any(
+        isinstance(part, ast.Name) and part.id == target.id for child in node.body for part in ast.walk(child)
+    )
+    if is_used:
+        way = "count in a register, and point through it: copy(ds[ds.Row], ds.Value)"
+        return f"the loop has no variable, write _ for {target.id}; {way}", None
+    return f"write _ for {target.id}: for _ in {context.text(node.iter)}:", replaced(context, target, "_", is_safe=True)
 
 
 # -- declarations -----------------------------------------------------------------------------------------------------
@@ -357,17 +410,34 @@ def _read_declaration(context: Context, node: ast.Call) -> Declaration | BlockDe
             kind = "True or False" if keyword.arg == "retentive" else "a text in quotes"
             context.problem("CG115", keyword.value, f"{keyword.arg} must be {kind}", example)
         else:
-            help = did_you_mean(keyword.arg or "", _DECLARED) or example
+            other = ARGUMENTS.get((keyword.arg or "").lower(), "")
+            text = own(context, keyword.value)
+            help = f"write {other}={text}: {example}" if other in _DECLARED and text else ""
+            help = help or did_you_mean(keyword.arg or "", _DECLARED) or example
             context.problem("CG109", keyword, f"nickname has no argument {keyword.arg or '**'!r}", help)
     if named is None or cell is None:
         return None
     if not isinstance(named, Named) or named.part is not None:
-        context.problem("CG115", node.args[0], "the first argument is a name in its bank: ds.MaxAlarms", example)
+        help = _named(context, node, named, cell) or example
+        context.problem("CG115", node.args[0], "the first argument is a name in its bank: ds.MaxAlarms", help)
         return None
     if isinstance(cell, Range) and not cell.is_reversed:
         return BlockDeclaration(named, cell, context.span(node), initial, retentive, comment)
     if not isinstance(cell, Cell):
         help = f"{example}; for a block: nickname(ds.Recipe, ds[100:150])"
+        flat = flat_address(str(cell.value)) if isinstance(cell, Text) else ""
+        help = f"write {flat}, without quotes" if flat else help
         context.problem("CG115", node.args[1], "the second argument is one address or a range forwards", help)
         return None
     return Declaration(named, cell, context.span(node), initial, retentive, comment)
+
+
+def _named(context: Context, node: ast.Call, named: Operand, cell: Operand) -> str:
+    """``nickname(x.Start, x[1])`` for a name in quotes, and for a name and an address in the wrong order."""
+    first, second = (own(context, argument) for argument in node.args)
+    if isinstance(named, Cell) and isinstance(cell, Named) and first and second:
+        return f"the name comes first: nickname({second}, {first})"
+    if isinstance(named, Text) and isinstance(cell, Cell | Range) and named.value:
+        shown = f".{named.value}" if named.value.isidentifier() else f"[{first}]"
+        return f"write nickname({cell.bank.lower()}{shown}, {second})"
+    return ""

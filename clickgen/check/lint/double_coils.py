@@ -20,7 +20,7 @@ _COILS_MAX = 100
 
 def check(facts: Facts, problems: Diagnostics) -> None:
     driven: dict[Address, list[Placed]] = defaultdict(list)
-    idle = _never_run(facts)
+    idle = never_run(facts)
     for placed in facts.actions:
         if placed.spec is not OUT or id(placed.action) in idle:
             continue
@@ -42,7 +42,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             driven[address].append(placed)
 
 
-def _never_run(facts: Facts) -> set[int]:
+def never_run(facts: Facts) -> set[int]:
     """The coils that decide nothing, by id: of subroutines that nothing calls, and behind an end() or return."""
     idle = {id(missed.action) for routine in facts.program.routines for missed in unreached(routine.rungs)}
     if facts.program.main is None:  # A part of a program: what runs, another file says.

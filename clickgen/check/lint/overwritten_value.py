@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections import defaultdict
 from typing import NamedTuple
 
+from clickgen.check.changes import Changes, Extent, extents_written
 from clickgen.check.facts import Facts, Placed
 from clickgen.check.rule import Rule, Wrong
 from clickgen.check.uses import Use, addresses_of, extents_of
-from clickgen.device.banks import BANKS, TWIN_BANKS, Address, parse_address, points_of
+from clickgen.device.banks import Address, parse_address
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.formula.nodes import Binary, Call, walk
-from clickgen.instructions import communication, copies, maths
+from clickgen.instructions import copies, maths
 from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
 from clickgen.instructions.copies import COPY, COPY_PACK
 from clickgen.instructions.raw import RAW
@@ -19,7 +20,7 @@ from clickgen.instructions.spec import BITS, COPY_FLAGS, MATH_FLAGS, TEXT
 from clickgen.instructions.spec import CODE as CHARACTER
 from clickgen.ir.conditions import Condition
 from clickgen.ir.logic import can_hold, implies, terms_of
-from clickgen.ir.operands import Cell, Constant, Immediate, Operand, Pointer, Range, form_of
+from clickgen.ir.operands import Cell, Constant, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action, FormulaText
 from clickgen.ir.walk import condition_operands, leaves
 
@@ -28,10 +29,7 @@ CODE = "CG510"
 _WRITERS = frozenset(spec.name for spec in (*copies.SPECS, *maths.SPECS))
 _BARRIERS = frozenset(spec.name for spec in (CALL, END, RETURN, FOR, NEXT, RAW))
 """What runs behind these is not what stands behind them, or nobody knows what they read."""
-_MESSAGES = frozenset(spec.name for spec in (*communication.SPECS, RAW))
 _BANKS = ("C", "DS", "DD", "DH", "DF", "TXT")
-_VOLATILE = ("T", "TD", "CT", "SC", "SD")
-"""Banks that may change between two rungs although no instruction there names them."""
 _CERTAIN = ("+", "-", "*", "/", "AND", "OR", "XOR", "LSH", "RSH", "LRO", "RRO")
 """The operators that give a result whatever their operands are (click-facts, section 4)."""
 _COPY_FLAGS = frozenset(filter(None, map(parse_address, COPY_FLAGS)))
@@ -45,19 +43,17 @@ _RANGES_MAX = 8
 def check(facts: Facts, problems: Diagnostics) -> None:
     looked_at: dict[int, list[Operand]] = defaultdict(list)
     touched: dict[int, list[Use]] = defaultdict(list)
-    arriving: set[Address] = set()
+    changes = Changes(facts)
     for use in facts.uses.every:
         if use.action is None or use.leaf:
             looked_at[id(use.rung)].append(use.operand)
         else:
             touched[id(use.action)].append(use)
-            if use.is_written and use.action.spec.name in _MESSAGES:
-                arriving |= _with_points(use.operand)
-    walk = _Walk(facts, problems, arriving)
+    walk = _Walk(facts, problems, changes)
     routine, rung = None, None
     for placed in facts.actions:
         if placed.routine is not routine:
-            walk, routine = _Walk(facts, problems, arriving), placed.routine
+            walk, routine = _Walk(facts, problems, changes), placed.routine
         if placed.rung is not rung:
             rung = placed.rung
             walk.enter(looked_at[id(rung)])
@@ -76,16 +72,15 @@ class _Write(NamedTuple):
 class _Walk:
     """One routine from its first rung to its last, with the values that nothing has read so far."""
 
-    def __init__(self, facts: Facts, problems: Diagnostics, arriving: set[Address]) -> None:
+    def __init__(self, facts: Facts, problems: Diagnostics, changes: Changes) -> None:
         self._facts = facts
         self._problems = problems
-        self._arriving = arriving
-        """What other devices write, in their own time, with the points of words."""
+        self._changes = changes
         self._flags = frozenset(flag for flag in _FLAGS if facts.uses.reads(flag))
         """The flags that the program looks at anywhere."""
         self._cells: dict[str, dict[int, _Write]] = defaultdict(dict)
         self._ranges: dict[str, list[_Write]] = defaultdict(list)
-        self._changed: list[list[tuple[str, int, int]]] = []
+        self._changed: list[list[Extent]] = []
         """What each rung has written: bank, first and last number."""
         self._left: set[int] = set()
         """The rungs with a call or a loop: behind it their conditions may not hold any more."""
@@ -139,11 +134,9 @@ class _Walk:
     # -- writing ------------------------------------------------------------------------------------------------------
 
     def _write(self, placed: Placed, operand: Operand) -> None:
+        self._changed[-1] += extents_written(operand)
         if isinstance(operand, Pointer):
-            banks = [operand.bank, TWIN_BANKS.get(operand.bank, operand.bank)]
-            self._changed[-1] += [(bank, 0, BANKS[bank].last) for bank in banks]
             return
-        self._changed[-1] += extents_of(operand)
         is_copied = placed.spec.name in _WRITERS
         for bank, first, last in extents_of(operand):
             if bank not in _BANKS:
@@ -195,24 +188,10 @@ class _Walk:
             if id(write.placed.rung) in self._left:
                 return False
             changed = [extent for rung in self._changed[write.rung - 1 :] for extent in rung]
-            if any(self._may_change(operand, changed) for operand in condition_operands(other)):
+            if any(self._changes.may_change(operand, changed) for operand in condition_operands(other)):
                 return False
         # What never runs at all is CG507's.
         return implies(one, other) and can_hold(one)
-
-    def _may_change(self, operand: Operand, changed: list[tuple[str, int, int]]) -> bool:
-        """True when an operand of a condition may have another value after these changes."""
-        if isinstance(operand, Immediate) or not self._arriving.isdisjoint(_with_points(operand)):
-            return True
-        return any(
-            bank in _VOLATILE or any(bank == other and first <= end and start <= last for other, start, end in changed)
-            for bank, first, last in extents_of(operand)
-        )
-
-
-def _with_points(operand: Operand) -> set[Address]:
-    """The addresses of an operand, and the points that its words hold."""
-    return {point for address in addresses_of(operand) for point in (address, *points_of(address))}
 
 
 def _begins_with(path: Condition, other: Condition) -> bool:

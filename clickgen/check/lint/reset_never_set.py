@@ -13,15 +13,20 @@ from clickgen.instructions.coils import RESET
 from clickgen.ir.conditions import Contact
 from clickgen.ir.logic import implies
 from clickgen.ir.operands import Cell
+from clickgen.ir.reach import touches
 from clickgen.ir.walk import condition_operands
 
 CODE = "CG503"
+
+_WRITERS_MAX = 2000
+"""Beyond so many instructions the way back from a reset is not followed."""
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
     resets = [(placed, addresses_of(placed.action.args["address"])) for placed in facts.actions if placed.spec is RESET]
     never_on = {bit for bit in {bit for _, bits in resets for bit in bits} if _stays_off(facts, bit)}
-    asked = {bit for placed, bits in resets for bit in _answered(facts, placed, never_on.intersection(bits))}
+    answers = _Answers(facts)
+    asked = {bit for placed, bits in resets for bit in answers.of(placed, never_on.intersection(bits))}
     said: set[Address] = set()
     for placed, bits in resets:
         # A range may hold spare bits beside those that are set.
@@ -49,19 +54,45 @@ def _stays_off(facts: Facts, bit: Address) -> bool:
     return all(placed.spec is RESET for placed in facts.writers(bit))
 
 
-def _answered(facts: Facts, placed: Placed, bits: set[Address]) -> set[Address]:
-    """Those of the bits whose reset waits for them: a panel asks by setting a bit, and the program has answered.
+class _Answers:
+    """Which resets answer a panel: it asks by setting a bit, and the reset waits for the bit or for what came of it."""
 
-    It waits for the bit itself, or for what the program writes on account of it: a timer, a step, a flag.
-    """
-    if not bits:
-        return bits
-    span = placed.action.span
-    signs = _looked_at([placed])
-    direct = {bit for bit in bits & signs if implies(placed.condition, Contact(Cell(bit, span), span))}
-    writers = [writer for sign in signs for writer in facts.writers(sign)]
-    calls = [call for writer in writers for call in facts.calls.get(writer.routine.name, ())]
-    return direct | (bits & _looked_at([*writers, *calls]))
+    def __init__(self, facts: Facts) -> None:
+        self._facts = facts
+        self._behind: dict[int, set[Address]] = {}
+        """What each action depends on, by its id."""
+
+    def of(self, placed: Placed, bits: set[Address]) -> set[Address]:
+        """Those of the bits whose reset waits for them, or for what the program does on account of them.
+
+        The way may be long: a step, a timer, the end of a batch. Where it is too long, it is taken to lead to the bits.
+        """
+        if not bits:
+            return bits
+        span = placed.action.span
+        signs = _looked_at([placed])
+        direct = {bit for bit in bits & signs if implies(placed.condition, Contact(Cell(bit, span), span))}
+        waiting = [writer for sign in signs for writer in self._facts.writers(sign)]
+        seen: set[Address] = set()
+        done: set[int] = set()
+        while waiting and not bits <= seen:
+            writer = waiting.pop()
+            if id(writer.action) in done:
+                continue
+            done.add(id(writer.action))
+            if len(done) > _WRITERS_MAX:
+                return bits
+            behind = self._depends_on(writer) - seen
+            seen |= behind
+            waiting += [before for address in behind for before in self._facts.writers(address)]
+        return direct | (bits & seen)
+
+    def _depends_on(self, writer: Placed) -> set[Address]:
+        known = self._behind.get(id(writer.action))
+        if known is None:
+            calls = self._facts.calls.get(writer.routine.name, ())
+            known = self._behind[id(writer.action)] = _looked_at([writer, *calls]) | _read_by(writer)
+        return known
 
 
 def _looked_at(actions: Iterable[Placed]) -> set[Address]:
@@ -74,6 +105,13 @@ def _looked_at(actions: Iterable[Placed]) -> set[Address]:
     }
 
 
+def _read_by(placed: Placed) -> set[Address]:
+    """The addresses that an action reads by itself: the source of a copy, the operands of a formula, a box's inputs."""
+    return {
+        address for touch in touches(placed.action) if not touch.is_written for address in addresses_of(touch.operand)
+    }
+
+
 RULE = Rule(
     CODE,
     check,
@@ -82,7 +120,8 @@ A `reset` of a bit that no rung ever turns on does nothing, and every contact on
 the name is a little wrong here or where the bit is set, or the rung that sets it is gone.
 
 Any other instruction that writes the bit counts as a set: `out`, a copy, a pointer, a drum. The rule is silent about a
-request from a panel: a bit whose reset waits for the bit itself, or for what the program does on account of it.
+request from a panel: a bit whose reset waits for the bit itself, or for what the program does on account of it, such
+as the end of the batch that it asked for.
 """,
     wrong=(
         Wrong(
@@ -126,6 +165,19 @@ if c.LoadRequest:
 
 if t.Loaded:
     reset(c.LoadRequest)
+""",
+        """
+if c.RinseOnly:
+    copy(9, ds.Step)
+
+if ds.Step == 9:
+    ton(t.Rinsing, 30, Ts)
+
+if t.Rinsing:
+    copy(10, ds.Step)
+
+if ds.Step == 10:
+    reset(c.RinseOnly)
 """,
         """
 nickname(c.Enabled, c[1], initial=1)

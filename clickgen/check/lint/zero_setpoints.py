@@ -1,10 +1,10 @@
-"""A timer that waits for nothing: its setpoint is the constant 0."""
+"""A timer that delays nothing although something looks at its bit: its setpoint is the constant 0."""
 
 from __future__ import annotations
 
 from clickgen.check.facts import Facts, Placed
 from clickgen.check.rule import Rule, Wrong
-from clickgen.diagnostics import Diagnostics
+from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions import drums, timers
 from clickgen.ir.operands import Cell, Integer, Single
 from clickgen.ir.program import Operands, Pattern
@@ -24,9 +24,13 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         setpoint = placed.action.args.get("setpoint")
         if placed.spec in timers.SPECS and isinstance(setpoint, Integer) and setpoint.value == 0:
             timer = placed.action.args["timer"]
-            name = facts.shown(timer.address) if isinstance(timer, Cell) else "this timer"
-            fault = f"the setpoint of {name} is 0: {_HAPPENS[placed.spec.name]}"
-            problems.add(CODE, setpoint.span, fault, "give it a time, or leave the timer out")
+            reads = facts.uses.reads(timer.address) if isinstance(timer, Cell) else []
+            # A stopwatch has no setpoint either: its current value is what counts.
+            if reads and isinstance(timer, Cell):
+                fault = f"the setpoint of {facts.shown(timer.address)} is 0: {_HAPPENS[placed.spec.name]}"
+                value = f"td[{timer.address.number}]"
+                help = f"give it a time; to measure a time, compare its current value {value} and leave the bit alone"
+                problems.add(CODE, setpoint.span, fault, help, (Label(reads[0].operand.span, "its bit is used here"),))
         elif placed.spec is drums.TIME_DRUM:
             for step, preset in _empty_steps(placed):
                 problems.add(
@@ -57,6 +61,9 @@ A timer with the setpoint 0 delays nothing: whoever reads `t.Delay` believes tha
 that was to be filled in later. Where the time is set on a panel, name the register: `setpoint=ds.Delay`; a register may
 be 0.
 
+The rule speaks only where the program uses the timer's bit. A timer with the setpoint 0 whose bit nobody uses is a
+stopwatch: its current value keeps counting past the setpoint, and a comparison or a panel reads that.
+
 A step of a time drum that lasts 0 and drives an output does not keep it on for longer than a scan. A step of 0 that
 drives nothing is left alone: that is how a step is taken out without counting the others anew.
 """,
@@ -66,6 +73,12 @@ drives nothing is left alone: that is how a step is taken out without counting t
 if x.Door:
     ton(t.DoorOpen, setpoint=0, unit=Ts)  # <-
     tof(t.Light, 0)  # <-
+
+if t.DoorOpen:
+    out(y.Horn)
+
+if t.Light:
+    out(y.Lamp)
 """
         ),
         Wrong(
@@ -89,6 +102,16 @@ if c.Run:
 if x.Door:
     ton(t.DoorOpen, setpoint=30, unit=Ts)
     tof(t.Light, ds.LightTime)
+
+if all(t.DoorOpen, t.Light):
+    out(y.Lamp)
+""",
+        """
+if y.Motor:
+    ton(t.Running, setpoint=0, unit=Ts)
+
+if td.Running > 30:
+    out(y.Lamp)
 """,
         """
 if c.Run:

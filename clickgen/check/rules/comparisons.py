@@ -7,16 +7,16 @@ from clickgen.check.values import range_fault, value_class
 from clickgen.device.banks import BANKS, Kind
 from clickgen.diagnostics import Diagnostics
 from clickgen.ir.conditions import Compare
-from clickgen.ir.operands import Cell, Constant, Integer, Text
+from clickgen.ir.operands import Cell, Constant, Integer, Single, Text
 from clickgen.resolve.constants import kind_of
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
     for compare in facts.comparisons:
-        _check(compare, problems)
+        _check(facts, compare, problems)
 
 
-def _check(compare: Compare, problems: Diagnostics) -> None:
+def _check(facts: Facts, compare: Compare, problems: Diagnostics) -> None:
     left, right = compare.left, compare.right
     for side in (left, right):
         if isinstance(side, Cell) and BANKS[side.bank].is_bit:
@@ -50,4 +50,23 @@ def _check(compare: Compare, problems: Diagnostics) -> None:
         if fault:
             problems.add("CG302", constant.span, fault, "the comparison could never change")
         elif isinstance(constant, Text) and len(constant.value) != 1:
-            problems.add("CG302", constant.span, "a TXT address holds one character", 'compare with one: txt[1] == "A"')
+            problems.add("CG302", constant.span, "a TXT address holds one character", _search(facts, compare, other))
+
+
+def _search(facts: Facts, compare: Compare, register: Single) -> str:
+    """The way out for a text of several characters: a search compares it with as many addresses."""
+    text = compare.left if isinstance(compare.left, Text) else compare.right
+    shown = facts.text(register.span)
+    count = len(text.value) if isinstance(text, Text) else 0
+    if isinstance(register, Cell):
+        first = register.address.number
+        shown = f"txt[{first}:{first + count}]"
+        is_there = BANKS["TXT"].has(first + count - 1)
+    else:
+        shown = shown if shown.endswith("]") else f"{shown}[0:{count}]"
+        is_there = True
+    if not count or not is_there or compare.op not in ("==", "!="):
+        return 'compare with one: txt[1] == "A"'
+    bit = "c.Found" if compare.op == "==" else "nc(c.Found)"
+    search = f"search({shown} == {facts.text(text.span)}, result=ds.FoundAt, found=c.Found)"
+    return f"compare with one character, or search in a rung before, {search}, and test {bit}"

@@ -8,7 +8,7 @@ from clickgen.device.banks import BANKS, PADDED_DIGITS, Address
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.copies import CONVERSIONS, COPY, COPY_FILL
 from clickgen.instructions.spec import Pair, ParamKind
-from clickgen.ir.operands import Cell, Range, Text, form_of
+from clickgen.ir.operands import Cell, Integer, Range, Text, form_of
 from clickgen.ir.program import Action, Options
 from clickgen.ir.reach import reached
 from clickgen.wording import counted
@@ -21,7 +21,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         operands = [action.args[name] for name in placed.spec.matrix if name]
         if not operands or any(operand.span in refused for operand in operands):
             continue
-        if _check_options(action, problems) and _check_pair(action, problems):
+        if _check_options(action, problems) and _check_pair(facts, action, problems):
             _check_flags(action, problems)
             _check_lengths(action, problems)
 
@@ -83,7 +83,7 @@ def _judge_options(action: Action, options: Options, problems: Diagnostics) -> N
         )
 
 
-def _check_pair(action: Action, problems: Diagnostics) -> bool:
+def _check_pair(facts: Facts, action: Action, problems: Diagnostics) -> bool:
     """False when CLICK does not copy between these."""
     spec = action.spec
     source, target = (action.args[name] for name in spec.matrix)
@@ -91,7 +91,7 @@ def _check_pair(action: Action, problems: Diagnostics) -> bool:
     pairs = [pair for variant in spec.variants for pair in variant.pairs]
     pair = next((pair for pair in pairs if source_form in pair.sources and target_form in pair.targets), None)
     if pair is None:
-        _refuse(action, source_form, target_form, pairs, problems)
+        _refuse(facts, action, source_form, target_form, pairs, problems)
         return False
     if pair.disputed:
         problems.add(
@@ -115,13 +115,16 @@ def _check_pair(action: Action, problems: Diagnostics) -> bool:
     return True
 
 
-def _refuse(action: Action, source: str, target: str, pairs: list[Pair], problems: Diagnostics) -> None:
+def _refuse(facts: Facts, action: Action, source: str, target: str, pairs: list[Pair], problems: Diagnostics) -> None:
     reachable = list(dict.fromkeys(bank for pair in pairs if source in pair.sources for bank in pair.targets))
     help = (
         f"{source} goes to {', '.join(reachable)}" if reachable else f"{action.spec.name} copies nothing from {source}"
     )
     if action.spec is COPY and BANKS.get(target) is not None and BANKS[target].is_bit and source not in BANKS:
-        help = "to turn a bit on or off use set(...) or reset(...)"
+        bit, value = action.args[action.spec.matrix[1]], action.args[action.spec.matrix[0]]
+        shown = facts.text(bit.span) if isinstance(bit, Cell) else "c.Name"
+        is_off = isinstance(value, Integer) and value.value == 0
+        help = f"a bit is turned off with reset({shown})" if is_off else f"a bit is turned on with set({shown})"
     problems.add("CG305", action.span, f"CLICK cannot {action.spec.name} from {source} to {target}", help)
 
 
