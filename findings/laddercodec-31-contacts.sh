@@ -4,10 +4,10 @@
 # Package: laddercodec 0.2.2
 # Seen: encode() takes a rung whose contacts fill all 31 columns up to a box of two or more rows (copy, timer, counter).
 #   decode() of those bytes raises DecodeError. With 30 contacts, or before a coil of one row, the rung comes back.
-# Expected: decode() reads what encode() wrote. The width of a rung should not matter to the box behind it.
-# Meaning: A rung that is as wide as CLICK allows can be pasted but not imported: one such rung makes the whole capture
-#   unreadable. clickgen draws such rungs (the ladder CSV is sound, and reads it back from there), says so as a problem
-#   of the file when it meets one in a capture, and checks this shape in tests/test_import_shapes.py.
+# Expected: decode() reads what encode() wrote. CLICK's grid has 31 columns, and the rung fills them.
+# Meaning: A capture with one rung as wide as CLICK allows cannot be read at all, and a rung that is to be pasted cannot
+#   be checked before by reading it back. clickgen reads and writes such rungs in ladder CSV, and reports a capture
+#   that laddercodec does not decode as a problem of the file (CG701), never as fewer rungs.
 #
 # Output:
 #> 30 contacts, out(Y001): 30 contacts, out(Y001)
@@ -22,7 +22,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 python3 -m venv "$work/venv"
-"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check laddercodec==0.2.2
+"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    laddercodec==0.2.2
 cat > "$work/see.py" <<'PY'
 import csv
 from pathlib import Path

@@ -9,17 +9,18 @@
 #   reason where it does so, in clickgen/check/rules/copies.py.
 #
 # Output:
-#> suppress_zero=0, exponential=0: copy(DF1,TXT1,convert=to_text(suppress_zero=0,exponential=0,termination_code=none))
-#> suppress_zero=0, exponential=1: copy(DF1,TXT1,convert=to_value)
-#> suppress_zero=1, exponential=0: copy(DF1,TXT1,convert=to_text(suppress_zero=1,exponential=0,termination_code=none))
-#> suppress_zero=1, exponential=1: copy(DF1,TXT1,convert=to_text(suppress_zero=1,exponential=1,termination_code=none))
+#> suppress_zero=0,exponential=0: copy(DF1,TXT1,convert=to_text(suppress_zero=0,exponential=0,termination_code=none))
+#> suppress_zero=0,exponential=1: copy(DF1,TXT1,convert=to_value)
+#> suppress_zero=1,exponential=0: copy(DF1,TXT1,convert=to_text(suppress_zero=1,exponential=0,termination_code=none))
+#> suppress_zero=1,exponential=1: copy(DF1,TXT1,convert=to_text(suppress_zero=1,exponential=1,termination_code=none))
 set -eu
 expected=$(sed -n 's/^#> //p' "$0")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 python3 -m venv "$work/venv"
-"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check laddercodec==0.2.2
+"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    laddercodec==0.2.2
 cat > "$work/see.py" <<'PY'
 import csv
 from pathlib import Path
@@ -40,8 +41,9 @@ def decoded(token):
 
 for zero in (0, 1):
     for exponential in (0, 1):
-        options = f"suppress_zero={zero},exponential={exponential},termination_code=none"
-        print(f"suppress_zero={zero}, exponential={exponential}:", decoded(f"copy(DF1,TXT1,convert=to_text({options}))"))
+        options = f"suppress_zero={zero},exponential={exponential}"
+        token = decoded(f"copy(DF1,TXT1,convert=to_text({options},termination_code=none))")
+        print(f"{options}: {token}")
 PY
 seen=$(cd "$work" && venv/bin/python see.py)
 printf '%s\n' "$seen"

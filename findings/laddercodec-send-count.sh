@@ -17,7 +17,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 python3 -m venv "$work/venv"
-"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check laddercodec==0.2.2
+"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    laddercodec==0.2.2
 cat > "$work/see.py" <<'PY'
 import csv
 import re

@@ -9,7 +9,7 @@
 # Expected: The package calls its list canonical, so a name from CLICK's own export should be in it, at its address.
 # Meaning: A program that names system points by this list does not fit the project in CLICK: _RTC_Hour is not found,
 #   and an access counter can be the wrong one. clickgen takes the spelling of the export first and the others as
-#   aliases, refuses the names that moved, and tests both in tests/test_system_names.py.
+#   aliases, refuses a name that moved (CG215), and tests both in tests/test_system_names.py.
 #
 # Output:
 #> SC19: CLICK '_PLC Error', pyclickplc '_PLC_Error'
@@ -41,7 +41,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 python3 -m venv "$work/venv"
-"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check pyclickplc==0.4.1
+"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    pyclickplc==0.4.1
 cat > "$work/see.py" <<'PY'
 import re
 

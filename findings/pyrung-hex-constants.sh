@@ -5,9 +5,9 @@
 # Seen: DH1==00FFh comes back as DH1==255, and a formula in hex mode, DH1 AND 00FFh, as DH1 AND 255 with mode=hex.
 # Expected: The ladder that went in: the guide to the code generation (docs/dialects/click-codegen.md in the sdist) says
 #   that the round trip reproduces it. In CLICK, constants beside DH and in hex mode are hexadecimal: 00FFh.
-# Meaning: In a hex formula the digits 255 are no longer the value 00FFh, so a mask can change without a
-#   message. clickgen writes four digits with an h, warns of a decimal number in a hex formula (CG315), and its
-#   import stops at such a ladder (CG703) instead of guessing.
+# Meaning: In a hex formula the digits 255 are no longer the value 00FFh, so a mask can change without a message.
+#   clickgen writes constants with an h, warns of a decimal number in a hex formula (CG315), and its import stops at
+#   such a ladder (CG703) instead of guessing.
 #
 # Output:
 #> in:  DH1==00FFh, math(DH1 AND 00FFh,DH2,mode=hex)
@@ -20,7 +20,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 python3 -m venv "$work/venv"
-"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check pyrung==0.15.2 pyclickplc==0.4.1
+"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    pyrung==0.15.2 pyclickplc==0.4.1
 cat > "$work/see.py" <<'PY'
 import csv
 import runpy

@@ -4,10 +4,11 @@
 # Package: pyrung 0.15.2 (with pyclickplc 0.4.1)
 # Seen: A loop of four rounds around two rungs, the second with the contact DS1>2. ladder_to_pyrung() makes Python of
 #   it without that contact, and without a warning; run, the second rung counts in all four rounds.
-# Expected: The contact is kept (DS2 is 2 after a scan), or ladder_to_pyrung() raises. Rungs in a loop are ordinary rungs.
-# Meaning: A simulation or a proof of imported ladder answers for another program than the one in the PLC, and an
-#   export back to CLICK removes interlocks. clickgen keeps the conditions; where it runs its scenarios in pyrung as an
-#   outside judge, this difference is listed by name (tests/scenarios/control.py).
+# Expected: The contact is kept (DS2 is 2 after a scan), or ladder_to_pyrung() raises: a rung in a loop has conditions
+#   like any other.
+# Meaning: A simulation or a proof of imported ladder answers for another program than the one in the PLC, and an export
+#   back to CLICK removes interlocks. clickgen keeps the conditions; where it runs its scenarios in pyrung as an outside
+#   judge, this difference is listed by name (tests/scenarios/control.py).
 #
 # Output:
 #> with rung(C1):
@@ -21,7 +22,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 python3 -m venv "$work/venv"
-"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check pyrung==0.15.2 pyclickplc==0.4.1
+"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    pyrung==0.15.2 pyclickplc==0.4.1
 cat > "$work/see.py" <<'PY'
 import csv
 import re

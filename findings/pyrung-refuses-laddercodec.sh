@@ -4,11 +4,11 @@
 # Packages: pyrung 0.15.2 (with pyclickplc 0.4.1) and laddercodec 0.2.2
 # Seen: Each token below goes through laddercodec's binary form and comes back unchanged. pyrung's ladder_to_pyrung()
 #   raises for three of them; for the others it writes Python that fails when it is run.
-# Expected: The two share one description of ladder CSV, and pyrung's documentation names laddercodec's page as
-#   the format that it reads. termination_code=none is how laddercodec writes every to_text() without such a code.
-# Meaning: A project that was captured from CLICK with laddercodec may not open in pyrung, and a caller must
-#   execute the generated file to find out. clickgen's judge in tests/judges/simulator.py has a table of these spellings,
-#   with the form that pyrung takes.
+# Expected: They are read: pyrung's documentation names laddercodec's page as the format, and termination_code=none is
+#   how laddercodec writes every to_text() without such a code.
+# Meaning: A project that was captured from CLICK with laddercodec may not open in pyrung, and a caller must run the
+#   generated file to find out. clickgen's outside judge has a table of such spellings, with the form that pyrung takes
+#   (tests/judges/simulator.py).
 #
 # Output:
 #> copy(DS1,TXT1,convert=to_text(suppress_zero=1,exponential=0,termination_code=none)): generated, then NameError
@@ -22,7 +22,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 python3 -m venv "$work/venv"
-"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check pyrung==0.15.2 pyclickplc==0.4.1 laddercodec==0.2.2
+"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    pyrung==0.15.2 pyclickplc==0.4.1 laddercodec==0.2.2
 cat > "$work/see.py" <<'PY'
 import csv
 import runpy

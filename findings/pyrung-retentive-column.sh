@@ -19,7 +19,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 python3 -m venv "$work/venv"
-"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check pyrung==0.15.2 pyclickplc==0.4.1
+"$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    pyrung==0.15.2 pyclickplc==0.4.1
 cat > "$work/see.py" <<'PY'
 import csv
 import runpy
