@@ -2,8 +2,8 @@
 # ClickNick cannot be installed beside pyclickplc 0.4.1: it asks for exactly 0.4.0.
 #
 # Packages: clicknick 0.23.4 and pyclickplc 0.4.1
-# Seen: pip refuses the pair, because clicknick 0.23.4 depends on pyclickplc==0.4.0. Its other dependencies are pinned to
-#   one version as well, laddercodec==0.2.2 and pyrung==0.15.2 among them.
+# Seen: pip refuses the pair, because clicknick 0.23.4 depends on pyclickplc==0.4.0. Its other dependencies are pinned
+#   to one version as well, laddercodec==0.2.2 and pyrung==0.15.2 among them.
 # Expected: A range, as pyrung 0.15.2 has for the same library (pyclickplc>=0.4.0).
 # Meaning: The program that pastes a bundle into CLICK needs an environment of its own, and does not get what pyclickplc
 #   0.4.1 mended. clickgen takes laddercodec from 0.2.2 on, so the two can share an environment only with 0.2.2;
