@@ -446,10 +446,10 @@ def test_a_pipe_is_no_file(tmp_path: Path) -> None:
 def test_what_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     put(tmp_path, {"main.csv": ladder(MAIN)})
 
-    def locked(path: Path) -> bytes:
+    def locked(path: Path, _limit: int) -> bytes:
         raise PermissionError(13, "Permission denied", str(path))
 
-    monkeypatch.setattr(Path, "read_bytes", locked)
+    monkeypatch.setattr("clickgen.ladder.project.read_file", locked)
     assert refused(tmp_path) == f"{tmp_path / 'main.csv'} cannot be read: Permission denied"
 
 

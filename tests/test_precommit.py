@@ -16,7 +16,7 @@ from clickgen.cli.parser import parse
 
 PROJECT = Path(__file__).parents[1]
 HOOKS = PROJECT / ".pre-commit-hooks.yaml"
-PACKAGE = ("pyproject.toml", "README.md", "LICENSE", ".pre-commit-hooks.yaml", "clickgen", "grammar")
+PACKAGE = ("pyproject.toml", "README.md", "LICENSE", ".pre-commit-hooks.yaml", "clickgen", "grammar", "docs")
 """What installing from a clone needs."""
 
 GOOD = """\

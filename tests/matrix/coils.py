@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from matrix.notation import (
     CONSTANTS,
+    DOUBTED_SC,
     WRITABLE_SC,
     WRITTEN,
     Cell,
@@ -27,7 +28,11 @@ def _coils(name: str, token: str) -> list[Cell]:
     return [
         *slot(_COIL, lambda operand: (f"{name}({operand.source})", f"{token}({operand.token})")),
         *(
-            action(f"{name}(sc[{number}])", f"{token}(SC{number})", codes="" if number in WRITABLE_SC else "CG304")
+            action(
+                f"{name}(sc[{number}])",
+                f"{token}(SC{number})",
+                codes="" if number in WRITABLE_SC else "CG312" if number in DOUBTED_SC else "CG304",
+            )
             for number in range(1, 1001)
         ),
         action(f"{name}(sc[65:68])", f"{token}(SC65..SC67)"),

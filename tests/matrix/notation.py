@@ -15,6 +15,8 @@ REGISTERS = "DS DD DH DF XD YD TD CTD SD TXT"
 POINTED = "C DS DD DH DF XD YD TD CTD TXT"
 NEVER_WRITTEN = "X T CT XD"
 WRITABLE_SC = (50, 51, 53, 55, 60, 61, 65, 66, 67, 75, 76, 120, 121, 303, 304, 323, 324)
+DOUBTED_SC = (305, 306, 325, 326)
+"""Writable in one list taken from an export, read-only in that of CLICK PLUS 3.41 (click-facts, section 1)."""
 WRITABLE_SD = (
     *(29, 31, 32, 34, 35, 36, 40, 41, 42, 50, 51, 60, 61, 106, 107, 108, 112, 113, 114),
     *(140, 141, 142, 143, 144, 145, 146, 147, 214, 215),
