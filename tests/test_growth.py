@@ -109,8 +109,8 @@ def test_marks_and_styles_are_looked_for_in_what_can_hold_them() -> None:
 def test_scratch_cells_that_cannot_be_placed_are_not_drawn(tmp_path: Path) -> None:
     """Each of these rungs takes 66 scratch bits; after two thousand the bank is full, and the rest is not drawn."""
     rungs = "    if nc(c[1:2001]):\n        set(y[1])\n"
-    few, many = (judged("def main():\n" + rungs * n + END, tmp_path) for n in (40, 120))
-    assert many < 2 * few
+    few, many = (judged("def main():\n" + rungs * n + END, tmp_path) for n in (32, 64))
+    assert many < 1.5 * few
     problems = clickgen.build(tmp_path / "p.py").diagnostics
     assert [problem.code for problem in problems] == ["CG208"]
 

@@ -125,7 +125,9 @@ def test_the_specification_s_example(tmp_path: Path) -> None:
     program = tmp_path / "prog.py"
     program.write_text(blocks[-1], "utf-8")
     # A counter that counts down on a level, an edge where only one mode looks, and a cycle that nothing ends.
-    assert findings(program) == Counter({("CG513", 32): 1, ("CG514", 94): 1, ("CG502", 95): 1, ("CG528", 63): 1, ("CG545", 98): 1})
+    assert findings(program) == Counter(
+        {("CG513", 32): 1, ("CG514", 94): 1, ("CG502", 95): 1, ("CG528", 63): 1, ("CG545", 98): 1}
+    )
 
 
 # -- several files ----------------------------------------------------------------------------------------------------
