@@ -12,6 +12,8 @@ from collections.abc import Iterable
 
 _LONG = 8
 """From so many characters on, a word may differ in two places."""
+_SHORT = 3
+"""Words of so many letters are changed into others by one."""
 _MOST = 3
 """So many words are named when they are equally near; of more, none is."""
 
@@ -113,7 +115,19 @@ def _is_misspelled(written: str, meant: str) -> bool:
         return doubled or (len(meant) == 3 and meant.startswith(written) and len(written) == 2)
     if f"{meant}s" == written or f"{written}s" == meant:
         return True
+    if len(meant) <= _SHORT and not _is_mistyped(written, meant):
+        return False
     return written not in _WORDS and written[:1] == meant[:1]
+
+
+def _is_mistyped(written: str, meant: str) -> bool:
+    """True where letters of a short word were exchanged, doubled or left out: with another letter it is another word.
+
+    ``ANB``, ``RND`` and ``SIGN`` of other machines are no misspellings of any, RAD and SIN.
+    """
+    if len(written) == len(meant):
+        return sorted(written) == sorted(meant)
+    return set(written) == set(meant) if len(written) > len(meant) else set(written) < set(meant)
 
 
 def _parts(name: str) -> list[str]:

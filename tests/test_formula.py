@@ -216,7 +216,7 @@ def test_mistakes_at_their_place(source: str, mode: Mode, expected: list[tuple[s
         ("dss.A", "decimal", "did you mean ds?"),
         ("DS5", "decimal", "write ds[5]"),
         ("XD0u", "decimal", 'write xd["0u"]'),
-        ("SINE(2)", "decimal", "did you mean SIN?"),
+        ("SINE(2)", "decimal", "write SIN(2): a sine"),
         ("POW(ds.A, 2)", "decimal", "write (ds.A ^ 2)"),
         ("dh.A AND 5", "decimal", "math_hex"),
         ("SIN(dh.A)", "hex", "calc"),

@@ -34,6 +34,11 @@ def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
 
 
+def again(old: str) -> str:
+    """The other way out where the new name stands in a program already."""
+    return f"; where it already means {old}, write {old} there again: then this renames every place"
+
+
 def place(files: Mapping[str, str | bytes]) -> None:
     for name, content in files.items():
         Path(name).parent.mkdir(parents=True, exist_ok=True)
@@ -228,7 +233,7 @@ def test_sources_follow_a_table_that_was_renamed_before() -> None:
     assert text() == source.replace("Old", "New")
     # Not so when both are in use, or when the table means something else.
     place({"prog.py": main("if c.Old:\n        out(c.New)")})
-    assert refused("Old", "New") == "New is taken: prog.py:3:13 uses it; choose another name"
+    assert refused("Old", "New") == "New is taken: prog.py:3:13 uses it; choose another name" + again("Old")
     place({"prog.py": main("if ds.Old:\n        out(c.Other)")})
     assert "so it cannot be ds.Old" in refused("Old", "New")
 
@@ -421,9 +426,14 @@ def test_a_broken_program_beside_it() -> None:
         ("Old", "sum", "CLICK does not take the nickname 'sum': sum is a word of CLICK's formulas"),
         ("Old", "", "CLICK does not take the nickname '': it is empty"),
         ("Old", "scratch_c7", "clickgen keeps names like scratch_c7 for its own cells; choose another name"),
-        ("Old", "other", "other is taken: it is C6 (line 3 of nicknames.csv); choose another name"),
-        ("Old", "Used", "Used is taken: prog.py:4:13 uses it; choose another name"),
-        ("Old", "Declared", "Declared is taken: prog.py:1:10 uses it; choose another name"),
+        (
+            "Old",
+            "other",
+            "other is taken: it is C6 (line 3 of nicknames.csv); choose another name; where a build gave it to what "
+            "was Old, write Old in the programs again, run clickgen nicknames sync --prune, and then this",
+        ),
+        ("Old", "Used", "Used is taken: prog.py:4:13 uses it; choose another name" + again("Old")),
+        ("Old", "Declared", "Declared is taken: prog.py:1:10 uses it; choose another name" + again("Old")),
         ("_Always_ON", "Always", "_Always_ON is CLICK's own name of SC1"),
         ("Scratch_C2000", "Mine", "Scratch_C2000 is a cell that clickgen uses for itself (line 4 of nicknames.csv)"),
     ],
@@ -549,7 +559,7 @@ def test_sources_follow_the_marks_of_a_table() -> None:
     [
         ("Go", "Go is taken: it is C1 (line 4 of nicknames.csv); choose another name"),
         ("Other", "Other is taken: it is a block (line 5 of nicknames.csv); choose another name"),
-        ("Total", "Total is taken: prog.py:3:28 uses it; choose another name"),
+        ("Total", "Total is taken: prog.py:3:28 uses it; choose another name" + again("Recipe")),
         ("a/b", "CLICK does not take the nickname 'a/b': it holds /, which CLICK forbids in a nickname"),
         ("12", "'12' cannot be the name of a block: it has no letter"),
     ],

@@ -13,6 +13,7 @@ from clickgen.diagnostics import Diagnostic
 from clickgen.fixing import apply_fixes
 from clickgen.pipeline import check
 from clickgen.settings import Settings
+from clickgen.suggest import near_words
 from clickgen.syntax import slips
 
 ENDING = "    if True:\n        end()\n"
@@ -409,3 +410,54 @@ def test_explain_knows_a_slip(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["explain", "cuont"]) == 2
     assert main(["explain", "calcc"]) == 2
     assert "did you mean calc?" in capsys.readouterr().err
+
+
+# -- signs that bind otherwise than Python's words --------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "NOT x[1] & x[2]",
+        "!x[1] & x[2]",
+        "!x[1] | x[2]",
+        "x[3] AND NOT x[1] & x[2]",
+        "x[1] && !x[2] & x[3]",
+        "!ds[1] >= 1",
+        "NOT ds[1] == 5",
+    ],
+)
+def test_a_not_of_another_language_takes_the_next_term_alone(line: str, tmp_path: Path) -> None:
+    """Python's not takes a whole comparison, and & and | too: no fix, and no way out, may read the line so."""
+    text = condition(line)
+    assert mended(text, tmp_path) == mended(text, tmp_path, unsafe=True) == text
+    [problem] = found(text.encode(), "CG101", tmp_path)
+    assert "write what belongs together" in problem.help
+
+
+def test_a_nickname_that_is_a_word_of_logic_is_left_alone(tmp_path: Path) -> None:
+    assert mended(condition("c.And && x[1]"), tmp_path) == condition("all(c.And, x[1])")
+
+
+def test_zeros_before_a_number_may_be_a_hexadecimal_constant(tmp_path: Path) -> None:
+    text = condition("dh.Code == 0010")
+    assert mended(text, tmp_path, unsafe=True) == text
+    [problem] = found(text.encode(), "CG101", tmp_path)
+    assert problem.help == "write 10, or 0x0010 where it is hexadecimal"
+
+
+@pytest.mark.parametrize("asked", ["c.Bits == False", "c.Bits == 0", "c.Bits != True", "False == c.Bits"])
+def test_a_block_that_is_compared_with_false_has_no_opposite(asked: str, tmp_path: Path) -> None:
+    text = f"nickname(c.Bits, c[10:14])\n\n\n{condition(asked)}"
+    assert mended(text, tmp_path, unsafe=True) == text
+    [problem] = found(text.encode(), "CG303", tmp_path)
+    assert "nothing in the language is the opposite of c.Bits" in problem.help
+
+
+WORDS_OF_OTHERS = ["ANB", "ANL", "ANS", "ABL", "SIGN", "SGN", "RND", "RAND", "LSR", "LRR", "SINH", "SRET"]
+
+
+@pytest.mark.parametrize("word", WORDS_OF_OTHERS)
+def test_a_word_of_another_machine_is_no_misspelling_of_a_short_one(word: str) -> None:
+    known = ["all", "any", "nc", "re", "fe", "set", "SIN", "COS", "TAN", "RAD", "SUM", "LSH", "LRO", "LOG"]
+    assert near_words(word, known) == []

@@ -38,7 +38,7 @@ def as_rungs(code: str) -> str:
     name = code.partition("(")[0]
     if code == "pass" or name in INSTRUCTIONS:
         return f"    if c[9]:\n        {code}\n"
-    if name in ("", "SQRT", "LOG", "LRO", "RRO", "SUM") or code.startswith("ds.A ^"):
+    if name in ("", "SQRT", "LOG", "SIN", "COS", "TAN", "LRO", "RRO", "SUM") or code.startswith("ds.A ^"):
         function, bank = ("math_hex", "dh") if "dh." in code else ("calc", "df")
         return f"    if c[9]:\n        {function}('{code}', {bank}.Result)\n"
     return f"    if {code}:\n        out(c.Out)\n"
@@ -217,7 +217,8 @@ def test_slips_are_seen(typed: str, meant: str) -> None:
 
 
 def test_words_that_are_equally_near_are_all_named() -> None:
-    assert near_words("tom", INSTRUCTIONS) == ["tof", "ton"]
+    assert near_words("cal", INSTRUCTIONS) == ["calc", "call"]
+    assert near_words("tom", INSTRUCTIONS) == []
     assert near_words("Pmp", ["Pump", "Pimp", "Pomp", "Pemp"]) == []
 
 

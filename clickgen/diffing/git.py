@@ -12,6 +12,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+_SECONDS_MAX = 120
+"""A repository whose files are pipes would keep git waiting for ever."""
 _OFF = {
     "core.fsmonitor": "",
     "core.hooksPath": os.devnull,
@@ -40,7 +42,7 @@ _LEFT_OUT = ("GIT_ASKPASS", "SSH_ASKPASS", "GIT_EXTERNAL_DIFF", "GIT_PROXY_COMMA
 
 
 def run_git(*words: str, given: bytes | None = None) -> subprocess.CompletedProcess[bytes]:
-    """Run a command of git that only reads. Raises FileNotFoundError without git."""
+    """Run a command of git that only reads. Raises FileNotFoundError without git, and TimeoutExpired."""
     program = _program()
     if program is None:
         raise FileNotFoundError("git")
@@ -53,6 +55,7 @@ def run_git(*words: str, given: bytes | None = None) -> subprocess.CompletedProc
         capture_output=True,
         env=environment,
         check=False,
+        timeout=_SECONDS_MAX,
     )
 
 

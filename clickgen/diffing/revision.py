@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from subprocess import TimeoutExpired
 from typing import NamedTuple
 
 from clickgen.diagnostics import CouldNotRun
@@ -237,6 +238,8 @@ def _git(named: Named, *words: str, given: bytes | None = None, may_fail: bool =
         raise CouldNotRun(
             f"{named}: there is no such file or folder, and a revision needs git, which is not here"
         ) from None
+    except TimeoutExpired:
+        raise CouldNotRun(f"{named}: git gave no answer") from None
     if done.returncode == 0 or may_fail:
         return done.stdout if done.returncode == 0 else b""
     said = done.stderr.decode("utf-8", "replace").strip().split("\n")[0].removeprefix("fatal: ")

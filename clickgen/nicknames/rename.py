@@ -198,11 +198,15 @@ def _check_tables(tables: Iterable[Table], wanted: _Wanted) -> None:
                 "programs"
             )
         if row is not None and other is not None and other.address != row.address:
-            raise _taken(new, f"it is {other.address} ({table.place(other)})")
+            again = (
+                f"where a build gave it to what was {old}, write {old} in the programs again, run clickgen nicknames "
+                "sync --prune, and then this"
+            )
+            raise _taken(new, f"it is {other.address} ({table.place(other)})", again)
 
 
-def _taken(new: str, reason: str) -> CouldNotRun:
-    return CouldNotRun(f"{new} is taken: {reason}; choose another name")
+def _taken(new: str, reason: str, again: str = "") -> CouldNotRun:
+    return CouldNotRun(f"{new} is taken: {reason}; choose another name" + (f"; {again}" if again else ""))
 
 
 def _refuse_unread(programs: Iterable[Program], old: str) -> None:
@@ -219,7 +223,8 @@ def _check_sources(files: Iterable[FileNames], wanted: _Wanted) -> None:
     for file in files:
         taken = [] if old.lower() == new.lower() else [*file.of(new), *file.blocks_of(new)]
         if taken:
-            raise _taken(new, f"{taken[0].span} uses it")
+            again = f"where it already means {old}, write {old} there again: then this renames every place"
+            raise _taken(new, f"{taken[0].span} uses it", again)
         for named in wanted.places(file):
             place = file.place(named)
             if place.is_plain and not _is_plain(new, place.in_formula):

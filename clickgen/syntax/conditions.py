@@ -169,6 +169,9 @@ def _in_the_way(context: Context, node: ast.expr) -> str:
         fault = condition_fault(context, f"all({text})")
         if fault is not None:
             both = _compared_too(context, function, compared, term)
+            if not wanted and not both:
+                # Its own way out is not yet the opposite that is asked for.
+                return f"correct {shown} first: {fault.help}"
             return f"{shown} has no place in it: {f'compare it as well, {both}' if both else fault.help}"
         if not wanted and not has_opposite(context, term):
             return no_opposite(shown, is_negated=True)
@@ -224,7 +227,7 @@ def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
         return None
     bit = no_condition.compared_bit(context, node, fits)
     if bit is not None:
-        context.problem("CG303", node, "a bit is a condition by itself, and is not compared", *bit)
+        _refuse_compared(context, node, bit)
         return None
     operator = COMPARISONS.get(type(node.ops[0]))
     if operator is None:
@@ -251,6 +254,18 @@ def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
     assert not isinstance(left, Range | Immediate)
     assert not isinstance(right, Range | Immediate)
     return Compare(operator, left, right, context.span(node))
+
+
+def _refuse_compared(context: Context, node: ast.Compare, bit: no_condition.ComparedBit) -> None:
+    fault = "a bit is a condition by itself, and is not compared"
+    if bit.turned is None or bit.fix is None or context.is_trial:
+        context.problem("CG303", node, fault, bit.help, bit.fix)
+        return
+    leaf = _read_term(Context(context.source, Diagnostics()), bit.turned)
+    context.problem("CG303", node, fault, no_condition.bit_help(context.text(bit.turned)))
+    if isinstance(leaf, Contact):
+        place = context.span(node)
+        context.proposals.append(Proposal("CG303", place, bit.fix.edits, bit.help, (leaf,)))
 
 
 def _read_function(context: Context, node: ast.Call, name: str) -> Condition | None:

@@ -6,6 +6,7 @@ import ast
 import re
 from collections.abc import Iterator
 from itertools import pairwise
+from typing import NamedTuple
 
 from clickgen.device.banks import BANKS
 from clickgen.diagnostics import Edit, Fix, did_you_mean
@@ -58,6 +59,9 @@ def way_out(context: Context, node: ast.expr, fits: Fits) -> tuple[str, Fix | No
         if isinstance(node.op, ast.BitXor):
             return own_advice(context, CONDITIONS["xor"], (node.left, node.right), fits), None
         return _calculation(context, node, fits)
+    known = advice(node.id, CONDITIONS) if isinstance(node, ast.Name) else None
+    if known is not None:
+        return known.shown, None
     if isinstance(node, ast.Name) and not address_hint(node):
         return f"a nickname follows its bank: x.{node.id}, y.{node.id} or c.{node.id}", None
     return address_hint(node), None
@@ -148,7 +152,16 @@ def _between(context: Context, operands: list[ast.expr]) -> str:
     return "".join(gaps)
 
 
-def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, Fix | None] | None:
+class ComparedBit(NamedTuple):
+    """The way out for a bit that is compared. ``turned`` is the bit where its opposite is meant, which is for the judge
+    of fixes: a name may be that of a block."""
+
+    help: str
+    fix: Fix | None = None
+    turned: ast.expr | None = None
+
+
+def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> ComparedBit | None:
     """The way out for a bit that is compared: with True, 0, "ON", another bit; None where no bit is."""
     left, right, sign = node.left, node.comparators[0], _COMPARED.get(type(node.ops[0]), "")
     if bank_of(right) is not None and _is_bit(right) and not _is_bit(left):
@@ -156,7 +169,7 @@ def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, 
     text, bank = own(context, left), bank_of(left)
     is_terminal = isinstance(left, ast.Attribute) and left.attr == "immediate" and _is_bit(left.value)
     if bank is not None and not bank.is_bit and isinstance(right, ast.Constant) and isinstance(right.value, bool):
-        return f"write {text} {'!=' if right.value is _SIGNS.get(sign, True) else '=='} 0", None
+        return ComparedBit(f"write {text} {'!=' if right.value is _SIGNS.get(sign, True) else '=='} 0")
     if bank is None or not (_is_bit(left) or (is_terminal and _truth(right) is not None)) or not fits(text):
         return None
     if _is_bit(right):
@@ -166,7 +179,9 @@ def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, 
             CONDITIONS["xor"].written([text, other]),
         )
         written = same if _SIGNS.get(sign) else unlike
-        return (f"write {written}" if sign in _SIGNS and text and other and fits(written) else _bit_help(text)), None
+        return ComparedBit(
+            f"write {written}" if sign in _SIGNS and text and other and fits(written) else bit_help(text)
+        )
     value = _truth(right)
     if value is None or sign not in _SIGNS or not text:
         current = {"T": "td", "CT": "ctd"}.get(bank.name)
@@ -174,14 +189,15 @@ def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, 
             whole = own(context, node)
             written = re.sub(rf"\b{bank.dsl}(?=[.\[])", current, whole)
             if fits(written):
-                return f"{text} is the bit; its current value is compared with {written}", None
-        return _bit_help(text), None
+                return ComparedBit(f"{text} is the bit; its current value is compared with {written}")
+        return ComparedBit(bit_help(text))
     wanted = text if value is _SIGNS[sign] else f"nc({text})"
     is_sure = isinstance(left, ast.Subscript) and isinstance(left.slice, ast.Constant) and type(left.slice.value) is int
-    return f"write {wanted}", replaced(context, node, wanted, is_safe=is_sure) if fits(wanted) else None
+    fix = replaced(context, node, wanted, is_safe=is_sure) if fits(wanted) else None
+    return ComparedBit(f"write {wanted}", fix, None if wanted == text else left)
 
 
-def _bit_help(text: str) -> str:
+def bit_help(text: str) -> str:
     return f"write {text or 'c.A'} where it is to be on, nc({text or 'c.A'}) where it is to be off"
 
 

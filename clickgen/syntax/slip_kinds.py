@@ -82,7 +82,9 @@ def _after_head(text: str) -> str:
     return rest[: comment.start() + 1] if comment else rest
 
 
-LOGIC = re.compile(r"&&|\|\||\b(?:AND|OR|NOT|And|Or|Not)\b|!(?=\s?[A-Za-z_(])")
+LOGIC = re.compile(r"&&|\|\||(?<![\w.])(?:AND|OR|NOT|And|Or|Not)\b|!(?=\s?[A-Za-z_(])")
+_SINGLE = re.compile(r"[&|^~]")
+_COMPARED = re.compile(r"[<>]|[=!]=")
 _PYTHON = {"&&": "and", "||": "or", "!": "not"}
 
 
@@ -96,6 +98,9 @@ def logic(line: Line, match: re.Match[str]) -> Told:
         spaced = (" " if before and not before.isspace() and before != "(" else "") + word
         spaced += "" if after.isspace() else " "
         edits.append((*found.span(), spaced))
+    if _binds_otherwise(line.code):
+        way = "write what belongs together with all(...) in series, any(...) in parallel and nc(...) for the opposite"
+        return Told(f"{match[0]} is not part of the language", way, match.span())
     help = _condition(line, _after_head(_without(line, edits)))
     general = "in series write all(c.A, c.B), in parallel any(c.A, c.B), for the opposite nc(c.A)"
     return Told(
@@ -104,6 +109,16 @@ def logic(line: Line, match: re.Match[str]) -> Told:
         match.span(),
         tuple(edits) if _HEAD.match(line.code) else (),
     )
+
+
+def _binds_otherwise(code: str) -> bool:
+    """True where Python's words would take other things together than the signs of the line do.
+
+    ``!`` and NOT of other languages belong to the next term; Python's not takes a comparison, and ``&`` and ``|`` too.
+    """
+    rest = LOGIC.sub(" ", code)
+    is_negated = any(found[0].lower() in ("!", "not") for found in LOGIC.finditer(code))
+    return _SINGLE.search(rest) is not None or (is_negated and _COMPARED.search(rest) is not None)
 
 
 def comparison(*pairs: tuple[str, str]) -> Callable[[Line, re.Match[str]], Told]:
@@ -217,7 +232,7 @@ def bit_of(line: Line, match: re.Match[str]) -> Told | None:
 def quoted_name(_: Line, match: re.Match[str]) -> Told | None:
     """``c.1st``, ``c.My Name``, ``c.if``: nicknames that are no word of Python's."""
     words = match["name"].split()
-    if len(words) > 1 and (keyword.iskeyword(words[1]) or words[1].lower() in _WORDS):
+    if len(words) > 1 and (keyword.iskeyword(words[1]) or words[1].lower() in _WORDS | _RELATIONS):
         return None
     text = f'{match["bank"]}["{match["name"]}"]'
     is_word = len(words) == 1
@@ -230,13 +245,20 @@ def quoted_name(_: Line, match: re.Match[str]) -> Told | None:
 
 
 _WORDS = frozenset(("and", "or", "not", "then", "xor", "nand", "nor", "is", "in", "if", "else", "do", "mod"))
+_RELATIONS = frozenset(("between", "equals", "equal", "than", "to", "greater", "less", "within"))
+"""Words that follow an address in other languages, and begin no nickname of two words."""
 
 
 def zeros(line: Line, match: re.Match[str]) -> Told:
     number = match["number"]
     bank = re.search(r"(\w+\[)\s*$", line.code[: match.start()])
-    shown = f"{bank[1]}{number}]" if bank else number
-    return Told("a number begins with no 0", f"write {shown}", match.span("zeros"), ((*match.span("zeros"), ""),))
+    if bank is None:
+        # CLICK shows hexadecimal values with four digits.
+        way = f"write {number}, or 0x{match['zeros']}{number} where it is hexadecimal"
+        return Told("a number begins with no 0", way, match.span("zeros"))
+    return Told(
+        "a number begins with no 0", f"write {bank[1]}{number}]", match.span("zeros"), ((*match.span("zeros"), ""),)
+    )
 
 
 def dotted_range(_: Line, match: re.Match[str]) -> Told:

@@ -10,7 +10,7 @@ ARGUMENTS = {
         ("preset pre pt pv sp time delay limit duration setpt set_point goal period", "setpoint"),
         ("timebase time_base base tb", "unit"),
         ("r res rst clear clr reset_input", "reset"),
-        ("cd down dn countdown", "count_down"),
+        ("cd down countdown", "count_down"),
         ("clk clock_bit trigger", "clock"),
         ("src from_ input s", "source"),
         ("dst dest to target d result output", "destination"),

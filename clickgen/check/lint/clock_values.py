@@ -34,8 +34,9 @@ _HOLDS: Mapping[str, Callable[[float, float], bool]] = {
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
+    parts: _Parts = {}
     for compare in facts.comparisons:
-        _check_comparison(facts, compare, problems)
+        _check_comparison(facts, compare, parts, problems)
     for placed in facts.actions:
         for touch in touches(placed.action):
             if touch.is_written:
@@ -54,14 +55,22 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                         problems.add(CODE, span, fault, f"write a number from {part.low} to {part.high}")
 
 
-def _check_comparison(facts: Facts, compare: Compare, problems: Diagnostics) -> None:
+_Parts = dict[Address, Part | None]
+"""What is known of the registers that were asked for."""
+
+
+def _check_comparison(facts: Facts, compare: Compare, parts: _Parts, problems: Diagnostics) -> None:
     left, op, right = compare.left, compare.op, compare.right
     if not isinstance(left, Cell):
         left, op, right = right, MIRRORED[op], left
     if not isinstance(left, Cell) or not isinstance(right, Integer | Real):
         return
     # A register alone is compared with a 0 that stands nowhere.
-    part = None if right.span == left.span else _part(facts, left.address)
+    if right.span == left.span:
+        return
+    if left.address not in parts:
+        parts[left.address] = _part(facts, left.address)
+    part = parts[left.address]
     if part is None:
         return
     outcome = _outcome(part, op, right.value)
