@@ -181,7 +181,7 @@ def _key(operand: Named | Cell) -> object:
 
 _RELATIONS = {"==": "=", "!=": "<>?", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
 """The ways in which two registers can stand to each other, as characters: ``?`` when one holds no number."""
-_COMPARE: Mapping[str, Callable[[Number, Number], bool]] = {
+HOLDS: Mapping[str, Callable[[Number, Number], bool]] = {
     "==": operator.eq,
     "!=": operator.ne,
     "<": operator.lt,
@@ -189,6 +189,7 @@ _COMPARE: Mapping[str, Callable[[Number, Number], bool]] = {
     ">": operator.gt,
     ">=": operator.ge,
 }
+"""What each comparison asks of two numbers."""
 
 
 _SINGLE_EXACT = 2**24
@@ -268,7 +269,7 @@ class _State:
         op, left, right = compare.op, compare.left, compare.right
         left_value, right_value = _constant(left), _constant(right)
         if left_value is not None and right_value is not None:
-            return self if _COMPARE[op](left_value, right_value) is wanted else None
+            return self if HOLDS[op](left_value, right_value) is wanted else None
         if left_value is not None:
             left, op, right_value = right, MIRRORED[op], left_value
         if not isinstance(left, _REGISTERS):

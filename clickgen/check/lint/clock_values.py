@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import operator
-from collections.abc import Callable, Mapping
-
 from clickgen.check.copied import put_in
 from clickgen.check.facts import Facts
 from clickgen.check.rule import Rule, Wrong
@@ -15,6 +12,7 @@ from clickgen.diagnostics import Diagnostics
 from clickgen.formula.values import value_of
 from clickgen.instructions.maths import CALC
 from clickgen.ir.conditions import MIRRORED, Compare
+from clickgen.ir.logic import HOLDS
 from clickgen.ir.operands import Cell, Integer, Real
 from clickgen.ir.program import FormulaText
 from clickgen.ir.reach import touches
@@ -23,14 +21,6 @@ CODE = "CG552"
 
 _COPIES_MAX = 8
 """A register that gets its value through more copies than this is not looked into."""
-_HOLDS: Mapping[str, Callable[[float, float], bool]] = {
-    "==": operator.eq,
-    "!=": operator.ne,
-    "<": operator.lt,
-    "<=": operator.le,
-    ">": operator.gt,
-    ">=": operator.ge,
-}
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
@@ -87,7 +77,7 @@ def _check_comparison(facts: Facts, compare: Compare, parts: _Parts, problems: D
 
 def _outcome(part: Part, op: str, value: float) -> bool | None:
     """What a comparison with the clock always is; None where it depends, or where it only bounds a range."""
-    outcomes = {_HOLDS[op](one, value) for one in range(part.low, part.high + 1)}
+    outcomes = {HOLDS[op](one, value) for one in range(part.low, part.high + 1)}
     if len(outcomes) > 1:
         return None
     (outcome,) = outcomes
