@@ -16,8 +16,8 @@ TYPE_CHECKING = False
 """As in typing, whose import would be a good part of the time that ``clickgen --version`` takes."""
 
 if TYPE_CHECKING:
-    from clickgen.diagnostics import CouldNotRun
     from clickgen.pipeline import BuildResult, CheckResult, Settings, build, check
+    from clickgen.problems.diagnostics import CouldNotRun
 
 __version__ = "0.1.0"
 __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "Settings", "__version__", "build", "check"]

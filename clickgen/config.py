@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
-from clickgen.codes import CODES
-from clickgen.diagnostics import CouldNotRun, did_you_mean
-from clickgen.files import MIB, read_file
+from clickgen.problems.codes import CODES
+from clickgen.problems.diagnostics import CouldNotRun, did_you_mean
+from clickgen.workspace import MIB, read_file
 
 if TYPE_CHECKING:
     from clickgen.device.banks import Address

@@ -9,38 +9,38 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
 
-from clickgen.check.facts import Facts
-from clickgen.check.left_names import Left, left_names, report_left
-from clickgen.check.rules import RULES, scratch_bits
+from clickgen.click.ladder_csv import ladder_csv
 from clickgen.device.banks import Address
 from clickgen.device.limits import ROWS_AND_RUNGS_MAX, RUNGS_MAX
-from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
+from clickgen.dialects.if_rungs.read.imports import importers, read_program
+from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.emit.folder import ForeignFiles, stale_files
-from clickgen.emit.ladder_csv import ladder_csv
 from clickgen.emit.listing import listing
 from clickgen.emit.nickname_csv import nickname_csv
 from clickgen.emit.sourcemap import source_map
-from clickgen.emit.write import put_in_place
-from clickgen.files import read_file, read_if_there
-from clickgen.fixes.judge import judge_proposals
+from clickgen.facts.facts import Facts
+from clickgen.fixes.verdict import judge_proposals
 from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Program
 from clickgen.lower.place import PlaceScratch
 from clickgen.lower.scratch import Scratch
 from clickgen.lower.serves import served
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
-from clickgen.resolve.blocks import Block, marked_blocks
-from clickgen.resolve.layers import beside_workbook
-from clickgen.resolve.read_table import TableUnreadable, read_table
-from clickgen.resolve.record import left_in, placed_in, read_record, record_beside, with_placed
+from clickgen.problems.diagnostics import CouldNotRun, Diagnostic, Diagnostics
+from clickgen.resolve.left_names import Left, left_names, report_left
 from clickgen.resolve.resolve import Resolved, resolve
-from clickgen.resolve.rows import Row
-from clickgen.resolve.table import AddressTable
+from clickgen.rules.errors import RULES, scratch_bits
 from clickgen.settings import TABLE_NAME, Settings
-from clickgen.source import SourceFile
-from clickgen.syntax.files import importers, read_program
-from clickgen.syntax.parse import decode
-from clickgen.wording import escaped
+from clickgen.table.address_table import AddressTable
+from clickgen.table.blocks import Block, marked_blocks
+from clickgen.table.layers import beside_workbook
+from clickgen.table.read import TableUnreadable, read_table
+from clickgen.table.record import left_in, placed_in, read_record, record_beside, with_placed
+from clickgen.table.rows import Row
+from clickgen.text.source import SourceFile
+from clickgen.text.wording import escaped
+from clickgen.text.write import put_in_place
+from clickgen.workspace import read_file, read_if_there
 
 __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "KnownNames", "Settings", "build", "check", "known_names"]
 
@@ -314,8 +314,8 @@ def _read_table(state: _Build) -> None:
 
 
 def _read_workbook(state: _Build, path: Path) -> None:
-    from clickgen.resolve.read_workbook import read_workbook
-    from clickgen.resolve.workbook_archive import bytes_of_workbook
+    from clickgen.table.workbook.archive import bytes_of_workbook
+    from clickgen.table.workbook.read import read_workbook
 
     shown = str(path)
     state.reads[shown] = data = bytes_of_workbook(path, shown)
@@ -417,13 +417,13 @@ def _record(state: _Build) -> bytes | None:
 def _check_kept(facts: Facts, problems: Diagnostics) -> None:
     """The tokens that a program keeps, which few do; the readers of ladder files know them."""
     if any(placed.spec is RAW for placed in facts.actions):
-        from clickgen.ladder.kept import check
+        from clickgen.click.read.kept import check
 
         check(facts, problems)
 
 
 def _lint(state: _Build) -> None:
-    from clickgen.check.lint import RULES as LINT_RULES
+    from clickgen.rules.advice import RULES as LINT_RULES
 
     assert state.facts is not None
     for rule in LINT_RULES:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from clickgen.device.banks import Address
-from clickgen.resolve.layers import is_workbook
+from clickgen.table.layers import is_workbook
 
 TABLE_NAME = "nicknames.csv"
 """The address table beside a program, when none is named."""

@@ -13,14 +13,14 @@ from pathlib import Path
 from docs_instruction import MADE, instruction_page
 from docs_markdown import bullets, quoted, table
 
-from clickgen.codes import CODES, Severity
 from clickgen.device.banks import BANKS, UPPER_BYTE_BANKS
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
-from clickgen.explain import explanation
+from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, Advice
+from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
 from clickgen.instructions import FAMILIES, control
 from clickgen.instructions.spec import Spec
-from clickgen.trade import ACTIONS, CONDITIONS, FORMULAS, Advice
-from clickgen.trade import BANKS as FOREIGN_BANKS
+from clickgen.problems.codes import CODES, Severity
+from clickgen.problems.explain import explanation
 
 ROOT = Path(__file__).parents[1]
 LANGUAGE = ROOT / "docs" / "language.md"

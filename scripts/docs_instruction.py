@@ -12,12 +12,12 @@ from docs_markdown import block, bullets, listed, problem_link, quoted, table
 
 from clickgen.device.banks import parse_address
 from clickgen.device.system import system_name_of
+from clickgen.dialects.if_rungs.read.options import MODIFIERS
 from clickgen.instructions.copies import CONVERSIONS
 from clickgen.instructions.data import SEARCH, SEARCH_RANGE
 from clickgen.instructions.raw import RAW
 from clickgen.instructions.spec import CODE, HEX, INTEGER, REAL, REQUIRED, TEXT, Pair, Param, ParamKind, Slot, Spec
 from clickgen.instructions.timers import UNITS
-from clickgen.syntax.options import MODIFIERS
 
 MADE = "<!-- made from the code: change it there and run make docs -->"
 _DISPUTED = f"with the warning {problem_link('CG312')}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from clickgen.stubs.stub import module_stub
+from clickgen.commands.stubs.stub import module_stub
 
 PATH = Path(__file__).parents[1] / "clickgen" / "dsl.pyi"
 

@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 import clickgen
-from clickgen.diagnostics import Diagnostic
+from clickgen.problems.diagnostics import Diagnostic
 
 CASES = Path(__file__).parents[1] / "fixtures" / "cases"
 PROGRAM, TABLE, EXPECTED = "prog.py", "nicknames.csv", "expected"

@@ -9,10 +9,10 @@ from itertools import product
 from pathlib import Path
 
 import clickgen
-from clickgen.diagnostics import Diagnostic
-from clickgen.fixing import apply_fixes
 from clickgen.pipeline import check
+from clickgen.problems.diagnostics import Diagnostic
 from clickgen.settings import Settings
+from clickgen.text.edits import apply_fixes
 
 
 def found(data: bytes, code: str, folder: Path) -> list[Diagnostic]:

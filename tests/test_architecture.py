@@ -99,7 +99,7 @@ def test_building_a_program_without_formulas_loads_no_lark(tmp_path: Path) -> No
 
 def test_a_check_out_of_the_cache_loads_only_what_it_needs(tmp_path: Path) -> None:
     (tmp_path / "prog.py").write_text("def main():\n    if x[1]:\n        out(y[1])\n    if True:\n        end()\n")
-    slow = ["dataclasses", "inspect", "clickgen.pipeline", "clickgen.report.frames", *HEAVY]
+    slow = ["dataclasses", "inspect", "clickgen.pipeline", "clickgen.problems.report.frames", *HEAVY]
     code = (
         f"import sys\nfrom clickgen.cli import main\nassert main(['check', 'prog.py', '-q', '-o', 'report.txt']) == 0\n"
         f"print(sorted(set(sys.modules) & {set(slow)!r}))"

@@ -9,16 +9,7 @@ from pyclickplc import banks as theirs
 from pyclickplc.addresses import format_address_display
 from pyclickplc.addresses import parse_address as their_parse_address
 
-from clickgen.device.banks import (
-    BANKS,
-    CURRENT_VALUE_OF,
-    ORDER,
-    UPPER_BYTE_BANKS,
-    Address,
-    Bank,
-    Kind,
-    parse_address,
-)
+from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, ORDER, UPPER_BYTE_BANKS, Address, Bank, Kind, parse_address
 
 # pyclickplc numbers XD and YD as CLICK's database does: XD0 is 0, XD0u is 1, XD1 is 2, ... XD8 is 16. clickgen counts
 # as CLICK shows them, 0..8 and 0u.

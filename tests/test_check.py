@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import pytest
 
-from clickgen.check.select import Selection
 from clickgen.cli import main
+from clickgen.rules.select import Selection
 
 DOUBLE = """\
 def main():
@@ -230,7 +230,7 @@ def test_the_command_line_replaces_the_selection_of_the_settings(check: Check) -
 def test_files_can_have_ignores_of_their_own(check: Check) -> None:
     write("old/plc.py", DOUBLE)
     write("new/plc.py", DOUBLE)
-    write("pyproject.toml", '[tool.clickgen.check.per-file-ignores]\n"old/*" = ["CG5"]\n')
+    write("pyproject.toml", '[tool.clickgen.facts.per-file-ignores]\n"old/*" = ["CG5"]\n')
     assert [line.partition(":")[0] for line in check(".", "--output-format", "concise", "-q").out.splitlines()] == [
         "new/plc.py"
     ]
@@ -386,7 +386,7 @@ def test_a_repeated_run_says_the_same_out_of_the_cache(check: Check, monkeypatch
     write("plc.py", DOUBLE)
     first = check(".")
     assert (Path(".clickgen_cache") / ".gitignore").read_text("utf-8") == "*\n"
-    monkeypatch.setattr("clickgen.checking.judge.judge", None)
+    monkeypatch.setattr("clickgen.commands.check.judging.judge", None)
     assert check(".") == first
 
 

@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from clickgen.source import SourceFile
-from clickgen.syntax.comments import DIRECTIVE, rung_comment
+from clickgen.dialects.if_rungs.read.comments import DIRECTIVE, rung_comment
+from clickgen.text.source import SourceFile
 
 FIXTURES = sorted((Path(__file__).parents[1] / "fixtures").rglob("*.py"))
 

@@ -9,11 +9,11 @@ import pytest
 from judges.builds import ladder_files
 from test_importing_cases import CASE_NAMES, golden_ladders, ladder_text, wired
 
-from clickgen.comparing.logics import Decisions, Situations, TooMany
-from clickgen.comparing.outputs import Surroundings
-from clickgen.comparing.same import Comparison, Likeness, compare
+from clickgen.click.compare.outputs import Surroundings
+from clickgen.click.compare.same import Comparison, Likeness, compare
+from clickgen.click.read.grid import DrawnRung, read_ladder
 from clickgen.device.banks import Address
-from clickgen.ladder.grid import DrawnRung, read_ladder
+from clickgen.logic.equality import Decisions, Situations, TooMany
 
 SCRATCH = frozenset(Address("C", number) for number in range(1900, 2001))
 

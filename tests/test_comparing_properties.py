@@ -32,12 +32,12 @@ from strategies.one_rung import power_programs
 from strategies.programs import Act, Branch, Item, Program, Rung
 from test_importing_cases import ladder_text
 
-from clickgen.comparing.outputs import Surroundings
-from clickgen.comparing.same import Likeness, compare
+from clickgen.click.compare.outputs import Surroundings
+from clickgen.click.compare.same import Likeness, compare
+from clickgen.click.read.grid import DrawnBox, DrawnRow, DrawnRung, Square, read_ladder
+from clickgen.click.read.operands import condition_of
 from clickgen.device.banks import Address
-from clickgen.ladder.grid import DrawnBox, DrawnRow, DrawnRung, Square, read_ladder
-from clickgen.ladder.operands import condition_of
-from clickgen.source import Span
+from clickgen.text.source import Span
 
 Rows = list[list[str]]
 """The rows of a rung: marker, 31 squares, output."""

@@ -28,23 +28,23 @@ from test_importing_cases import ladder_text, wired
 
 import clickgen
 from clickgen.cli import main
-from clickgen.comparing.same import Comparison, Likeness, compare
+from clickgen.click.compare.same import Comparison, Likeness, compare
+from clickgen.click.ladder_csv import HEADER
+from clickgen.click.read.grid import DrawnRung, read_ladder
+from clickgen.click.read.project import DrawnRoutine
+from clickgen.commands.diff.changes import ADDED, CHANGED, COMMENTED, KINDS, MOVED, REMOVED, Difference
+from clickgen.commands.diff.match import Block, longest_common, most_like, single, steps
+from clickgen.commands.diff.programs import diff
+from clickgen.commands.diff.revision import named_revision
+from clickgen.commands.diff.sides import Side, program_side
+from clickgen.commands.diff.words import Wording
 from clickgen.device.banks import Address, parse_address
-from clickgen.diffing.changes import ADDED, CHANGED, COMMENTED, KINDS, MOVED, REMOVED, Difference
-from clickgen.diffing.match import Block, longest_common, most_like, single, steps
-from clickgen.diffing.revision import named_revision
-from clickgen.diffing.run import diff
-from clickgen.diffing.sides import Side, program_side
-from clickgen.diffing.words import Wording
-from clickgen.emit.ladder_csv import HEADER
 from clickgen.emit.listing import Names
 from clickgen.ir.conditions import Contact
-from clickgen.ladder.grid import DrawnRung, read_ladder
-from clickgen.ladder.project import DrawnRoutine
 from clickgen.lower.scratch import purpose_of, rung_of
-from clickgen.resolve.rows import default_row, scratch_name
-from clickgen.resolve.table import AddressTable
 from clickgen.settings import Settings
+from clickgen.table.address_table import AddressTable
+from clickgen.table.rows import default_row, scratch_name
 
 RUNGS = [
     "    # Start and stop\n    if all(c.Start, nc(c.EStop)):\n        set(c.Running)\n",
@@ -230,7 +230,7 @@ def test_long_conditions_are_compared_term_by_term(run: Run, capsys: pytest.Capt
 
 def test_a_proof_that_fails_is_told(run: Run, bundle: str, monkeypatch: pytest.MonkeyPatch) -> None:
     unknown = Comparison(Likeness.UNKNOWN, "too many ways")
-    monkeypatch.setattr("clickgen.diffing.rungs.compare", lambda *_: unknown)
+    monkeypatch.setattr("clickgen.commands.diff.rungs.compare", lambda *_: unknown)
     write("prog.py", program(RUNGS[0].replace("nc(c.EStop)", "c.EStop"), *RUNGS[1:], sub=SUB))
     said = run(bundle, "prog.py")
     assert (said.code, said.lines[1]) == (1, "  rung 1 changed, as far as is known (too many ways)")
@@ -238,7 +238,7 @@ def test_a_proof_that_fails_is_told(run: Run, bundle: str, monkeypatch: pytest.M
 
 def test_words_that_hide_a_difference(run: Run, bundle: str, monkeypatch: pytest.MonkeyPatch) -> None:
     different = Comparison(Likeness.DIFFERENT, "out(Y001) has power always")
-    monkeypatch.setattr("clickgen.diffing.rungs.compare", lambda *_: different)
+    monkeypatch.setattr("clickgen.commands.diff.rungs.compare", lambda *_: different)
     said = run(bundle, "prog.py")
     assert said.code == 1
     assert "  rung 2 changed, which its words do not show (out(Y001) has power always)" in said.lines

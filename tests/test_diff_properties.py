@@ -17,13 +17,13 @@ from test_diff import Drawing, plant, with_scratch
 from test_import_shapes import SHAPES, rung, write_bundle
 from test_importing_cases import wired
 
-from clickgen.comparing.contacts import literal_of
-from clickgen.comparing.power import power_of
-from clickgen.diffing.run import diff
-from clickgen.diffing.sides import Side, ladder_side, program_side
-from clickgen.importing.run import Target, import_project
+from clickgen.click.compare.contacts import literal_of
+from clickgen.click.compare.power import power_of
+from clickgen.click.read.grid import DrawnRung
+from clickgen.commands.diff.programs import diff
+from clickgen.commands.diff.sides import Side, ladder_side, program_side
+from clickgen.commands.import_.project import Target, import_project
 from clickgen.ir.conditions import Compare, Contact
-from clickgen.ladder.grid import DrawnRung
 from clickgen.settings import Settings
 
 Rows = list[list[str]]

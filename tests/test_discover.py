@@ -10,15 +10,15 @@ from pathlib import Path
 
 import pytest
 
-from clickgen.checking import discover as module
-from clickgen.checking.cache import Cache, Cached, _mark, key_of
-from clickgen.checking.discover import Target, discover, is_program, matches, targets, wholly_judged
-from clickgen.checking.secret import user_secret
 from clickgen.cli import main
+from clickgen.commands.check.cache import Cache, Cached, _mark, key_of
+from clickgen.commands.check.secret import user_secret
 from clickgen.config import Config, ConfigError, find_config
 from clickgen.device.banks import BANKS
-from clickgen.diagnostics import CouldNotRun
+from clickgen.dialects.if_rungs import discover as module
+from clickgen.dialects.if_rungs.discover import Target, discover, is_program, matches, targets, wholly_judged
 from clickgen.instructions import INSTRUCTIONS
+from clickgen.problems.diagnostics import CouldNotRun
 
 END = "    if True:\n        end()\n"
 RUNG = "    if c.A:\n        out(c.B)\n"

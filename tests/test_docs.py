@@ -38,10 +38,10 @@ import pytest
 
 import clickgen
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
-from clickgen.codes import CODES
 from clickgen.config import read_config
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.spec import Spec
+from clickgen.problems.codes import CODES
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
 from docs_examples import KINDS, program_of

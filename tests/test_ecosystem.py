@@ -18,11 +18,11 @@ from xml.etree import ElementTree as ET
 import pytest
 import yaml
 
-from clickgen.codes import CODES, Severity
-from clickgen.diagnostics import Diagnostic, Edit, Fix
-from clickgen.formats import FORMATS
-from clickgen.report import Report, render
-from clickgen.source import Span
+from clickgen.problems.codes import CODES, Severity
+from clickgen.problems.diagnostics import Diagnostic, Edit, Fix
+from clickgen.problems.formats import FORMATS
+from clickgen.problems.report import Report, render
+from clickgen.text.source import Span
 
 PROJECT = Path(__file__).parents[1]
 PAGES = [PROJECT / "docs" / name for name in ("check-in-ci.md", "check-output.md")]

@@ -10,10 +10,10 @@ from hypothesis import given, note, settings
 from hypothesis import strategies as st
 from mended import assert_builds, fixed, found, rung, truth_table
 
-from clickgen.diagnostics import Diagnostics, Edit, Fix
-from clickgen.fixing import apply_fixes
-from clickgen.source import Span
-from clickgen.syntax.parse import decode
+from clickgen.dialects.if_rungs.read.parse import decode
+from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.text.edits import apply_fixes
+from clickgen.text.source import Span
 
 # -- edits ------------------------------------------------------------------------------------------------------------
 

@@ -10,8 +10,8 @@ import pytest
 from mended import assert_builds, body, chain, rung
 
 from clickgen.cli import main
-from clickgen.diagnostics import Diagnostic
 from clickgen.pipeline import check
+from clickgen.problems.diagnostics import Diagnostic
 from clickgen.settings import Settings
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\n"

@@ -9,7 +9,6 @@ import pytest
 
 import clickgen
 from clickgen.device.banks import Address
-from clickgen.diagnostics import Diagnostic, Diagnostics
 from clickgen.formula import Formula, Mode, Operand, Sum, parse_formula, print_formula, print_source, references
 from clickgen.formula import explain as explaining
 from clickgen.formula.build import Builder
@@ -17,7 +16,8 @@ from clickgen.formula.mistakes import MISTAKES, SPELLINGS
 from clickgen.formula.parse import grammar_text, reader
 from clickgen.formula.words import TERMINAL
 from clickgen.ir.operands import Cell, Named, Pointer, Range
-from clickgen.source import EmbeddedText, SourceFile, embedded_text
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics
+from clickgen.text.source import EmbeddedText, SourceFile, embedded_text
 
 MODES: tuple[Mode, Mode] = ("decimal", "hex")
 

@@ -17,7 +17,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from clickgen.device.banks import Address
-from clickgen.diagnostics import Diagnostics
 from clickgen.formula import (
     Binary,
     Call,
@@ -36,7 +35,8 @@ from clickgen.formula import (
     print_source,
 )
 from clickgen.ir.operands import Cell, Named, Pointer, Range
-from clickgen.source import SourceFile, Span, embedded_text
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.source import SourceFile, Span, embedded_text
 
 NOWHERE = Span("", 0, 0, 0, 0)
 SHIFTS = ("LSH", "RSH", "LRO", "RRO")

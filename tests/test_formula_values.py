@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from clickgen.codes import CODES
 from clickgen.pipeline import check
+from clickgen.problems.codes import CODES
 
 BIG = " * ".join(["2147483647"] * 60)
 

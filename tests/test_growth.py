@@ -8,13 +8,13 @@ import pytest
 from judges.work import calls_in
 
 import clickgen
-from clickgen.checking.discover import is_program, matches
-from clickgen.checking.run import Request
-from clickgen.checking.run import run as run_check
 from clickgen.cli import main
+from clickgen.commands.check.programs import Request
+from clickgen.commands.check.programs import run as run_check
 from clickgen.config import find_config
 from clickgen.device.limits import comment_bytes, styled_part
-from clickgen.resolve.blocks import mark_in
+from clickgen.dialects.if_rungs.discover import is_program, matches
+from clickgen.table.blocks import mark_in
 
 END = "    if True:\n        end()\n"
 RUNGS = {

@@ -15,9 +15,9 @@ from test_importing_properties import ruff_changes
 
 import clickgen
 from clickgen.cli import main
-from clickgen.codes import CODES
-from clickgen.importing.run import Target, import_project
-from clickgen.importing.source import write_source
+from clickgen.commands.import_.project import Target, import_project
+from clickgen.dialects.if_rungs.write.routine import write_source
+from clickgen.problems.codes import CODES
 from clickgen.settings import Settings
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
@@ -346,7 +346,7 @@ def test_a_rung_that_comes_back_otherwise_is_refused(
 ) -> None:
     """A mistake of the writer is found by the comparison: here it writes another address."""
     monkeypatch.setattr(
-        "clickgen.importing.run.write_source", lambda *args: write_source(*args).replace("y[1]", "y[2]")
+        "clickgen.commands.import_.project.write_source", lambda *args: write_source(*args).replace("y[1]", "y[2]")
     )
     write_bundle(Path("plant"), main=[*SEAL, wired("X004", "out(C1)", "R")])
     _, err = ran(capsys, "plant", "-o", "prog.py", code=1)

@@ -29,12 +29,13 @@ from test_importing_cases import check_same, compared, drawn, ladder_text
 from test_importing_properties import ruff_changes
 
 import clickgen
-from clickgen.importing import files, run
-from clickgen.importing.run import ImportResult, Target, import_project
-from clickgen.importing.source import write_source
+from clickgen.commands.import_ import project as run
+from clickgen.commands.import_.project import ImportResult, Target, import_project
+from clickgen.dialects.if_rungs.write import files
+from clickgen.dialects.if_rungs.write.routine import write_source
 from clickgen.pipeline import BuildResult
-from clickgen.resolve.rows import is_scratch
 from clickgen.settings import Settings
+from clickgen.table.rows import is_scratch
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment"
 TABLE = "nicknames.csv"

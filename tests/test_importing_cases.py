@@ -15,10 +15,10 @@ from judges.codec import comments_agree, normalise
 from judges.power import HEADER, LadderRung, Row, condition_tokens, power_sets, read_ladder, situations
 from test_ladder_tokens import TOKENS
 
-from clickgen.importing.functions import function_name
-from clickgen.importing.source import write_source
-from clickgen.ladder.grid import read_ladder as read_drawn
-from clickgen.ladder.rungs import ImportedRung, import_rung, routine_of
+from clickgen.click.read.grid import read_ladder as read_drawn
+from clickgen.click.read.rungs import ImportedRung, import_rung, routine_of
+from clickgen.dialects.if_rungs.write.functions import function_name
+from clickgen.dialects.if_rungs.write.routine import write_source
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
 import golden

@@ -14,12 +14,12 @@ from strategies.one_rung import power_programs
 from strategies.programs import Program
 from test_importing_cases import round_trip, source_of
 
-from clickgen.diagnostics import Diagnostics
-from clickgen.importing.source import comment_lines
+from clickgen.click.read.rungs import is_comment_kept
+from clickgen.dialects.if_rungs.read.program import read_file
+from clickgen.dialects.if_rungs.write.routine import comment_lines
 from clickgen.ir.program import Routine
-from clickgen.ladder.rungs import is_comment_kept
-from clickgen.source import SourceFile
-from clickgen.syntax.read import read_file
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.source import SourceFile
 
 
 def check_round_trip(program: Program) -> None:

@@ -6,11 +6,11 @@ import pytest
 from test_importing_cases import CASE_NAMES, golden_ladders, imported, ladder_text, source_of, wired
 from test_importing_properties import ruff_changes
 
+from clickgen.click.read.grid import read_ladder
+from clickgen.click.read.rungs import import_rung, routine_of
 from clickgen.device.banks import Address, parse_address
-from clickgen.importing.pieces import quoted
-from clickgen.importing.source import write_source
-from clickgen.ladder.grid import read_ladder
-from clickgen.ladder.rungs import import_rung, routine_of
+from clickgen.dialects.if_rungs.write.expressions import quoted
+from clickgen.dialects.if_rungs.write.routine import write_source
 
 
 def addresses(names: dict[str, str]) -> dict[Address, str]:

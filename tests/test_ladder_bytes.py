@@ -17,12 +17,12 @@ from judges.power import HEADER
 from judges.program_files import program_file
 
 from clickgen.cli import main
-from clickgen.ladder.binary import read_clipboard, read_program
-from clickgen.ladder.capture import cut
-from clickgen.ladder.grid import Ladder
-from clickgen.ladder.harmless import HARMLESS
-from clickgen.ladder.program_file import read_rungs
-from clickgen.ladder.rtf import left_out
+from clickgen.click.read.binary import read_clipboard, read_program
+from clickgen.click.read.capture import cut
+from clickgen.click.read.grid import Ladder
+from clickgen.click.read.harmless import HARMLESS
+from clickgen.click.read.program_file import read_rungs
+from clickgen.click.read.rtf import left_out
 
 WIDTH = 31
 TARGET = 'ModbusRtuTarget(name="rtu",com_port="slot0_1",device_id=5)'

@@ -14,12 +14,12 @@ from hypothesis import strategies as st
 from judges.power import HEADER, flow, leaf_of, situations
 from test_importing_cases import CASE_NAMES, golden_ladders, ladder_text, wired
 
+from clickgen.click.draw.tokens import contact_token
+from clickgen.click.read.grid import DrawnRung, decode_ladder, read_ladder
+from clickgen.click.read.problem import LadderProblem
+from clickgen.click.read.rungs import ImportedRung, import_rung
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.program import Action, Branch, Item
-from clickgen.ladder.grid import DrawnRung, decode_ladder, read_ladder
-from clickgen.ladder.problem import LadderProblem
-from clickgen.ladder.rungs import ImportedRung, import_rung
-from clickgen.lower.tokens import contact_token
 
 OUT = wired("X001", "out(C1)", "R")
 

@@ -8,15 +8,15 @@ import pytest
 from judges.builds import ladder_files
 from test_importing_cases import check_same, compared, ladder_text, round_trip, wired
 
-from clickgen.importing.source import write_source
+from clickgen.click.draw.tokens import action_token
+from clickgen.click.read.grid import read_ladder
+from clickgen.click.read.network import ONE_WAY_WIRE
+from clickgen.click.read.problem import LadderProblem
+from clickgen.click.read.reduce import BRIDGE
+from clickgen.click.read.rungs import ENTANGLED, ImportedRung, import_rung, routine_of
+from clickgen.dialects.if_rungs.write.routine import write_source
 from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Action, Rung
-from clickgen.ladder.grid import read_ladder
-from clickgen.ladder.network import ONE_WAY_WIRE
-from clickgen.ladder.problem import LadderProblem
-from clickgen.ladder.reduce import BRIDGE
-from clickgen.ladder.rungs import ENTANGLED, ImportedRung, import_rung, routine_of
-from clickgen.lower.tokens import action_token
 
 Drawing = Sequence[tuple[str, str]]
 """Rows: contacts, ``.`` for a blank square; and the output."""

@@ -18,13 +18,13 @@ from judges.power import HEADER
 from judges.program_files import program_file
 
 import clickgen
-from clickgen.diagnostics import CouldNotRun, Diagnostics
-from clickgen.ladder import project
-from clickgen.ladder.grid import DrawnRung, Square
-from clickgen.ladder.problem import LadderProblem
-from clickgen.ladder.project import DrawnRoutine, Project, read_project
-from clickgen.ladder.rungs import import_rung
-from clickgen.resolve.read_table import TableUnreadable, read_table
+from clickgen.click.read import project
+from clickgen.click.read.grid import DrawnRung, Square
+from clickgen.click.read.problem import LadderProblem
+from clickgen.click.read.project import DrawnRoutine, Project, read_project
+from clickgen.click.read.rungs import import_rung
+from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.table.read import TableUnreadable, read_table
 
 WIDTH = 31
 SPAN = re.compile(r"Span\([^)]*\)")
@@ -449,7 +449,7 @@ def test_what_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     def locked(path: Path, _limit: int) -> bytes:
         raise PermissionError(13, "Permission denied", str(path))
 
-    monkeypatch.setattr("clickgen.ladder.project.read_file", locked)
+    monkeypatch.setattr("clickgen.click.read.project.read_file", locked)
     assert refused(tmp_path) == f"{tmp_path / 'main.csv'} cannot be read: Permission denied"
 
 

@@ -6,17 +6,24 @@ import pytest
 from judges.power import read_ladder
 from test_importing_cases import CASE_NAMES, golden_ladders
 
+from clickgen.click.draw.tokens import (
+    action_token,
+    compare_token,
+    contact_token,
+    formula_text,
+    operand_token,
+    pin_token,
+)
+from clickgen.click.read.calls import call_of, split
+from clickgen.click.read.formulas import formula_of
+from clickgen.click.read.kept import raw_of
+from clickgen.click.read.operands import condition_of, operand_of
+from clickgen.click.read.tokens import action_of, height_of, pin_row_of
 from clickgen.instructions import FAMILIES
 from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import Always, Compare, Contact
 from clickgen.ir.program import Action
-from clickgen.ladder.calls import call_of, split
-from clickgen.ladder.formulas import formula_of
-from clickgen.ladder.kept import raw_of
-from clickgen.ladder.operands import condition_of, operand_of
-from clickgen.ladder.tokens import action_of, height_of, pin_row_of
-from clickgen.lower.tokens import action_token, compare_token, contact_token, formula_text, operand_token, pin_token
-from clickgen.source import Span
+from clickgen.text.source import Span
 
 HERE = Span("main.csv", 1, 1, 1, 2)
 

@@ -10,7 +10,7 @@ import pytest
 
 from clickgen.cli import main as run
 from clickgen.device.banks import Address
-from clickgen.resolve.record import left_in, placed_in
+from clickgen.table.record import left_in, placed_in
 
 
 @pytest.fixture(autouse=True)

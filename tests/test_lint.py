@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from clickgen.check.lint import RULES
-from clickgen.check.rule import Rule, Wrong
-from clickgen.codes import CODES
-from clickgen.diagnostics import Diagnostic
-from clickgen.fixing import apply_fixes
 from clickgen.pipeline import check
+from clickgen.problems.codes import CODES
+from clickgen.problems.diagnostics import Diagnostic
+from clickgen.rules.advice import RULES
+from clickgen.rules.rule import Rule, Wrong
+from clickgen.text.edits import apply_fixes
 
 MARK = "# <-"
 WRONG = [(rule, example) for rule in RULES for example in rule.wrong]

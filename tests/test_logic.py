@@ -1,4 +1,4 @@
-"""What clickgen.ir.logic says of conditions, case by case and against trying every state of a small machine."""
+"""What clickgen.logic.conditions says of conditions, case by case and against trying every state of a small machine."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from clickgen.diagnostics import Diagnostics
+from clickgen.dialects.if_rungs.read.imports import read_program
 from clickgen.ir.conditions import All, Compare, Condition
-from clickgen.ir.logic import always_holds, are_exclusive, can_hold, decided, implies
 from clickgen.ir.program import Program
+from clickgen.logic.conditions import always_holds, are_exclusive, can_hold, decided, implies
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.resolve.resolve import resolve
-from clickgen.resolve.table import AddressTable
-from clickgen.source import SourceFile
-from clickgen.syntax.files import read_program
+from clickgen.table.address_table import AddressTable
+from clickgen.text.source import SourceFile
 
 
 def program(text: str) -> Program:

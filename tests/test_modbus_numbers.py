@@ -9,7 +9,7 @@ import pytest
 
 import clickgen
 from clickgen.device.modbus import NUMBERS_984, of_manual, register_type_of
-from clickgen.diagnostics import Diagnostic
+from clickgen.problems.diagnostics import Diagnostic
 
 _WAY = re.compile(r"ModbusAddress\([^)]*\)")
 

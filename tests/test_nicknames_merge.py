@@ -15,17 +15,17 @@ from judges.work import calls_in
 from test_table import made_rows
 
 from clickgen.cli import main
+from clickgen.commands.nicknames.changed_rows import conflict_lines, diff_lines, summary
+from clickgen.commands.nicknames.changes import differing
+from clickgen.commands.nicknames.merge import KINDS, Merge, merge
+from clickgen.commands.nicknames.uses import ProgramsSay, places_in, read_names
 from clickgen.device.banks import Address, parse_address
-from clickgen.diagnostics import Diagnostics
-from clickgen.nicknames.changes import differing
-from clickgen.nicknames.diff import conflict_lines, diff_lines, summary
-from clickgen.nicknames.merge import KINDS, Merge, merge
-from clickgen.nicknames.uses import ProgramsSay, places_in, read_names
-from clickgen.resolve.read_table import read_table
-from clickgen.resolve.rows import HEADER, Row, default_row, format_row, is_scratch, scratch_name
-from clickgen.resolve.table import AddressTable
-from clickgen.source import Span
-from clickgen.syntax.parse import decode
+from clickgen.dialects.if_rungs.read.parse import decode
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.table.address_table import AddressTable
+from clickgen.table.read import read_table
+from clickgen.table.rows import HEADER, Row, default_row, format_row, is_scratch, scratch_name
+from clickgen.text.source import Span
 
 ALL = set(KINDS)
 

@@ -13,15 +13,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from clickgen.cli import main as run
+from clickgen.commands.nicknames.rename import Rename, rename
+from clickgen.commands.nicknames.uses import comments_with, places_in, read_names
 from clickgen.config import Config, ProgramSettings
-from clickgen.diagnostics import CouldNotRun, Diagnostics
-from clickgen.emit.write import ChangedMeanwhile, put_in_place
-from clickgen.nicknames.rename import Rename, rename
-from clickgen.nicknames.uses import comments_with, places_in, read_names
+from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.pipeline import build
-from clickgen.resolve.rows import HEADER
+from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
 from clickgen.settings import Settings
-from clickgen.syntax.parse import decode
+from clickgen.table.rows import HEADER
+from clickgen.text.write import ChangedMeanwhile, put_in_place
 
 
 class Job(NamedTuple):

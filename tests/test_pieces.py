@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from strategies.broken import broken_programs, mutants
 from strategies.given import CASES, Given, case_texts
 
-from clickgen.diagnostics import Diagnostic, Diagnostics
-from clickgen.source import SourceFile
-from clickgen.syntax import pieces
-from clickgen.syntax.parse import soundness
-from clickgen.syntax.read import FileContent, read_file
+from clickgen.dialects.if_rungs.read import pieces
+from clickgen.dialects.if_rungs.read.parse import soundness
+from clickgen.dialects.if_rungs.read.program import FileContent, read_file
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics
+from clickgen.text.source import SourceFile
 
 TAIL = "    if True:\n        end()\n"
 RUNG = "    # One rung.\n    if x[1]:\n        out(y[1])\n"

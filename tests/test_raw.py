@@ -16,16 +16,16 @@ from test_importing_cases import CASE_NAMES, golden_ladders
 
 import clickgen
 from clickgen.cli import main
+from clickgen.click.draw.tokens import action_token, operand_token
+from clickgen.click.read.kept import fault_of, raw_of
+from clickgen.click.read.rungs import import_rung
+from clickgen.click.read.tokens import height_of
 from clickgen.instructions.raw import RAW, rows_of
 from clickgen.ir.operands import Cell, Pointer, Range
 from clickgen.ir.program import KeptToken
 from clickgen.ir.reach import touches
-from clickgen.ladder.kept import fault_of, raw_of
-from clickgen.ladder.rungs import import_rung
-from clickgen.ladder.tokens import height_of
-from clickgen.lower.tokens import action_token, operand_token
 from clickgen.pipeline import BuildResult, check
-from clickgen.source import Span
+from clickgen.text.source import Span
 
 HERE = Span("main.csv", 1, 1, 1, 2)
 
@@ -145,9 +145,9 @@ def test_tall_ones_are_divided_over_several_rungs(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", CAPTURED)
 def test_an_import_keeps_it(name: str, tmp_path: Path) -> None:
-    from clickgen.importing.source import write_source
-    from clickgen.ladder.grid import read_ladder as read_drawn
-    from clickgen.ladder.rungs import routine_of
+    from clickgen.click.read.grid import read_ladder as read_drawn
+    from clickgen.click.read.rungs import routine_of
+    from clickgen.dialects.if_rungs.write.routine import write_source
 
     first = ladder(tmp_path, f"    if any(c[1], c[2]):\n        out(y[1])\n        {written(CAPTURED[name])}\n")
     rungs = [import_rung(rung).rung for rung in read_drawn(first, "main.csv").rungs]

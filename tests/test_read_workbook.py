@@ -24,11 +24,11 @@ from judges.work import calls_in
 from openpyxl.worksheet.worksheet import Worksheet
 
 from clickgen.device.banks import BANKS, Address, parse_address
-from clickgen.diagnostics import Diagnostic, Diagnostics
-from clickgen.resolve.read_table import TableUnreadable
-from clickgen.resolve.read_workbook import read_workbook
-from clickgen.resolve.rows import Row, default_row
-from clickgen.resolve.workbook_titles import TITLES, Field
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics
+from clickgen.table.read import TableUnreadable
+from clickgen.table.rows import Row, default_row
+from clickgen.table.workbook.read import read_workbook
+from clickgen.table.workbook.titles import TITLES, Field
 
 Lines = Iterable[Iterable[Any]]
 TITLE = ("Address", "Nickname", "Initial Value", "Retentive", "Comment")

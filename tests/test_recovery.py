@@ -12,9 +12,9 @@ from typing import Any
 
 import pytest
 
-from clickgen.emit.journal import done_name, journal_name, recover
-from clickgen.emit.lock import NAME, Busy, locked
-from clickgen.emit.write import put_in_place
+from clickgen.text.journal import done_name, journal_name, recover
+from clickgen.text.lock import NAME, Busy, locked
+from clickgen.text.write import put_in_place
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="processes are forked here")
 
@@ -233,7 +233,7 @@ def test_a_journal_that_is_a_link_or_a_pipe_is_none(tmp_path: Path) -> None:
 
 def test_a_folder_is_locked_for_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     code = (
-        "import sys, time\nfrom clickgen.emit.lock import locked\n"
+        "import sys, time\nfrom clickgen.text.lock import locked\n"
         "with locked([sys.argv[1]]):\n    print('locked', flush=True)\n    sys.stdin.read()\n"
     )
     with subprocess.Popen(
@@ -241,7 +241,7 @@ def test_a_folder_is_locked_for_one(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     ) as other:
         assert other.stdout is not None
         assert other.stdout.readline() == b"locked\n"
-        monkeypatch.setattr("clickgen.emit.lock.PATIENCE", 0.0)
+        monkeypatch.setattr("clickgen.text.lock.PATIENCE", 0.0)
         with pytest.raises(Busy, match="another clickgen is writing into"), locked([tmp_path]):
             pass
         other.kill()

@@ -12,11 +12,11 @@ import openpyxl
 import pytest
 
 import clickgen
-from clickgen.check.lint import RULES as LINT_RULES
 from clickgen.cli import main
-from clickgen.codes import CODES, Severity
-from clickgen.diagnostics import Diagnostic
-from clickgen.source import Span
+from clickgen.problems.codes import CODES, Severity
+from clickgen.problems.diagnostics import Diagnostic
+from clickgen.rules.advice import RULES as LINT_RULES
+from clickgen.text.source import Span
 
 REJECT = Path(__file__).parents[1] / "fixtures" / "reject"
 PROGRAM, TABLE = "prog.py", "nicknames.csv"

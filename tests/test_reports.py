@@ -19,15 +19,15 @@ from hypothesis import strategies as st
 from test_lint import program_of
 
 import clickgen
-from clickgen.check.lint import RULES
 from clickgen.cli import main
-from clickgen.codes import CODES, Severity
-from clickgen.diagnostics import Diagnostic, Diagnostics, Edit, Fix, Label
-from clickgen.fixing import apply_fixes
-from clickgen.formats import FORMATS
-from clickgen.report import Report, render, sarif
-from clickgen.report.fingerprints import fingerprints
-from clickgen.source import Span
+from clickgen.problems.codes import CODES, Severity
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Edit, Fix, Label
+from clickgen.problems.formats import FORMATS
+from clickgen.problems.report import Report, render, sarif
+from clickgen.problems.report.fingerprints import fingerprints
+from clickgen.rules.advice import RULES
+from clickgen.text.edits import apply_fixes
+from clickgen.text.source import Span
 
 SCHEMAS = Path(__file__).with_name("schemas")
 MACHINES = [name for name in FORMATS if name not in ("text", "concise")]

@@ -13,11 +13,11 @@ from pathlib import Path
 
 import pytest
 
-from clickgen.checking import secret
-from clickgen.checking.discover import Target
 from clickgen.cli import main
+from clickgen.commands.check import secret
 from clickgen.config import OWN_FILE
-from clickgen.files import leads_elsewhere, read_file
+from clickgen.dialects.if_rungs.discover import Target
+from clickgen.workspace import leads_elsewhere, read_file
 
 posix_only = pytest.mark.skipif(os.name != "posix", reason="about POSIX links, pipes and devices")
 
@@ -93,7 +93,7 @@ def test_a_cache_of_another_user_counts_for_nothing(
         judged.extend(targets)
         return []
 
-    monkeypatch.setattr("clickgen.checking.run.Judge._judged", judging)
+    monkeypatch.setattr("clickgen.commands.check.programs.Judge._judged", judging)
     main(["check", "prog.py"])
     assert judged == []
     (place / "cache" / "clickgen" / "cache.key").unlink()
@@ -104,7 +104,7 @@ def test_a_cache_of_another_user_counts_for_nothing(
 
 def test_a_fix_out_of_the_cache_changes_no_other_file(place: Path) -> None:
     """Not even with the mark of this user."""
-    from clickgen.checking.cache import _mark
+    from clickgen.commands.check.cache import _mark
 
     Path("prog.py").write_text(MENDED)
     (place / "outside" / "other.py").write_text(MINE)

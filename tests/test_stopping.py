@@ -14,10 +14,10 @@ import pytest
 
 from clickgen.cli import main
 from clickgen.cli.jobs import Job
+from clickgen.commands.nicknames.elsewhere import build_among
 from clickgen.config import Config
-from clickgen.diagnostics import CouldNotRun
-from clickgen.nicknames.elsewhere import build_among
 from clickgen.pipeline import BuildResult
+from clickgen.problems.diagnostics import CouldNotRun
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="about signals and pipes of POSIX")
 
@@ -61,7 +61,7 @@ SIGNALS = [(signal.SIGINT, 130, "interrupted"), (signal.SIGTERM, 143, "terminate
         ("gc.disable", "nothing was written"),
         ("clickgen.cli.parser.parse", "nothing was written"),
         ("clickgen.pipeline.resolve", "nothing was written"),
-        ("clickgen.emit.write._write", "nothing was written"),
+        ("clickgen.text.write._write", "nothing was written"),
         ("os.link", "already written: "),
         ("clickgen.cli.build._report", "already written: "),
     ],
@@ -107,7 +107,7 @@ def test_an_interrupt_after_all_is_written_says_so(
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("clickgen.emit.write.written", [])
+    monkeypatch.setattr("clickgen.text.write.written", [])
     monkeypatch.setattr("clickgen.cli.build._report", interrupted)
     assert main(["build", "prog.py"]) == 130
     assert capsys.readouterr().err.startswith("clickgen: interrupted; already written: build/prog/main.csv, ")
@@ -167,7 +167,7 @@ def busy(folder: Path, what: str) -> list[str]:
     program.write_text(
         "import os, signal, sys, time\n"
         "os.cpu_count = lambda: 2\n"
-        "import clickgen.checking.judge as module\n"
+        "import clickgen.commands.check.judging as module\n"
         "def judge(*_):\n"
         f"    {what}\n"
         "module.judge = judge\n"
@@ -252,7 +252,7 @@ def test_a_table_that_changes_during_a_build_is_read_again(monkeypatch: pytest.M
 def test_a_table_that_changes_all_the_time_is_told(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from clickgen.emit.write import ChangedMeanwhile
+    from clickgen.text.write import ChangedMeanwhile
 
     def changed(_: object) -> None:
         raise ChangedMeanwhile(Path("nicknames.csv"))
@@ -270,7 +270,7 @@ def test_what_an_editor_saves_while_files_are_replaced_stays(
     moment: str, how: str, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What is left is one who renames between the last look and the replacement."""
-    from clickgen.emit.write import ChangedMeanwhile, put_in_place
+    from clickgen.text.write import ChangedMeanwhile, put_in_place
 
     table = folder / "nicknames.csv"
     table.write_bytes(b"read")

@@ -11,16 +11,16 @@ from typed_programs import MORE
 
 import clickgen
 from clickgen.cli import main
+from clickgen.commands.stubs.arguments import COMPARISONS
+from clickgen.commands.stubs.stub import MARK, builtins_stub, module_stub
+from clickgen.commands.stubs.text import docstring
 from clickgen.device.banks import BANKS, Address
+from clickgen.dialects.if_rungs.read import arguments, conditions, modbus, operands, options
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.timers import UNITS
 from clickgen.pipeline import known_names
-from clickgen.resolve.rows import Row, default_row
 from clickgen.settings import Settings
-from clickgen.stubs.arguments import COMPARISONS
-from clickgen.stubs.stub import MARK, builtins_stub, module_stub
-from clickgen.stubs.text import docstring
-from clickgen.syntax import arguments, conditions, modbus, operands, options
+from clickgen.table.rows import Row, default_row
 
 ROOT = Path(__file__).parents[1]
 STUB = "__builtins__.pyi"

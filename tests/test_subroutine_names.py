@@ -10,14 +10,14 @@ from laddercodec.csv.bundle import parse_bundle
 
 import clickgen
 from clickgen.cli import main
-from clickgen.importing.functions import RESERVED, function_name
-from clickgen.importing.source import functions_of, write_source
+from clickgen.click.read.problem import LadderProblem
+from clickgen.click.read.rungs import routine_of
+from clickgen.dialects.if_rungs.write.functions import RESERVED, function_name
+from clickgen.dialects.if_rungs.write.routine import functions_of, write_source
 from clickgen.instructions.control import CALL, END, RETURN
 from clickgen.ir.conditions import Always
 from clickgen.ir.program import Action, Rung, Word
-from clickgen.ladder.problem import LadderProblem
-from clickgen.ladder.rungs import routine_of
-from clickgen.source import Span
+from clickgen.text.source import Span
 
 END_RUNG = "    if True:\n        end()\n"
 

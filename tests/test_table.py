@@ -19,11 +19,11 @@ from pyclickplc import read_csv
 from pyclickplc.validation import validate_initial_value
 
 from clickgen.device.banks import BANKS, Address, Kind, parse_address
-from clickgen.diagnostics import Diagnostic, Diagnostics
 from clickgen.emit.nickname_csv import nickname_csv
-from clickgen.resolve.read_table import TableUnreadable, read_table
-from clickgen.resolve.rows import COLUMNS, HEADER, Row, default_row, format_initial, format_row
-from clickgen.resolve.table import AddressTable
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics
+from clickgen.table.address_table import AddressTable
+from clickgen.table.read import TableUnreadable, read_table
+from clickgen.table.rows import COLUMNS, HEADER, Row, default_row, format_initial, format_row
 
 EXPORT = Path(__file__).parents[1] / "fixtures" / "nicknames" / "export.csv"
 SHARED_EXPORT = Path(__file__).parents[2] / "shared" / "data" / "nickname-export.csv"
@@ -599,7 +599,7 @@ def test_every_formatted_value_is_one_that_a_row_may_hold(kind: Kind, value: Any
 
 
 def check_row(row: Row, problems: Diagnostics) -> None:
-    from clickgen.resolve import read_table as room
+    from clickgen.table import read as room
 
     reader = room._Reader("t", problems)
     reader.read([HEADER + "\n", *io.StringIO(format_row(row), newline="\n").readlines()])

@@ -12,10 +12,10 @@ import clickgen
 from clickgen.cli import main
 from clickgen.device.banks import BANKS, Address
 from clickgen.device.modbus import modbus_number
-from clickgen.diagnostics import Diagnostics
-from clickgen.resolve.read_table import read_table
-from clickgen.resolve.rows import default_row
-from clickgen.resolve.table import AddressTable
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.table.address_table import AddressTable
+from clickgen.table.read import read_table
+from clickgen.table.rows import default_row
 
 HEADER = "Address,Data Type,Modbus Address,Function Code,Nickname,Initial Value,Retentive,Address Comment"
 PLAIN = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment"

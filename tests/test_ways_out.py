@@ -9,12 +9,12 @@ from mended import found
 
 import clickgen
 from clickgen.cli import main
-from clickgen.diagnostics import Diagnostic
-from clickgen.fixing import apply_fixes
+from clickgen.dialects.if_rungs.ways_out import slips
 from clickgen.pipeline import check
+from clickgen.problems.diagnostics import Diagnostic
+from clickgen.problems.suggest import near_words
 from clickgen.settings import Settings
-from clickgen.suggest import near_words
-from clickgen.syntax import slips
+from clickgen.text.edits import apply_fixes
 
 ENDING = "    if True:\n        end()\n"
 SUB = "@sub\ndef fill():\n    if True:\n        return\n\n\n"
@@ -373,7 +373,7 @@ def test_every_slip_tells_its_examples(example: str, tmp_path: Path) -> None:
 
 def test_a_line_is_looked_at_in_time_that_grows_with_it() -> None:
     """Patterns with two open ends would take minutes here."""
-    from clickgen.source import SourceFile
+    from clickgen.text.source import SourceFile
 
     for piece in ("(", "a ", "x.A", '"\\"', "  ", "0", "else ", ": ", "; (", "a.b[", "{ ", "lambda "):
         source = SourceFile("prog.py", (piece * 2000)[: slips._LINE_MAX])

@@ -11,10 +11,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import clickgen
+from clickgen.dialects.if_rungs.trade import (
+    ACTIONS,
+    ARGUMENTS,
+    BANKS,
+    CONDITIONS,
+    FORMULAS,
+    MEMBERS,
+    UNITS,
+    Advice,
+    bank_hint,
+)
 from clickgen.formula.words import ALL_FUNCTIONS
 from clickgen.instructions import INSTRUCTIONS
-from clickgen.suggest import are_opposed, is_slip, near_words
-from clickgen.trade import ACTIONS, ARGUMENTS, BANKS, CONDITIONS, FORMULAS, MEMBERS, UNITS, Advice, bank_hint
+from clickgen.problems.suggest import are_opposed, is_slip, near_words
 
 FUNCTIONS = ("all", "any", "nc", "re", "fe")
 WORDS = (*INSTRUCTIONS, *FUNCTIONS, *(name.lower() for name in ALL_FUNCTIONS))

@@ -13,13 +13,13 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 import clickgen
 from clickgen.cli import main
-from clickgen.diagnostics import Diagnostics
 from clickgen.emit.workbook import Project, sheets, workbook
 from clickgen.emit.workbook.book import ROWS_MAX, TEXT_MAX, as_written, clean, to_bytes
 from clickgen.emit.workbook.sheet import Column, Sheet
-from clickgen.resolve.read_workbook import read_workbook
-from clickgen.resolve.rows import Row
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.settings import Settings
+from clickgen.table.rows import Row
+from clickgen.table.workbook.read import read_workbook
 
 DEMO = Path(__file__).parents[1] / "fixtures" / "cases" / "demo" / "prog.py"
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\n"

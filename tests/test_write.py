@@ -13,8 +13,8 @@ from typing import Any
 
 import pytest
 
-from clickgen.emit import write
-from clickgen.emit.write import ChangedMeanwhile, put_in_place
+from clickgen.text import write
+from clickgen.text.write import ChangedMeanwhile, put_in_place
 
 Tree = dict[str, tuple[str, bytes, int] | tuple[str, str]]
 

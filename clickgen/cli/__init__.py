@@ -40,7 +40,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Exception as error:
         if isinstance(error.__cause__, KeyboardInterrupt):  # Python wraps one that comes while a class is made.
             return _stopped(error.__cause__)
-        from clickgen.diagnostics import TRACEBACK
+        from clickgen.problems.diagnostics import TRACEBACK
 
         reason = _reason(error)
         if reason is None and os.environ.get(TRACEBACK):
@@ -60,7 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def tell(*lines: str, file: TextIO | None = None) -> None:
     """Print lines, on the standard output if nothing else is said. Each stays one line, whatever names are in it."""
-    from clickgen.wording import escaped
+    from clickgen.text.wording import escaped
 
     for line in lines:
         print(escaped(line), file=file)
@@ -74,7 +74,7 @@ def complain(*lines: str) -> None:
 
 def _reason(error: Exception) -> tuple[str, ...] | None:
     """What kept a command from running; None for a fault of clickgen."""
-    from clickgen.diagnostics import CouldNotRun
+    from clickgen.problems.diagnostics import CouldNotRun
 
     if isinstance(error, CouldNotRun):
         return error.lines
@@ -100,7 +100,7 @@ def _what_was_written() -> str:
 
 def _written() -> list[object]:
     """The files that this command has put in place, where it has come so far as to load what does that."""
-    found: list[object] = getattr(sys.modules.get("clickgen.emit.write"), "written", [])
+    found: list[object] = getattr(sys.modules.get("clickgen.text.write"), "written", [])
     return found
 
 

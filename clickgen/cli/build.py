@@ -15,16 +15,16 @@ from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
-from clickgen.diagnostics import CouldNotRun, Diagnostic
-from clickgen.emit.lock import locked
-from clickgen.emit.write import ChangedMeanwhile
-from clickgen.files import read_file
-from clickgen.nicknames.elsewhere import build_among
+from clickgen.commands.nicknames.elsewhere import build_among
+from clickgen.dialects.if_rungs.spelling import Spellings
 from clickgen.pipeline import BuildResult, own_table_setting, write_all
-from clickgen.report.frames import summary, write_problems
-from clickgen.resolve.rows import Row
-from clickgen.spelling import Spellings
-from clickgen.wording import counted
+from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
+from clickgen.problems.report.frames import summary, write_problems
+from clickgen.table.rows import Row
+from clickgen.text.lock import locked
+from clickgen.text.wording import counted
+from clickgen.text.write import ChangedMeanwhile
+from clickgen.workspace import read_file
 
 _NAMES_MAX = 8
 """So many new names a build lists."""

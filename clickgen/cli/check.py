@@ -13,21 +13,21 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from clickgen.check.select import Selection
-from clickgen.checking.discover import Target
-from clickgen.checking.run import Outcome, Request, add_ignores
-from clickgen.checking.run import run as run_check
 from clickgen.cli import OK, PROBLEMS, complain, tell
-from clickgen.codes import CODES
+from clickgen.commands.check.programs import Outcome, Request, add_ignores
+from clickgen.commands.check.programs import run as run_check
 from clickgen.config import Config, code_prefix, find_config, read_config
-from clickgen.diagnostics import CouldNotRun, did_you_mean
-from clickgen.files import READ_MAX, require_size
-from clickgen.formats import FORMATS
-from clickgen.report import Report, render, shown_path, use_color
-from clickgen.wording import counted, escaped
+from clickgen.dialects.if_rungs.discover import Target
+from clickgen.problems.codes import CODES
+from clickgen.problems.diagnostics import CouldNotRun, did_you_mean
+from clickgen.problems.formats import FORMATS
+from clickgen.problems.report import Report, render, shown_path, use_color
+from clickgen.rules.select import Selection
+from clickgen.text.wording import counted, escaped
+from clickgen.workspace import READ_MAX, require_size
 
 if TYPE_CHECKING:
-    from clickgen.checking.baseline import Baseline
+    from clickgen.commands.check.baseline import Baseline
 
 _MANY_FILES = 8
 """From so many programs on a terminal shows how far the check is."""
@@ -127,7 +127,7 @@ def _tell_diff(options: argparse.Namespace, outcome: Outcome) -> int:
     _put(diff, options.output)
     left = _report(options, outcome)._replace(fixed=0)  # Nothing was written.
     if left.findings and not options.quiet:
-        from clickgen.report.text import summary_line
+        from clickgen.problems.report.text import summary_line
 
         tell(f"clickgen: besides what this mends: {summary_line(left)}", file=sys.stderr)
     return PROBLEMS if (diff or left.fails) and not options.exit_zero else OK
@@ -239,7 +239,7 @@ def _standard_input() -> bytes:
 def _named_elsewhere(config: Config, target: Target) -> frozenset[str]:
     """What the other programs around the table of one name."""
     from clickgen.cli.jobs import Job
-    from clickgen.nicknames.elsewhere import named_elsewhere
+    from clickgen.commands.nicknames.elsewhere import named_elsewhere
     from clickgen.settings import Settings
 
     job = Job(target.path, Settings(target.nicknames, reserved=config.reserved), Path())
@@ -257,7 +257,7 @@ def _tell(options: argparse.Namespace, outcome: Outcome, to_stderr: bool) -> int
     report = _report(options, outcome, use_color(sys.stderr if to_stderr else sys.stdout) and not options.output)
     text = _statistics(report, options.output_format) if options.statistics else render(options.output_format, report)
     if options.output_format in ("text", "concise") and not options.quiet:
-        from clickgen.report.text import summary_line
+        from clickgen.problems.report.text import summary_line
 
         text += summary_line(report) + "\n"
     if to_stderr and not options.output:
@@ -281,7 +281,7 @@ def _report(options: argparse.Namespace, outcome: Outcome, color: bool = False) 
 
 def _baseline(path: Path) -> Baseline | None:
     """What was found when the repository began; None where this run is to write it."""
-    from clickgen.checking.baseline import Baseline, read_baseline
+    from clickgen.commands.check.baseline import Baseline, read_baseline
 
     known = read_baseline(path)
     return None if known is None else Baseline(known, _named_from(path))
@@ -289,7 +289,7 @@ def _baseline(path: Path) -> Baseline | None:
 
 def _begin_baseline(path: Path, outcome: Outcome) -> Outcome:
     """Write what was found into a new baseline; what is left are the errors."""
-    from clickgen.checking.baseline import Baseline, baseline_text, keys_of
+    from clickgen.commands.check.baseline import Baseline, baseline_text, keys_of
 
     findings = [finding for finding in outcome.findings if not finding.is_error]
     keys = keys_of(findings, _named_from(path), outcome.line_of)
@@ -350,7 +350,7 @@ def _put(text: str, output: str | None) -> None:
 
 
 def _put_in_file(path: Path, text: str) -> None:
-    from clickgen.emit.write import put_in_place
+    from clickgen.text.write import put_in_place
 
     # A file name that is no text cannot be written as UTF-8.
     put_in_place({path: text.encode(errors="backslashreplace")}, no_links=[path])

@@ -11,18 +11,18 @@ from tempfile import TemporaryDirectory
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS, complain
 from clickgen.cli.jobs import jobs
 from clickgen.cli.jobs import settings_of as settings_of_folder
-from clickgen.diagnostics import CouldNotRun
-from clickgen.diffing.names import name_changes
-from clickgen.diffing.pairs import pairs_of
-from clickgen.diffing.read import Wanted, read_side
-from clickgen.diffing.run import diff
-from clickgen.diffing.sides import BrokenProgram
-from clickgen.diffing.text import Line, report, summary
-from clickgen.report import use_color
-from clickgen.report.frames import summary as counts
-from clickgen.report.frames import write_problems
+from clickgen.commands.diff.as_text import Line, report, summary
+from clickgen.commands.diff.names import name_changes
+from clickgen.commands.diff.pairs import pairs_of
+from clickgen.commands.diff.programs import diff
+from clickgen.commands.diff.read import Wanted, read_side
+from clickgen.commands.diff.sides import BrokenProgram
+from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.problems.report import use_color
+from clickgen.problems.report.frames import summary as counts
+from clickgen.problems.report.frames import write_problems
 from clickgen.settings import Settings
-from clickgen.wording import escaped
+from clickgen.text.wording import escaped
 
 _COLORS = {"-": "31", "+": "32"}
 
@@ -91,7 +91,7 @@ def _compare(one: str, other: str, wanted: Wanted, options: argparse.Namespace) 
     difference = diff(older, newer)
     names = name_changes(older, newer)
     if options.output_format == "json":
-        from clickgen.diffing.json import render
+        from clickgen.commands.diff.as_json import render
 
         sys.stdout.write(render(difference, names))
     else:

@@ -10,11 +10,11 @@ from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import near, settings_of
-from clickgen.diagnostics import CouldNotRun
-from clickgen.importing.run import ImportResult, Target, import_project
-from clickgen.report.frames import summary, write_problems
+from clickgen.commands.import_.project import ImportResult, Target, import_project
+from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.problems.report.frames import summary, write_problems
 from clickgen.settings import Settings
-from clickgen.wording import counted
+from clickgen.text.wording import counted
 
 _SHOWN_MAX = 10
 """How many rungs are named in one line."""

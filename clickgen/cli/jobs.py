@@ -9,7 +9,7 @@ from pathlib import Path
 
 from clickgen.cli import complain
 from clickgen.config import Config, ProgramSettings, find_config, read_config
-from clickgen.diagnostics import CouldNotRun
+from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.settings import Settings
 
 
@@ -63,7 +63,7 @@ def settle(found: Sequence[Job], config: str | None) -> None:
 
 def put_back(folders: Iterable[Path]) -> None:
     """Put back what a killed command left half written in these folders. Raises CouldNotRun and OSError."""
-    from clickgen.emit.journal import recover
+    from clickgen.text.journal import recover
 
     for path in recover(dict.fromkeys(folders)):
         complain(f"{path} is again as it was before a command that was stopped while it wrote")

@@ -13,22 +13,22 @@ from typing import NamedTuple
 
 from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
-from clickgen.diagnostics import CouldNotRun, Diagnostic, Diagnostics
-from clickgen.emit.write import put_in_place
-from clickgen.nicknames.changes import KINDS, RENAMED, SWAPPED
-from clickgen.nicknames.merge import Merge
-from clickgen.nicknames.programs import Program
-from clickgen.nicknames.rename import Rename, rename
-from clickgen.nicknames.sync import TableSync
-from clickgen.nicknames.uses import FileNames
+from clickgen.commands.nicknames.changes import KINDS, RENAMED, SWAPPED
+from clickgen.commands.nicknames.merge import Merge
+from clickgen.commands.nicknames.programs import Program
+from clickgen.commands.nicknames.rename import Rename, rename
+from clickgen.commands.nicknames.sync import TableSync
+from clickgen.commands.nicknames.uses import FileNames
 from clickgen.pipeline import BuildResult, build
-from clickgen.report.frames import summary, write_problems
-from clickgen.resolve.layers import is_workbook
-from clickgen.resolve.rows import Row
-from clickgen.resolve.table import AddressTable
+from clickgen.problems.diagnostics import CouldNotRun, Diagnostic, Diagnostics
+from clickgen.problems.report.frames import summary, write_problems
 from clickgen.settings import TABLE_NAME
-from clickgen.source import SourceFile
-from clickgen.wording import counted
+from clickgen.table.address_table import AddressTable
+from clickgen.table.layers import is_workbook
+from clickgen.table.rows import Row
+from clickgen.text.source import SourceFile
+from clickgen.text.wording import counted
+from clickgen.text.write import put_in_place
 
 DESCRIPTION = "What concerns the address table that the PLC, the panel and the programs share."
 EXAMPLES = """\
@@ -121,7 +121,7 @@ def _jobs(options: argparse.Namespace, programs: Iterable[str]) -> list[Job]:
 
 
 def _sync(options: argparse.Namespace) -> int:
-    from clickgen.nicknames.sync import sync
+    from clickgen.commands.nicknames.sync import sync
 
     found = _jobs(options, options.programs)
     if not options.dry_run:
@@ -171,7 +171,7 @@ def _reason(table: TableSync, row: Row) -> str:
 
 def _check(options: argparse.Namespace) -> int:
     """The problems of names, addresses and the table; others are counted, for ``clickgen check`` tells them."""
-    from clickgen.nicknames.sync import sync
+    from clickgen.commands.nicknames.sync import sync
 
     found = _jobs(options, options.programs)
     results = [build(job.program, settings=replace(job.settings, frozen=True)) for job in found]
@@ -217,10 +217,10 @@ class _Merging(NamedTuple):
 
 
 def _merge(options: argparse.Namespace) -> int:
-    from clickgen.nicknames.diff import conflict_lines, diff_lines, never_lines, summary
-    from clickgen.nicknames.merge import merge
-    from clickgen.nicknames.programs import Files, programs_around
-    from clickgen.nicknames.uses import ProgramsSay, places_in
+    from clickgen.commands.nicknames.changed_rows import conflict_lines, diff_lines, never_lines, summary
+    from clickgen.commands.nicknames.merge import merge
+    from clickgen.commands.nicknames.programs import Files, programs_around
+    from clickgen.commands.nicknames.uses import ProgramsSay, places_in
 
     kinds = _kinds(options.accept)
     target = _table_to_merge(options)
@@ -306,7 +306,7 @@ def _kinds(accepted: Iterable[str]) -> set[str]:
     kinds = {"added"} | everything | (words - {"all"})
     unknown = sorted(kinds - set(KINDS))
     if unknown:
-        from clickgen.diagnostics import did_you_mean
+        from clickgen.problems.diagnostics import did_you_mean
 
         hint = did_you_mean(unknown[0], [*KINDS, "all"]) or f"the kinds: {', '.join(KINDS)}, all"
         raise CouldNotRun(f"there is no kind of change {unknown[0]!r}; {hint}")
@@ -315,7 +315,7 @@ def _kinds(accepted: Iterable[str]) -> set[str]:
 
 def _table_to_merge(options: argparse.Namespace) -> _Merging:
     """The table that takes the export in: the one that is named, else the one of the settings."""
-    from clickgen.nicknames.programs import table_of
+    from clickgen.commands.nicknames.programs import table_of
 
     config = settings_of(options.config)
     found = jobs([], config=options.config) if config.programs else []
@@ -348,8 +348,8 @@ def _one_workbook(own: Iterable[Job]) -> Path | None:
 
 def _read(path: Path, must_exist: bool, workbook: Path | None = None) -> tuple[AddressTable, bytes | None]:
     """A table, with the rows of a workbook in front, and the bytes of its file."""
-    from clickgen.nicknames.tables import over_workbook
-    from clickgen.resolve.read_table import TableUnreadable, read_table
+    from clickgen.commands.nicknames.tables import over_workbook
+    from clickgen.table.read import TableUnreadable, read_table
 
     problems = Diagnostics()
     is_there = must_exist or os.path.lexists(path)
@@ -411,8 +411,8 @@ def _rename(options: argparse.Namespace) -> int:
 
 
 def _why(options: argparse.Namespace) -> int:
-    from clickgen.nicknames.why import suggestion, why
-    from clickgen.resolve.record import read_record, record_beside
+    from clickgen.commands.nicknames.why import suggestion, why
+    from clickgen.table.record import read_record, record_beside
 
     found = _jobs(options, options.programs)
     results = [build(job.program, settings=job.settings) for job in found]

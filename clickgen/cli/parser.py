@@ -12,7 +12,7 @@ from typing import NoReturn
 
 from clickgen import __version__
 from clickgen.cli import begin
-from clickgen.wording import escaped
+from clickgen.text.wording import escaped
 
 COMMANDS = {
     "build": ("clickgen.cli.build", "build a program into what CLICK takes in"),
@@ -66,7 +66,7 @@ class _Parser(argparse.ArgumentParser):
 
 def _hint(message: str, parser: argparse.ArgumentParser) -> str:
     """``did you mean --frozen?`` for a slip in a flag or a command."""
-    from clickgen.diagnostics import did_you_mean
+    from clickgen.problems.diagnostics import did_you_mean
 
     words = message.replace("'", " ").replace(":", " ").split()
     known = [option for action in parser._actions for option in (*action.option_strings, *(action.choices or ()))]

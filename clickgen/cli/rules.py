@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from clickgen.cli import OK
-from clickgen.codes import CODES
+from clickgen.problems.codes import CODES
 
 DESCRIPTION = "Every code with its severity and title."
 EXAMPLES = ""

@@ -10,15 +10,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from clickgen.checking.discover import targets
 from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
-from clickgen.diagnostics import CouldNotRun
-from clickgen.emit.write import put_in_place
-from clickgen.files import read_file
+from clickgen.commands.stubs.stub import MARK, builtins_stub
+from clickgen.dialects.if_rungs.discover import targets
 from clickgen.pipeline import KnownNames, known_names
-from clickgen.stubs.stub import MARK, builtins_stub
-from clickgen.wording import counted
+from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.text.wording import counted
+from clickgen.text.write import put_in_place
+from clickgen.workspace import read_file
 
 STUB_NAME = "__builtins__.pyi"
 """Pyright takes this file for names that are known everywhere in its folder."""

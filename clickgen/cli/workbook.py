@@ -10,13 +10,13 @@ from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, settings_of, settle
-from clickgen.diagnostics import CouldNotRun
-from clickgen.emit.write import put_in_place
-from clickgen.files import read_if_there
-from clickgen.nicknames.elsewhere import build_among
+from clickgen.commands.nicknames.elsewhere import build_among
 from clickgen.pipeline import BuildResult
-from clickgen.report.frames import summary, write_problems
-from clickgen.wording import counted
+from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.problems.report.frames import summary, write_problems
+from clickgen.text.wording import counted
+from clickgen.text.write import put_in_place
+from clickgen.workspace import read_if_there
 
 DESCRIPTION = (
     "Write a workbook for people: the I/O list, the tags, the cross-reference, timers, memory and rungs. The "
@@ -84,8 +84,8 @@ def _former(path: Path, job: Job) -> bytes | None:
 
 
 def _workbook(result: BuildResult, job: Job) -> bytes:
+    from clickgen.commands.nicknames.why import blocks_of
     from clickgen.emit.workbook import Project, workbook
-    from clickgen.nicknames.why import blocks_of
 
     blocks = frozenset(address for block in blocks_of(result) for address in block.addresses())
     return workbook(

@@ -12,9 +12,9 @@ import stat
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from clickgen.emit.ladder_csv import HEADER as LADDER_COLUMNS
-from clickgen.files import leads_elsewhere, read_file, read_if_there
-from clickgen.resolve.rows import HEADER as NICKNAME_HEAD
+from clickgen.click.ladder_csv import HEADER as LADDER_COLUMNS
+from clickgen.table.rows import HEADER as NICKNAME_HEAD
+from clickgen.workspace import leads_elsewhere, read_file, read_if_there
 
 _MAP = "sources.json"
 _LADDER_HEAD = ",".join(LADDER_COLUMNS)

@@ -12,9 +12,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 
-from clickgen.check.uses import extents_of
+from clickgen.click.draw.tokens import NEVER_CONTACT, action_token, operand_token, pin_token
+from clickgen.click.draw.words import condition_words, term_words
 from clickgen.device.banks import CURRENT_VALUE_OF, Address, parse_address
 from clickgen.device.system import system_name_of
+from clickgen.facts.uses import extents_of
 from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import All, Always, Any, Condition
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer, Range
@@ -22,9 +24,7 @@ from clickgen.ir.program import Action, Branch, Item
 from clickgen.ir.reach import touches
 from clickgen.ir.walk import condition_operands
 from clickgen.lower.split import ClickRoutine, ClickRung
-from clickgen.lower.tokens import NEVER_CONTACT, action_token, operand_token, pin_token
-from clickgen.lower.words import condition_words, term_words
-from clickgen.wording import counted, escaped
+from clickgen.text.wording import counted, escaped
 
 _KEYWORD = re.compile(r"[a-z_]+=")
 _KEPT_HEAD = 3

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from clickgen.resolve.rows import HEADER, Row, format_row
+from clickgen.table.rows import HEADER, Row, format_row
 
 
 def nickname_csv(rows: Iterable[Row]) -> str:

@@ -8,8 +8,8 @@ from collections.abc import Iterable
 from functools import cache
 
 from clickgen.lower.split import ClickRoutine
-from clickgen.resolve.rows import Row
-from clickgen.wording import json_text
+from clickgen.table.rows import Row
+from clickgen.text.wording import json_text
 
 FORMAT = 1
 """The version of the file's form."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from clickgen.ir.conditions import All, Any, Compare, Condition, Contact
-from clickgen.ir.logic import are_exclusive, implies, terms_of
 from clickgen.ir.operands import Named, Single, form_of
 from clickgen.ir.proposals import Alternative
+from clickgen.logic.conditions import are_exclusive, implies, terms_of
 
 
 def stand_alone(arms: Sequence[Alternative]) -> bool:

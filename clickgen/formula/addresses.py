@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 from lark import Token
 
 from clickgen.device.banks import BANKS, POINTED, UPPER_BYTE_BANKS, Address, Bank
-from clickgen.diagnostics import did_you_mean
+from clickgen.dialects.if_rungs.trade import bank_hint
 from clickgen.formula.report import Report
 from clickgen.ir.operands import Cell, Named, Pointer, Range, Section
-from clickgen.trade import bank_hint
+from clickgen.problems.diagnostics import did_you_mean
 
 
 @dataclass(frozen=True, slots=True)

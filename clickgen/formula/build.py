@@ -12,34 +12,14 @@ from typing import Any
 from lark import Token
 
 from clickgen.device.banks import BANKS, FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, Kind, parse_address
-from clickgen.diagnostics import did_you_mean
+from clickgen.dialects.if_rungs.trade import FORMULAS
 from clickgen.formula import addresses
 from clickgen.formula.addresses import Index, Negative, Reference
-from clickgen.formula.nodes import (
-    Binary,
-    Call,
-    Group,
-    HexNumber,
-    Mode,
-    Node,
-    Number,
-    Operand,
-    Pi,
-    Sum,
-    Unary,
-)
+from clickgen.formula.nodes import Binary, Call, Group, HexNumber, Mode, Node, Number, Operand, Pi, Sum, Unary
 from clickgen.formula.report import Report
-from clickgen.formula.words import (
-    ALL_FUNCTIONS,
-    FUNCTIONS,
-    INSTRUCTION,
-    OPERATORS,
-    OTHER,
-    SHIFTS,
-    TERMINAL,
-)
+from clickgen.formula.words import ALL_FUNCTIONS, FUNCTIONS, INSTRUCTION, OPERATORS, OTHER, SHIFTS, TERMINAL
 from clickgen.ir.operands import WHOLE, Named, Range, Section
-from clickgen.trade import FORMULAS
+from clickgen.problems.diagnostics import did_you_mean
 
 # A constant beyond the ranges of DD and DF fits no register.
 _LARGEST_INTEGER = INTEGER_RANGES[Kind.INT32][1]

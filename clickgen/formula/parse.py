@@ -14,11 +14,11 @@ from threading import Lock
 from typing import TYPE_CHECKING, NamedTuple
 
 import clickgen
-from clickgen.diagnostics import Diagnostics
 from clickgen.formula.nodes import Formula, Mode
 from clickgen.formula.printer import print_formula
 from clickgen.formula.report import Report
-from clickgen.source import EmbeddedText
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.source import EmbeddedText
 
 if TYPE_CHECKING:
     from lark import Lark

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from clickgen.diagnostics import Diagnostics
-from clickgen.source import EmbeddedText
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.source import EmbeddedText
 
 
 @dataclass

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from clickgen.ir.operands import Cell, Immediate, Named, Range, Single
-from clickgen.source import Span
+from clickgen.text.source import Span
 
 OPPOSITE = {"==": "!=", "!=": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
 """The comparison that holds where another does not."""

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from clickgen.device.banks import BANKS, POINTED, Address, parse_address
 from clickgen.ir.operands import Cell, Pointer, Range
 from clickgen.ir.program import KeptToken
-from clickgen.source import EmbeddedText, Span
+from clickgen.text.source import EmbeddedText, Span
 
 _TAG = re.compile(r"(?<=,)[0-9a-f]{4}(?=(?:\[\d+\]|:[0-9a-f]{8})?=)")
 """The number of a field in ``raw(...)``: ``c123=`` is no C123."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from clickgen.device.banks import Address
-from clickgen.source import Span
+from clickgen.text.source import Span
 
 
 @dataclass(frozen=True, slots=True)

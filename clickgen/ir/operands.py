@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from clickgen.device.banks import Address
 from clickgen.instructions.spec import CODE, HEX, INTEGER, REAL, TEXT
-from clickgen.source import EmbeddedText, Span
+from clickgen.text.source import EmbeddedText, Span
 
 
 class Section(NamedTuple):

@@ -11,7 +11,7 @@ from clickgen.instructions.spec import Spec, Variant
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.modbus import Remote, Target
 from clickgen.ir.operands import Cell, Constant, Named, Operand, Pointer, Range, Single, form_of
-from clickgen.source import SourceFile, Span
+from clickgen.text.source import SourceFile, Span
 
 if TYPE_CHECKING:
     from clickgen.formula.nodes import Formula

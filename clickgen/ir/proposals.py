@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from clickgen.diagnostics import Edit
 from clickgen.ir.conditions import Compare, Condition, Contact
 from clickgen.ir.program import Item, Rung
-from clickgen.source import Span
+from clickgen.problems.diagnostics import Edit
+from clickgen.text.source import Span
 
 
 @dataclass(frozen=True, slots=True)

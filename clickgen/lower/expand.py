@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
+from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import BANKS, Address, Kind
 from clickgen.formula.nodes import Operand as FormulaOperand
 from clickgen.formula.nodes import references
@@ -16,8 +17,7 @@ from clickgen.ir.conditions import All, Always, Any, Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Integer, Named, Pointer, Range
 from clickgen.ir.program import Action, FormulaText, Value
 from clickgen.ir.walk import Rewriter
-from clickgen.lower.tokens import operand_token
-from clickgen.source import Span
+from clickgen.text.source import Span
 
 _SCRATCH_BANK = {Kind.INT16: "DS", Kind.INT32: "DD", Kind.HEX: "DH", Kind.FLOAT: "DF"}
 """Where a value of a kind is kept for a formula: the same kind in a bank that every formula takes."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from clickgen.click.draw.network import is_range
+from clickgen.click.draw.tokens import compare_token, contact_token
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
-from clickgen.lower.network import is_range
-from clickgen.lower.tokens import compare_token, contact_token
 
 
 def look_of(leaf: Contact | Compare) -> str:

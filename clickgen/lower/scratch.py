@@ -13,15 +13,15 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
+from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import BANKS, Address
 from clickgen.device.nicknames import COMMENT_MAX
-from clickgen.diagnostics import Diagnostics
 from clickgen.ir.operands import Cell, Operand
-from clickgen.lower.tokens import operand_token
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.resolve.allocate import Allocator
-from clickgen.resolve.rows import Row, is_scratch, scratch_name
-from clickgen.resolve.table import AddressTable
-from clickgen.source import Span
+from clickgen.table.address_table import AddressTable
+from clickgen.table.rows import Row, is_scratch, scratch_name
+from clickgen.text.source import Span
 
 _RUNG_NUMBER = re.compile(
     r"(?<= rung )[0-9]+(?=$|: (?:(?:not|rise|fall|all|none|always|scratch)(?![a-z_])|immediate\(|[^a-z]))"

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
+from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import Address
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import CALL
@@ -17,7 +18,6 @@ from clickgen.ir.program import Action, Branch, Item
 from clickgen.ir.reach import touches
 from clickgen.ir.walk import action_operands, condition_operands
 from clickgen.lower.split import ClickRoutine
-from clickgen.lower.tokens import operand_token
 
 NicknameOf = Callable[[Address], str]
 """The nickname of an address, or nothing."""

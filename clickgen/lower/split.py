@@ -14,6 +14,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import accumulate, takewhile
 
+from clickgen.click.draw.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw
+from clickgen.click.draw.network import bits, network
+from clickgen.click.draw.words import condition_words
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import NEXT, NOP
 from clickgen.instructions.timers import RTOF
@@ -23,9 +26,7 @@ from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Ru
 from clickgen.ir.walk import leaves
 from clickgen.lower.effects import Effects
 from clickgen.lower.expand import OffDelays, Own, expand
-from clickgen.lower.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw
 from clickgen.lower.looks import asserted, look_of, looking_at
-from clickgen.lower.network import bits, network
 from clickgen.lower.scratch import Scratch, shown_in_reason
 from clickgen.lower.steps import (
     LEAVING,
@@ -40,8 +41,7 @@ from clickgen.lower.steps import (
     pins_of,
     run_by,
 )
-from clickgen.lower.words import condition_words
-from clickgen.source import Span
+from clickgen.text.source import Span
 
 _FREE_COLUMNS = COLUMNS - 1
 """A condition whose legs merge, or that feeds several outputs, leaves the last column for the wire behind the merge."""

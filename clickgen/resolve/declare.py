@@ -8,14 +8,14 @@ from typing import NamedTuple
 from clickgen.device.banks import BANKS, FLOAT_MAX, INTEGER_RANGES, UPPER_BYTE_BANKS, Address, Kind
 from clickgen.device.nicknames import comment_fault, nickname_fault_at
 from clickgen.device.system import addresses_of_system_name
-from clickgen.diagnostics import Diagnostics, Label
 from clickgen.ir.operands import CharCode, Constant, Operand
 from clickgen.ir.program import Declaration
-from clickgen.resolve.blocks import mark_in
+from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.resolve.constants import typed
-from clickgen.resolve.rows import Row, default_row, format_initial, looks_like_scratch
-from clickgen.resolve.table import AddressTable
-from clickgen.source import Span
+from clickgen.table.address_table import AddressTable
+from clickgen.table.blocks import mark_in
+from clickgen.table.rows import Row, default_row, format_initial, looks_like_scratch
+from clickgen.text.source import Span
 
 
 class Meaning(NamedTuple):

@@ -10,12 +10,12 @@ from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import comment_fault, nickname_fault
-from clickgen.diagnostics import Diagnostics, Label
 from clickgen.ir.program import BlockDeclaration
-from clickgen.resolve.blocks import Block, Mark, Marks, mark_in, marked, read_marks
+from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.resolve.declare import Declared, initial_of
-from clickgen.resolve.rows import Row, default_row, looks_like_scratch
-from clickgen.resolve.table import AddressTable
+from clickgen.table.address_table import AddressTable
+from clickgen.table.blocks import Block, Mark, Marks, mark_in, marked, read_marks
+from clickgen.table.rows import Row, default_row, looks_like_scratch
 
 
 def declare_blocks(

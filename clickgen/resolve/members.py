@@ -6,15 +6,15 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from clickgen.device.banks import BANKS, Address
-from clickgen.diagnostics import Diagnostics, Suggestions
 from clickgen.formula.printer import source_reference
 from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Operand, Range, Section, Single
 from clickgen.ir.program import Operands, Program, Value
 from clickgen.ir.proposals import Proposal
 from clickgen.ir.walk import Rewriter
-from clickgen.resolve.blocks import Block, unclosed_block
-from clickgen.resolve.table import AddressTable
+from clickgen.problems.diagnostics import Diagnostics, Suggestions
+from clickgen.table.address_table import AddressTable
+from clickgen.table.blocks import Block, unclosed_block
 
 
 def without_members(

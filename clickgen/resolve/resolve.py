@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import nickname_fault
 from clickgen.device.system import addresses_of_system_name, lookalike_of, near_system_name, system_name_of
-from clickgen.diagnostics import Diagnostics, Label, Suggestions
 from clickgen.formula.printer import source_reference
 from clickgen.instructions.spec import Access
 from clickgen.ir.conditions import Compare
@@ -18,17 +17,18 @@ from clickgen.ir.program import Action, Program, Routine, Value, Word, actions_i
 from clickgen.ir.proposals import Proposal
 from clickgen.ir.reach import reaching
 from clickgen.ir.walk import Rewriter, program_operands
+from clickgen.problems.diagnostics import Diagnostics, Label, Suggestions
 from clickgen.resolve.allocate import Allocator
-from clickgen.resolve.blocks import Block
 from clickgen.resolve.constants import kind_of, stored, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
 from clickgen.resolve.declare_blocks import declare_blocks
-from clickgen.resolve.masked import warn_of_masked
 from clickgen.resolve.members import proposal_without_members, without_members
-from clickgen.resolve.rows import Row, is_scratch, looks_like_scratch
-from clickgen.resolve.table import AddressTable
-from clickgen.source import Span
-from clickgen.wording import counted
+from clickgen.table.address_table import AddressTable
+from clickgen.table.blocks import Block
+from clickgen.table.masked import warn_of_masked
+from clickgen.table.rows import Row, is_scratch, looks_like_scratch
+from clickgen.text.source import Span
+from clickgen.text.wording import counted
 
 
 @dataclass(frozen=True)

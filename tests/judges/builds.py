@@ -14,7 +14,7 @@ from strategies.given import TABLE, Given
 
 import clickgen
 import clickgen.cli
-from clickgen.codes import CODES
+from clickgen.problems.codes import CODES
 
 from .codec import assert_codec_reads
 from .power import check_limits, check_no_backfeed, read_ladder

@@ -8,9 +8,9 @@ from pathlib import Path
 from strategies.mending import TABLE, Mending
 
 import clickgen
-from clickgen.diagnostics import Diagnostic, Fix
-from clickgen.fixing import apply_fixes
 from clickgen.pipeline import check
+from clickgen.problems.diagnostics import Diagnostic, Fix
+from clickgen.text.edits import apply_fixes
 
 from .builds import workshop
 from .meaning import check_same

@@ -11,14 +11,14 @@ from heapq import heappop, heappush
 from itertools import islice
 from typing import NamedTuple
 
-from clickgen.check.uses import Use, addresses_of
+from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import UPPER_BYTE_BANKS, Address, points_of
 from clickgen.emit.listing import known_numbers
 from clickgen.emit.workbook.project import Project, listed
 from clickgen.emit.workbook.sheet import Cells, Column, Sheet
+from clickgen.facts.uses import Use, addresses_of
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Immediate, Pointer, Range
-from clickgen.lower.tokens import operand_token
 
 _LONG = 64
 """A longer range is not told again for each name in it with every place: one line says which ranges there are."""

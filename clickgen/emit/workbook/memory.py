@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 
+from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, WORD_TWINS, Bank
 from clickgen.emit.workbook.project import Project
 from clickgen.emit.workbook.sheet import Cells, Column, Sheet
 from clickgen.emit.workbook.states import GIVEN, State
 from clickgen.ir.operands import Pointer
-from clickgen.lower.tokens import operand_token
 
 _POINTERS_MAX = 6
 """So many pointers are named at a bank."""

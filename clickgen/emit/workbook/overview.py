@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from clickgen.emit.workbook.project import Project
 from clickgen.emit.workbook.sheet import Cells, Column, Look, Marked, Sheet
 from clickgen.emit.workbook.states import GIVEN, State
-from clickgen.wording import counted
+from clickgen.text.wording import counted
 
 _ADVICE = (
     "clickgen makes this workbook from the program and the address table. It does not write over one that somebody has "

@@ -8,15 +8,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, islice
 
-from clickgen.check.uses import Use, Uses
 from clickgen.device.banks import Address
 from clickgen.emit.listing import Names
 from clickgen.emit.workbook.sheet import Cells, Look, Marked
 from clickgen.emit.workbook.states import States
+from clickgen.facts.uses import Use, Uses
 from clickgen.ir.program import Program, Routine, Rung
 from clickgen.lower.split import ClickRoutine
-from clickgen.resolve.rows import Row
-from clickgen.source import SourceFile, Span
+from clickgen.table.rows import Row
+from clickgen.text.source import SourceFile, Span
 
 _PLACES_MAX = 12
 """So many rungs are named in one cell; the cross-reference has them all."""

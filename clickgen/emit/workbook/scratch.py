@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from clickgen.emit.workbook.project import Project, or_none
 from clickgen.emit.workbook.sheet import Cells, Column, Look, Marked, Sheet
-from clickgen.resolve.rows import is_scratch
+from clickgen.table.rows import is_scratch
 
 _NONE = "The program needs no scratch cells."
 

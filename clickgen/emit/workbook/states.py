@@ -9,10 +9,10 @@ from enum import Enum
 from itertools import groupby
 from typing import NamedTuple
 
-from clickgen.check.uses import Uses, extents_of
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address, Bank
 from clickgen.emit.workbook.sheet import Look
-from clickgen.resolve.rows import Row, is_scratch
+from clickgen.facts.uses import Uses, extents_of
+from clickgen.table.rows import Row, is_scratch
 
 
 class State(Enum):

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from clickgen.device.banks import Kind
 from clickgen.emit.workbook.project import Project
 from clickgen.emit.workbook.sheet import Cells, Column, Sheet, Value
-from clickgen.resolve.rows import Row, format_initial
+from clickgen.table.rows import Row, format_initial
 
 _PLAIN_NUMBER = re.compile(r"-?(0|[1-9][0-9]{0,9})")
 _PLAIN_FLOAT = re.compile(r"-?[0-9]{1,8}(\.[0-9]{1,8})?")

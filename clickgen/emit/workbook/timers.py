@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from clickgen.click.draw.tokens import NEVER_CONTACT
+from clickgen.click.draw.words import condition_words
 from clickgen.device.banks import Address, current_value
 from clickgen.emit.workbook.project import Project, or_none
 from clickgen.emit.workbook.sheet import Cells, Column, Sheet, Value
 from clickgen.emit.workbook.tags import initial
 from clickgen.ir.operands import Cell, Integer, Operand
 from clickgen.ir.program import Action
-from clickgen.lower.tokens import NEVER_CONTACT
-from clickgen.lower.words import condition_words
 
 _UNITS = {"Tms": "ms", "Ts": "s", "Tm": "min", "Th": "h", "Td": "days"}
 _WORDS_MAX = 500

@@ -1,0 +1,1 @@
+"""CLICK's side: rungs drawn, read, and compared."""

@@ -1,0 +1,1 @@
+"""Rungs drawn in CLICK's grid."""

@@ -1,0 +1,236 @@
+"""Drawn rungs to rungs of a program: outputs with their conditions, branches, the inputs of boxes, loops."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import groupby
+from keyword import iskeyword
+
+from clickgen.click.read.grid import DrawnBox, DrawnRung
+from clickgen.click.read.kept import fault_of, raw_of
+from clickgen.click.read.network import RAIL, Arc, Network, Place, network_of
+from clickgen.click.read.operands import missing_address
+from clickgen.click.read.problem import LadderProblem
+from clickgen.click.read.reduce import TooEntangled, series, tree_of
+from clickgen.click.read.tokens import NOP_TOKEN, action_of, specs_of
+from clickgen.device.system import ALWAYS_ON
+from clickgen.dialects.if_rungs.read.comments import DIRECTIVE
+from clickgen.instructions.control import FOR, NEXT, NOP
+from clickgen.instructions.raw import RAW
+from clickgen.instructions.spec import Spec
+from clickgen.ir.conditions import Always, Condition, Contact
+from clickgen.ir.operands import Cell
+from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
+from clickgen.text.source import Span
+
+ENTANGLED = "the contacts are wired in too many ways to be written as a condition"
+
+
+@dataclass(frozen=True)
+class ImportedRung:
+    """A rung of the program, and what a person should know of it."""
+
+    rung: Rung
+    notes: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
+    """What is left out that does nothing."""
+
+
+@dataclass(frozen=True)
+class _Output:
+    """An action and the conditions on the way to it."""
+
+    path: tuple[Arc, ...]
+    action: Action
+
+
+def import_rung(drawn: DrawnRung) -> ImportedRung:
+    """A drawn rung as a program has it. Raises LadderProblem when it cannot be kept."""
+    if drawn.problems:
+        raise drawn.problems[0]
+    network = network_of(drawn)
+    span = drawn.span
+    notes = list(network.notes)
+    remarks = _comment_remarks(drawn)
+    boxes = list(drawn.boxes)
+    if len(boxes) > 1 and any(box.token == NOP_TOKEN for box in boxes):
+        remarks.append("NOP beside an output does nothing: it is left out")
+        boxes = [box for box in boxes if box.token != NOP_TOKEN]
+    if not boxes:
+        remarks.append("the rung has no output: it becomes NOP")
+        nop = _rung(drawn, Always(span), (Action(NOP, {}, span),))
+        return ImportedRung(nop, tuple(notes), tuple(remarks))
+    fed = {RAIL, *(arc.stop for arc in network.arcs)}
+    for box in boxes:
+        if network.ends[box.row] not in fed and box.token != NOP_TOKEN:
+            raise _problem(drawn, box.row, f"{_shortened(box.token)} is not connected to the power rail")
+    try:
+        tree = tree_of(network.arcs, {network.ends[box.row] for box in boxes} & fed)
+        # A pin taps what it shares with an output, too.
+        notes += dict.fromkeys(tree_of(network.arcs, {*network.ends.values()} & fed).notes)
+        actions = [_action(drawn, network, box, fed) for box in boxes]
+    except TooEntangled:
+        raise LadderProblem(ENTANGLED, drawn.file, drawn.line) from None
+    paths = [tree.path(network.ends[box.row]) if network.ends[box.row] in fed else () for box in boxes]
+    items = _items([_Output(path, action) for path, action in zip(paths, actions, strict=True)])
+    condition: Condition = Always(span)
+    if len(items) == 1 and isinstance(items[0], Branch):
+        condition, items = items[0].condition, items[0].items
+    return ImportedRung(_rung(drawn, condition, items), tuple(notes), tuple(remarks))
+
+
+def _comment_remarks(drawn: DrawnRung) -> list[str]:
+    """What is to be said of the comment. Raises LadderProblem for one that would not come back."""
+    if not is_comment_kept(drawn.comment):
+        message = f"a line of the comment begins with {DIRECTIVE!r}, which speaks to clickgen, or no file can hold it"
+        raise LadderProblem(message, drawn.file, drawn.line)
+    has_spaces = any(line != line.rstrip() for line in drawn.comment.split("\n"))
+    return ["spaces at the ends of the comment's lines are left out"] if has_spaces else []
+
+
+def is_comment_kept(comment: str) -> bool:
+    """False when a line of a comment would be read as something else, or stands in no UTF-8 file."""
+    if "\0" in comment or any("\ud800" <= character <= "\udfff" for character in comment):
+        return False
+    return not any(line.strip().startswith(DIRECTIVE) for line in comment.split("\n"))
+
+
+def _rung(drawn: DrawnRung, condition: Condition, items: tuple[Item, ...]) -> Rung:
+    return Rung(condition, items, drawn.comment, drawn.span, drawn.span)
+
+
+def _problem(drawn: DrawnRung, row: int, message: str) -> LadderProblem:
+    return LadderProblem(message, drawn.file, drawn.rows[row].line)
+
+
+def _shortened(token: str) -> str:
+    return token if len(token) <= 60 else f"{token[:57]}..."
+
+
+# -- outputs ----------------------------------------------------------------------------------------------------------
+
+
+def _action(drawn: DrawnRung, network: Network, box: DrawnBox, fed: set[Place]) -> Action:
+    line = drawn.rows[box.row].line
+    span = Span(drawn.file, line, 1, line, 2)
+    pins = {token: _pin(network, network.ends[row], fed, span) for token, row in box.pins}
+    action = action_of(box.token, pins, span)
+    if action is None and not pins:
+        action = raw_of(box.token, span)
+    if action is None:
+        with_pins = f" with {', '.join(pins)}" if pins else ""
+        raise _problem(drawn, box.row, f"{_shortened(box.token)}{with_pins} {_why_unknown(box.token)}")
+    return action
+
+
+def _why_unknown(token: str) -> str:
+    """What keeps a token from being an instruction, behind the token."""
+    missing = missing_address(token)
+    if missing:
+        return f"names {missing}, which CLICK does not have"
+    if token.startswith((f"{RAW.name}(", "math(")):
+        fault = fault_of(token)
+        return f"cannot be kept: {fault.message}; {fault.help}" if fault else "stands with inputs that it cannot have"
+    if specs_of(token):
+        return "is not written as CLICK writes it: look at its arguments and its inputs"
+    return "is no instruction that CLICK is known for"
+
+
+def _pin(network: Network, end: Place, fed: set[Place], span: Span) -> Condition:
+    """The condition of an input; one that is not connected is never on."""
+    if end not in fed:
+        return Contact(Cell(ALWAYS_ON, span), span, negated=True)
+    return series((arc.condition for arc in tree_of(network.arcs, {end}).path(end)), span)
+
+
+def _items(outputs: Sequence[_Output]) -> tuple[Item, ...]:
+    """Actions and branches in the order of the outputs; a branch that is interrupted is opened again."""
+    items: list[Item] = []
+    for arc, group in groupby(outputs, key=lambda output: output.path[0] if output.path else None):
+        if arc is None:
+            items += [output.action for output in group]
+            continue
+        inner = _items([replace(output, path=output.path[1:]) for output in group])
+        span = inner[0].span
+        if isinstance(arc.condition, Always):
+            items += inner
+        elif len(inner) == 1 and isinstance(inner[0], Branch):
+            items.append(Branch(series((arc.condition, inner[0].condition), span), inner[0].items, span))
+        else:
+            items.append(Branch(arc.condition, inner, span))
+    return tuple(items)
+
+
+# -- routines ---------------------------------------------------------------------------------------------------------
+
+
+def routine_of(name: str, rungs: Sequence[Rung], is_main: bool, function: str = "") -> Routine:
+    """The rungs of a file as a routine, loops closed around their rungs.
+
+    ``name`` is CLICK's, ``function`` the source's; without one it is the same name. Raises LadderProblem for a name
+    that a function cannot have.
+    """
+    span = rungs[0].span if rungs else Span(name, 1, 1, 1, 2)
+    function = function or name
+    is_function = function.isascii() and function.isidentifier() and not iskeyword(function)
+    if not is_function or is_main != (name == "main") or is_main != (function == "main"):
+        raise LadderProblem(f"a subroutine cannot have the name {function!r} here", span.path, span.line)
+    return Routine(name, with_loops(rungs), span, is_main, function=function)
+
+
+def with_loops(rungs: Sequence[Rung]) -> tuple[Rung, ...]:
+    """The rungs between ``for`` and ``next()`` as the body of a loop, where that says the same."""
+    found: list[Rung] = []
+    index = 0
+    while index < len(rungs):
+        rung, stop = rungs[index], _end_of_loop(rungs, index)
+        if stop is None:
+            found.append(_with_open_loop(rung))
+            index += 1
+            continue
+        [action] = rung.items
+        assert isinstance(action, Action)
+        found.append(replace(rung, items=(Loop(action, tuple(rungs[index + 1 : stop])),)))
+        index = stop + 1
+    return tuple(found)
+
+
+def _end_of_loop(rungs: Sequence[Rung], start: int) -> int | None:
+    """The rung of the ``next()`` that closes the loop of this rung; None when it is no loop or does not close so."""
+    if not _is_alone(rungs[start], FOR):
+        return None
+    for index in range(start + 1, len(rungs)):
+        rung = rungs[index]
+        if _is_alone(rung, NEXT):
+            is_plain = isinstance(rung.condition, Always) and not rung.comment
+            return index if is_plain and index > start + 1 else None
+        if _uses(rung.items, FOR) or _uses(rung.items, NEXT):
+            return None
+    return None
+
+
+def _is_alone(rung: Rung, spec: Spec) -> bool:
+    return len(rung.items) == 1 and isinstance(rung.items[0], Action) and rung.items[0].spec is spec
+
+
+def _uses(items: Sequence[Item], spec: Spec) -> bool:
+    return any(
+        _uses(item.items, spec) if isinstance(item, Branch) else isinstance(item, Action) and item.spec is spec
+        for item in items
+    )
+
+
+def _with_open_loop(rung: Rung) -> Rung:
+    return replace(rung, items=_opened(rung.items))
+
+
+def _opened(items: Sequence[Item]) -> tuple[Item, ...]:
+    """The items with every ``for`` as a loop that ``next_loop()`` closes."""
+    found: list[Item] = []
+    for item in items:
+        if isinstance(item, Branch):
+            found.append(replace(item, items=_opened(item.items)))
+        else:
+            found.append(Loop(item, None) if isinstance(item, Action) and item.spec is FOR else item)
+    return tuple(found)

@@ -1,0 +1,74 @@
+"""Findings that were there when a repository began to check: they are not shown again until they change."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import NamedTuple
+
+from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
+from clickgen.text.wording import json_text
+from clickgen.workspace import read_file
+
+_FORMAT = 1
+
+Key = tuple[str, str, str]
+"""File, code and source line of a finding: it may move, but not change."""
+
+
+def keys_of(
+    findings: Iterable[Diagnostic], name: Callable[[str], str], line_of: Callable[[str, int], str]
+) -> list[Key]:
+    """The key of each finding; ``name`` gives a path as the baseline writes it."""
+    return [
+        (name(finding.span.path), finding.code, line_of(finding.span.path, finding.span.line).strip())
+        if finding.span
+        else ("", finding.code, "")
+        for finding in findings
+    ]
+
+
+def read_baseline(path: Path) -> Counter[Key] | None:
+    """How often each finding was there; None when there is no such file. Raises CouldNotRun."""
+    try:
+        tree = json.loads(read_file(path).decode("utf-8"))
+        if tree["format"] != _FORMAT:
+            raise CouldNotRun(f"{path} is a baseline of another clickgen; delete it and make it anew")
+        return Counter({(row["file"], row["code"], row["line"]): int(row["count"]) for row in tree["findings"]})
+    except FileNotFoundError:
+        return None
+    except OSError as error:
+        raise CouldNotRun(f"{path} cannot be read: {error.strerror or error}") from None
+    except (ValueError, KeyError, TypeError, OverflowError, RecursionError):
+        raise CouldNotRun(f"{path} is no baseline that clickgen made; delete it and make it anew") from None
+
+
+def baseline_text(keys: Iterable[Key]) -> str:
+    """The baseline as a file, one finding on a line so that it diffs well."""
+    rows = [
+        json_text({"file": file, "code": code, "line": line, "count": count})
+        for (file, code, line), count in sorted(Counter(keys).items())
+    ]
+    body = ",\n    ".join(rows)
+    inner = f"\n    {body}\n  " if rows else ""
+    return f'{{\n  "format": {_FORMAT},\n  "findings": [{inner}]\n}}\n'
+
+
+class Baseline(NamedTuple):
+    """What was found when a repository began: how often each key, with ``name`` as ``keys_of`` takes it."""
+
+    known: Counter[Key]
+    name: Callable[[str], str]
+
+    def news(self, findings: list[Diagnostic], line_of: Callable[[str, int], str]) -> list[Diagnostic]:
+        """The findings that the baseline does not know; errors always."""
+        left = Counter(self.known)
+        new = []
+        for finding, key in zip(findings, keys_of(findings, self.name, line_of), strict=True):
+            if not finding.is_error and left[key] > 0:
+                left[key] -= 1
+            else:
+                new.append(finding)
+        return new

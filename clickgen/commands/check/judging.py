@@ -1,0 +1,112 @@
+"""Judging programs: each by the pipeline, several on all cores, an unchanged one out of the cache."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from clickgen.commands.check.cache import Cache, Cached, key_of
+from clickgen.dialects.if_rungs.discover import Target
+from clickgen.problems.diagnostics import TRACEBACK, CouldNotRun, Diagnostic
+from clickgen.rules.select import Selection
+from clickgen.text.source import Span
+
+if TYPE_CHECKING:
+    from clickgen.device.banks import Address
+
+_MANY = 4
+"""Fewer programs than this are judged one after the other: starting processes costs more."""
+
+Judged = tuple[Cached, Mapping[str, bytes | None]]
+"""The findings of a program, and what was read for them."""
+
+
+class Judge(NamedTuple):
+    """``overlay`` gives files contents other than those on disk, by real path; such programs are not cached.
+
+    ``progress`` is told after each program how many are done.
+    """
+
+    cache: Cache
+    selection: Selection
+    reserved: tuple[Address, ...] = ()
+    overlay: Mapping[str, bytes] = {}
+    progress: Callable[[int], None] = lambda _: None
+
+    def __call__(self, targets: Sequence[Target]) -> dict[Target, Cached]:
+        """The findings of each target. Raises CouldNotRun when one cannot be read."""
+        found: dict[Target, Cached] = {}
+        keys = {target: self._key(target) for target in targets} if not self.overlay else {}
+        for target, key in keys.items():
+            cached = self.cache.get(key)
+            if cached is not None:
+                found[target] = cached
+        waiting = [target for target in targets if target not in found]
+        for target, (cached, reads) in self._judged(waiting, is_one_of_many=len(targets) > 1):
+            found[target] = cached
+            if reads and not self.overlay:
+                self.cache.put(keys[target], cached, reads)
+            self.progress(len(found))
+        return found
+
+    def again(self, target: Target, named_elsewhere: frozenset[str]) -> Cached:
+        """The findings of a target, with the knowledge of what other programs name: kept in no cache."""
+        return judge(target, self.selection, self.reserved, self.overlay, named_elsewhere)[0]
+
+    def _key(self, target: Target) -> str:
+        return key_of(target, self.reserved, self.selection)
+
+    def _judged(self, targets: list[Target], is_one_of_many: bool) -> Iterator[tuple[Target, Judged]]:
+        judged = judged_at_any_rate if is_one_of_many else judge
+        cores = min(len(targets), os.cpu_count() or 1)
+        if len(targets) < _MANY or cores < 2:
+            yield from ((target, judged(target, self.selection, self.reserved, self.overlay)) for target in targets)
+            return
+        from clickgen.commands.check.pool import in_processes
+
+        tasks = [(target, self.selection, self.reserved, self.overlay) for target in targets]
+        yield from zip(targets, in_processes(judged, tasks, cores), strict=True)
+
+
+def judged_at_any_rate(
+    target: Target, selection: Selection, reserved: tuple[Address, ...], overlay: Mapping[str, bytes]
+) -> Judged:
+    """``judge`` of one program of several: what keeps this one from being judged is its problem, and not the others'.
+
+    Such a problem is not remembered: nothing says what it depends on.
+    """
+    try:
+        return judge(target, selection, reserved, overlay)
+    except CouldNotRun as error:
+        reason, help = str(error), "mend this, and check again"
+    except Exception as error:
+        if os.environ.get(TRACEBACK):
+            raise
+        reason = f"internal error: {type(error).__name__}: {error}"
+        help = f"this is a fault of clickgen: please report it with the program; {TRACEBACK}=1 shows where it happened"
+    problem = Diagnostic("CG140", reason, Span(target.path, 1, 1, 1, 2), help)
+    return Cached((problem,), ()), {}
+
+
+def judge(
+    target: Target,
+    selection: Selection,
+    reserved: tuple[Address, ...],
+    overlay: Mapping[str, bytes],
+    named_elsewhere: frozenset[str] = frozenset(),
+) -> Judged:
+    """What is to be said about one program, of what is wanted. Raises CouldNotRun."""
+    from clickgen.pipeline import Settings, check
+
+    settings = Settings(
+        target.nicknames,
+        reserved=reserved,
+        overlay=overlay,
+        wants=selection.wants,
+        is_part=target.is_part,
+        named_elsewhere=named_elsewhere,
+    )
+    result = check(target.path, settings)
+    findings = tuple(finding for finding in result.diagnostics if selection.wants(finding.code))
+    return Cached(findings, tuple(source.path for source in result.sources)), result.reads

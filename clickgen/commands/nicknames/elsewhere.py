@@ -1,0 +1,53 @@
+"""What the other programs around a table name: a name that one of them uses has not left."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from clickgen.commands.nicknames.programs import Files, Job, programs_around, table_of
+from clickgen.config import Config
+from clickgen.facts.uses import addresses_of
+from clickgen.pipeline import BuildResult, build_all
+from clickgen.problems.diagnostics import CouldNotRun
+
+
+def build_among(jobs: Sequence[Job], config: Callable[[], Config]) -> list[BuildResult]:
+    """Build programs one after the other; where a name left one, with the knowledge of what the others around it name.
+
+    ``config`` gives the settings, where they are needed.
+    """
+    results = build_all((job.program, job.settings) for job in jobs)
+    if not any(result.left for result in results):
+        return results
+    settings = config()
+    known = [
+        named_elsewhere(job, settings, jobs) if result.left else frozenset()
+        for job, result in zip(jobs, results, strict=True)
+    ]
+    return build_all(
+        (job.program, replace(job.settings, named_elsewhere=names)) for job, names in zip(jobs, known, strict=True)
+    )
+
+
+def named_elsewhere(job: Job, config: Config, others: Sequence[Job] = ()) -> frozenset[str]:
+    """The names, in small letters, and the addresses that programs beside this one use of its table.
+
+    Looks at the programs around the table, at those of the settings and at ``others``. A program that cannot be read
+    may use any: nobody knows, and nothing is found.
+    """
+    table = os.path.realpath(table_of(job.program, job.settings))
+    own = os.path.realpath(job.program)
+    try:
+        around = programs_around([job, *others], config, Files())
+    except CouldNotRun:
+        return frozenset()
+    found: set[str] = set()
+    for program in around:
+        if os.path.realpath(program.path) == own or program.table_key != table:
+            continue
+        for file in program.names:
+            found.update(named.name.lower() for named in (*file.named, *file.blocks))
+            found.update(str(address) for cell in file.cells for address in addresses_of(cell))
+    return frozenset(found)

@@ -1,0 +1,70 @@
+"""Building programs before and after a rename, and comparing all that comes out."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from clickgen.commands.nicknames.programs import Program
+from clickgen.device.banks import Address
+from clickgen.emit.listing import listing
+from clickgen.emit.nickname_csv import nickname_csv
+from clickgen.emit.sourcemap import source_map
+from clickgen.lower.scratch import renamed_reason
+from clickgen.pipeline import BuildResult, build
+from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
+from clickgen.settings import TABLE_NAME
+from clickgen.table.blocks import renamed_mark
+from clickgen.table.rows import Row, is_scratch
+
+_LISTING, _SOURCES = "listing.txt", "sources.json"
+
+
+@dataclass(frozen=True)
+class Side:
+    """The files of one side by their real paths; ``tables`` are tables read in the stead of others."""
+
+    overlay: Mapping[str, bytes]
+    tables: Mapping[str, Path]
+
+    def build(self, program: Program) -> BuildResult:
+        table = self.tables.get(program.table_key, program.settings.nicknames)
+        return build(program.path, settings=replace(program.settings, nicknames=table, overlay=self.overlay))
+
+
+def errors_of(result: BuildResult) -> list[Diagnostic]:
+    return [problem for problem in result.diagnostics if problem.is_error]
+
+
+def prove_same(before: BuildResult, after: BuildResult, old: str, new: str, is_block: bool = False) -> None:
+    """Raise CouldNotRun unless both make the same ladder, and the same of everything else but for the name."""
+
+    def renamed(row: Row) -> Row:
+        if is_block:
+            return replace(row, comment=renamed_mark(row.comment, old, new))
+        if is_scratch(row):
+            return replace(row, comment=renamed_reason(row.comment, old, new))
+        return replace(row, nickname=new) if row.nickname.lower() == old.lower() else row
+
+    rows = _by_address(map(renamed, before.rows))
+    base = os.path.dirname(str(before.program))
+    expected = {
+        **before.files,
+        TABLE_NAME: nickname_csv(rows.values()),
+        _LISTING: listing(
+            before.program.stem, before.routines, {row.address: row.nickname for row in rows.values() if row.nickname}
+        ),
+        _SOURCES: source_map(before.routines, map(renamed, before.scratch_rows), list(before.files), base),
+    }
+    found = _by_address(after.rows)
+    differing = [name for name in {**expected, **after.files} if expected.get(name) != after.files.get(name)]
+    if {address: row.content for address, row in rows.items()} != {a: row.content for a, row in found.items()}:
+        differing.append(str(before.table_path))
+    if differing:
+        raise CouldNotRun(f"{before.program} would not stay the same with {new}: {differing[0]} would differ")
+
+
+def _by_address(rows: Iterable[Row]) -> dict[Address, Row]:
+    return {row.address: row for row in rows}

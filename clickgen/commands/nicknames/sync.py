@@ -1,0 +1,193 @@
+"""Bringing address tables up to their programs: what is missing gets an address, what nothing uses is named."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from clickgen.commands.nicknames.programs import Files, Job, Program, programs_around
+from clickgen.config import Config, find_config
+from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, VALUE_BANK, Address
+from clickgen.pipeline import BuildResult, build, build_all
+from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.table.address_table import AddressTable
+from clickgen.table.read import read_table
+from clickgen.table.record import left_in, placed_in, read_record, record_beside, record_of
+from clickgen.table.rows import Row, is_scratch
+
+
+@dataclass(frozen=True)
+class TableSync:
+    """What becomes of one table."""
+
+    path: Path
+    added: tuple[Row, ...]
+    """The rows that the programs bring, scratch included."""
+    changed: tuple[Row, ...]
+    """Rows to which the programs give another initial value, retention or comment."""
+    unused: tuple[Row, ...]
+    """The rows that no program refers to; those that are removed are among them."""
+    removed: tuple[Row, ...]
+    kept: Mapping[Address, str]
+    """Why an unused row stays although it was to be removed, where something else than a person's hand keeps it."""
+    doubtful: tuple[str, ...]
+    """Programs of this table that have errors, so that nobody knows what they use."""
+
+
+@dataclass(frozen=True)
+class Sync:
+    """Nothing is written by it: ``put_in_place(writes, (), unchanged)`` does that."""
+
+    results: tuple[BuildResult, ...]
+    """The programs that were named, built; where one is not ``ok`` there is nothing to write."""
+    tables: tuple[TableSync, ...]
+    writes: Mapping[Path, bytes]
+    unchanged: Mapping[Path, bytes | None]
+
+    @property
+    def ok(self) -> bool:
+        return all(result.ok for result in self.results)
+
+
+def sync(jobs: Sequence[Job], config: Config, prune: bool = False) -> Sync:
+    """Allocate what these programs lack. With ``prune`` rows that clickgen placed and nothing refers to go.
+
+    Every other program that uses the same table is looked at too: beside it, below it, and in the settings. Raises
+    CouldNotRun when a file cannot be read.
+    """
+    results = build_all((job.program, job.settings) for job in jobs)
+    if not all(result.ok for result in results):
+        return Sync(tuple(results), (), {}, {})
+    places = [result.table_path for result in results]
+    places += [Path(os.path.realpath(place)) for place in places]
+    around = programs_around(jobs, _with_programs_of(config, places), Files(), places)
+    tables: list[TableSync] = []
+    writes: dict[Path, bytes] = {}
+    unchanged: dict[Path, bytes | None] = {}
+    for key in dict.fromkeys(os.path.realpath(result.table_path) for result in results):
+        own = [result for result in results if os.path.realpath(result.table_path) == key]
+        others = [program for program in around if not program.is_job]
+        table = _Table(own, others, prune)
+        tables.append(table.sync)
+        for path, data, before in table.files():
+            unchanged[path] = before
+            if data is not None and data != before:
+                writes[path] = data
+    return Sync(tuple(results), tuple(tables), writes, unchanged)
+
+
+def _with_programs_of(config: Config, tables: Iterable[Path]) -> Config:
+    """The settings with the programs that those around the tables name."""
+    found = [find_config(table.parent) for table in tables if table.parent.is_dir()]
+    return config._replace(programs=(*config.programs, *(each for one in found for each in one.programs)))
+
+
+class _Table:
+    """One table with the programs that use it: those that were named, in their order, and the others.
+
+    A program around it that has a table of its own is none of them. One whose table is not there may be used with this
+    one on some other day, so what it names stays.
+    """
+
+    def __init__(self, own: Sequence[BuildResult], others: Sequence[Program], prune: bool) -> None:
+        self._path = own[0].table_path
+        key = os.path.realpath(self._path)
+        self._strangers = [each for each in others if each.table_key != key and not os.path.exists(each.table_key)]
+        others = [each for each in others if each.table_key == key]
+        self._before = own[0].table_before
+        self._record = read_record(record_beside(self._path))
+        self._placed = placed_in(self._record)
+        self._placed |= {row.address: row.nickname for result in own for row in result.placed_rows}
+        self._left = left_in(self._record)
+        table = own[-1].address_table
+        readers, doubtful = _read(others, self._path, table)
+        users = [*own, *readers]
+        named = [row for row in table.own_rows if row.nickname and not BANKS[row.address.bank].settings_fixed]
+        unused = [row for row in named if not any(_is_used(row, result) for result in users)]
+        gone = {row.address for row in unused}
+        pairs = ((left.new.address, left.old.address) for result in own for left in result.left)
+        self._left |= {came: old for came, old in pairs if old in gone}
+        removed: list[Row] = []
+        kept: dict[Address, str] = {}
+        for row in unused if prune else ():
+            reason = self._reason_to_stay(row, users, doubtful) if self._is_ours(row) else None
+            if reason == "":
+                removed.append(row)
+            elif reason:
+                kept[row.address] = reason
+        self._table = table.changed({row.address: None for row in removed})
+        before = _contents(self._path, self._before)
+        rows = self._table.own_rows
+        added = tuple(row for row in rows if row.address not in before)
+        changed = tuple(row for row in rows if before.get(row.address, row.content) != row.content)
+        self.sync = TableSync(self._path, added, changed, tuple(unused), tuple(removed), kept, tuple(doubtful))
+
+    def _is_ours(self, row: Row) -> bool:
+        """True for a row that clickgen wrote and no person has touched since."""
+        if is_scratch(row):
+            return True
+        is_bare = replace(row, nickname="").is_default
+        return is_bare and self._placed.get(row.address, "") == row.nickname != ""
+
+    def _reason_to_stay(self, row: Row, users: Iterable[BuildResult], doubtful: Sequence[str]) -> str:
+        if doubtful:
+            return f"{doubtful[0]} has errors, so nobody knows what it uses"
+        for program in self._strangers:
+            if any(file.of(row.nickname) for file in program.names):
+                return f"{program.path} names it"
+        for result in users:
+            uses = result.facts.uses if result.facts else None
+            if uses and any(uses.is_pointed(row.address.bank, way) for way in (True, False)):
+                return f"{result.program} points into {row.address.bank}"
+        return ""
+
+    def files(self) -> list[tuple[Path, bytes | None, bytes | None]]:
+        """The table and the record beside it: what they should hold, and what they held."""
+        rows = {row.address: row.nickname for row in self._table.own_rows}
+        placed = {address: name for address, name in self._placed.items() if rows.get(address) == name}
+        record = record_of(placed, self._left, self._record) if placed or self._record is not None else None
+        data = None if self._before is None and not rows else self._table.to_bytes()
+        return [
+            (self._path, data, self._before),
+            (record_beside(self._path), record, self._record),
+        ]
+
+
+def _contents(path: Path, data: bytes | None) -> dict[Address, object]:
+    """What a table said of each address."""
+    if data is None:
+        return {}
+    return {row.address: row.content for row in read_table(path, str(path), Diagnostics(), data).own_rows}
+
+
+def _read(programs: Iterable[Program], path: Path, table: AddressTable) -> tuple[list[BuildResult], list[str]]:
+    """The other programs, built with the table as it will be, and those that have errors."""
+    readers: list[BuildResult] = []
+    doubtful: list[str] = []
+    overlay = {os.path.realpath(path): table.to_bytes()}
+    for program in programs:
+        try:
+            result = build(program.path, settings=replace(program.settings, overlay=overlay))
+        except CouldNotRun:
+            doubtful.append(program.path)
+            continue
+        readers.append(result)
+        if not result.ok and not (program.is_part and _lacks_only_main(result)):
+            doubtful.append(program.path)
+    return readers, doubtful
+
+
+def _lacks_only_main(result: BuildResult) -> bool:
+    return all(problem.code == "CG401" for problem in result.diagnostics if problem.is_error)
+
+
+def _is_used(row: Row, result: BuildResult) -> bool:
+    """True where a program refers to a row: by name or number, in a range, by a declaration, for itself."""
+    if row.address in result.needed:
+        return True
+    bank = row.address.bank
+    twins = (bank, VALUE_BANK.get(bank), CURRENT_VALUE_OF.get(bank))
+    addresses = [row.address._replace(bank=twin) for twin in twins if twin]
+    return result.facts is not None and any(result.facts.uses.at(address) for address in addresses)

@@ -1,0 +1,216 @@
+"""Where the names of a source file stand, to the character, also inside the strings of formulas."""
+
+from __future__ import annotations
+
+import ast
+import io
+import re
+import tokenize
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from clickgen.device.banks import Address, points_of
+from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.program import read_file
+from clickgen.ir.imports import Import
+from clickgen.ir.operands import Cell, Immediate, Named, Operand, Range
+from clickgen.ir.program import BlockDeclaration, Declaration, FormulaText, Routine, actions_in, rungs_in
+from clickgen.ir.walk import rung_operands
+from clickgen.problems.diagnostics import Diagnostics, Edit
+from clickgen.text.source import EmbeddedText, SourceFile, Span
+
+_LAST_WORD = re.compile(r"(?<!\w)\w+$")
+_IN_FORMULA = re.compile(r"""\w++\s*+(?:\.\s*(?P<plain>\w+)|\[\s*(?:"(?P<double>[^"\n]*)"|'(?P<single>[^'\n]*)'))""")
+_ESCAPE = re.compile(r"\\(?:[0-7]{1,3}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|N\{[^}]*\}|.)")
+
+
+class Place(NamedTuple):
+    """Where a name is written: the stretches that hold its characters; more than one where a string is in pieces."""
+
+    stretches: tuple[Span, ...]
+    is_plain: bool
+    """True behind a dot, where only a plain word can stand."""
+    in_formula: bool
+
+    def edits(self, name: str) -> tuple[Edit, ...]:
+        """Another name in its place: in the first stretch, the others become empty."""
+        return tuple(Edit(span, "" if index else name) for index, span in enumerate(self.stretches))
+
+
+@dataclass(frozen=True)
+class FileNames:
+    """Every name that a source file uses or declares, in the order of the text. Members of blocks are apart."""
+
+    source: SourceFile
+    named: tuple[Named, ...]
+    blocks: tuple[Named, ...]
+    """Names with an index or a section behind them, and declared blocks."""
+    formulas: tuple[FormulaText, ...]
+    declarations: tuple[Declaration | BlockDeclaration, ...] = ()
+    cells: tuple[Cell | Range, ...] = ()
+    """What routines use by its number."""
+
+    def of(self, name: str) -> list[Named]:
+        """The uses of a name, in any bank and any case."""
+        return [named for named in self.named if named.name.lower() == name.lower()]
+
+    def blocks_of(self, name: str) -> list[Named]:
+        """Where a name stands for a block or a part of one."""
+        return [block for block in self.blocks if block.name.lower() == name.lower()]
+
+    def every(self, name: str) -> list[Named]:
+        """Every place of a name, be it a nickname's or a block's, each once and in the order of the text."""
+        found = {(named.span.line, named.span.col): named for named in (*self.of(name), *self.blocks_of(name))}
+        return [found[place] for place in sorted(found)]
+
+    def place(self, named: Named) -> Place:
+        """Where one of ``named`` or ``blocks`` has its name."""
+        node = self._nodes.get(named.span)
+        if isinstance(node, ast.Subscript) and named.part is not None:
+            # ds.Recipe[3] and ds["Door alarms"][0:4]: the name stands before the index.
+            node = node.value
+        if node is None:
+            text, start = self._characters[named.span.line, named.span.col]
+            match = _IN_FORMULA.match(text.value, start)
+            assert match is not None
+            group = next(group for group, name in match.groupdict().items() if name is not None)
+            return Place(_stretches(text, *match.span(group)), group == "plain", True)
+        if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant):
+            text = self._context.embedded(node.slice)
+            return Place(_stretches(text, 0, len(text.value)), False, False)
+        _, _, _, line, end, _ = self._context.span(node)
+        word = _LAST_WORD.search(self.source.line(line)[: end - 1])
+        assert word is not None
+        return Place((self.source.span(line, word.start() + 1, line, end),), True, False)
+
+    @cached_property
+    def _context(self) -> Context:
+        return Context(self.source, Diagnostics())
+
+    @cached_property
+    def _nodes(self) -> dict[Span, ast.expr]:
+        """The addresses and texts of the file by their spans."""
+        kinds = ast.Attribute | ast.Subscript | ast.Constant
+        nodes = (node for node in ast.walk(ast.parse(self.source.text)) if isinstance(node, kinds))
+        return {self._context.span(node): node for node in nodes}
+
+    @cached_property
+    def _characters(self) -> dict[tuple[int, int], tuple[EmbeddedText, int]]:
+        """The character of a formula at a line and column of the file."""
+        found: dict[tuple[int, int], tuple[EmbeddedText, int]] = {}
+        for formula in self.formulas:
+            node = self._nodes[formula.span]
+            assert isinstance(node, ast.Constant)
+            text = self._context.embedded(node)
+            found.update({place: (text, index) for index, place in enumerate(text.positions[:-1])})
+        return found
+
+
+def read_names(source: SourceFile, problems: Diagnostics) -> FileNames | None:
+    """The names in a file, also in routines that no program imports; None when it is not Python."""
+    content = read_file(source, problems)
+    if content is None:
+        return None
+    named: list[Named] = []
+    formulas: list[FormulaText] = []
+    blocks: list[Named] = []
+    cells: list[Cell | Range] = []
+    for item in content.items:
+        if isinstance(item, Routine):
+            targets = [*_targets(item)]
+            named += (target for target in targets if isinstance(target, Named))
+            cells += (target for target in targets if isinstance(target, Cell | Range))
+            formulas += _formulas(item)
+        elif isinstance(item, Declaration):
+            named.append(item.named)
+        elif not isinstance(item, Import):
+            blocks.append(item.named)
+    blocks += (name for name in named if name.part is not None)
+    plain = {name.span: name for name in named if name.part is None}
+    in_order = sorted(plain.values(), key=lambda name: name.span[1:3])
+    declarations = (item for item in content.items if isinstance(item, Declaration | BlockDeclaration))
+    return FileNames(source, tuple(in_order), tuple(blocks), tuple(formulas), tuple(declarations), tuple(cells))
+
+
+def _targets(routine: Routine) -> Iterator[Operand]:
+    for rung in routine.rungs:
+        for operand in rung_operands(rung):
+            yield operand.target if isinstance(operand, Immediate) else operand
+
+
+def _formulas(routine: Routine) -> Iterator[FormulaText]:
+    for rung in rungs_in(routine.rungs):
+        for action in actions_in(rung.items):
+            yield from (value for value in action.args.values() if isinstance(value, FormulaText))
+
+
+def _stretches(text: EmbeddedText, start: int, end: int) -> tuple[Span, ...]:
+    """Where ``value[start:end]`` stands in the file, without the quotes and line ends between its pieces."""
+    source = text.source
+    stretches: list[Span] = []
+    for line, col in text.positions[start:end]:
+        raw = source.line(line)
+        escape = _ESCAPE.match(raw, col - 1)
+        stop = col + (len(escape[0]) if escape else 1)
+        if stretches and stretches[-1][3:5] == (line, col):
+            stretches[-1] = stretches[-1]._replace(end_col=stop)
+        else:
+            stretches.append(source.span(line, col, line, stop))
+    return tuple(stretches)
+
+
+def comments_with(source: SourceFile, word: str) -> int:
+    """How many comments of a file hold this word, in any case."""
+    wanted = word_pattern(word)
+    if not wanted.search(source.text):
+        return 0
+    tokens = tokenize.generate_tokens(io.StringIO(source.text).readline)
+    return sum(wanted.search(token.string) is not None for token in tokens if token.type == tokenize.COMMENT)
+
+
+def word_pattern(word: str) -> re.Pattern[str]:
+    """A whole word in any case."""
+    return re.compile(rf"(?<!\w){re.escape(word)}(?!\w)", re.IGNORECASE)
+
+
+def places_in(files: Iterable[FileNames]) -> Callable[[str], list[str]]:
+    """Where these files use or declare a name: ``prog.py:12``. Each file counts once, each line too."""
+    places: dict[str, dict[str, None]] = {}
+    for file in files:
+        for named in file.named:
+            place = f"{file.source.path}:{named.span.line}"
+            places.setdefault(named.name.lower(), {})[place] = None
+    return lambda name: list(places.get(name.lower(), ()))
+
+
+class ProgramsSay:
+    """What programs say of addresses, beside the names that they use. Each file counts once."""
+
+    def __init__(self, files: Iterable[FileNames] = ()) -> None:
+        self.declared: dict[str, Declaration] = {}
+        """The declarations by their lowercase names."""
+        self.declared_at: dict[Address, Declaration] = {}
+        self.blocks: dict[str, BlockDeclaration] = {}
+        """The declared blocks by their lowercase names."""
+        self._by_number: dict[Address, dict[str, None]] = {}
+        for file in {id(file): file for file in files}.values():
+            self._add(file)
+
+    def by_number(self, address: Address) -> list[str]:
+        """Where an address is used by its number, alone or in a range: ``prog.py:12``."""
+        return list(self._by_number.get(address, ()))
+
+    def _add(self, file: FileNames) -> None:
+        for declaration in file.declarations:
+            name = declaration.named.name.lower()
+            if isinstance(declaration, BlockDeclaration):
+                self.blocks.setdefault(name, declaration)
+            else:
+                self.declared.setdefault(name, declaration)
+                self.declared_at.setdefault(declaration.cell.address, declaration)
+        for cell in file.cells:
+            for address in cell.addresses() if isinstance(cell, Range) else [cell.address]:
+                for each in (address, *points_of(address)):
+                    self._by_number.setdefault(each, {})[f"{file.source.path}:{cell.span.line}"] = None

@@ -1,0 +1,1 @@
+"""The dialect in which a rung is an if."""

@@ -1,0 +1,1 @@
+"""Source text rewritten: what a fix puts in the place of a fault."""

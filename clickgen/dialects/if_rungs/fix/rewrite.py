@@ -1,0 +1,245 @@
+"""Python's and, or, not, &, | and ~ rewritten with all(...), any(...) and nc(...), every other character kept."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from clickgen.device.banks import Kind
+from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.operands import BANK_NAMES
+from clickgen.ir.conditions import OPPOSITE
+from clickgen.problems.diagnostics import Edit
+from clickgen.text.source import Span
+
+_SWAPPED = {"all": "any", "any": "all"}
+_SIGN = re.compile("|".join(sorted(OPPOSITE, key=len, reverse=True)))
+_OPERATOR = re.compile(r"and|or|&|\|")
+_COMMENT = re.compile(r"#[^\n]*")
+
+
+def python_logic(node: ast.expr) -> tuple[str, str, list[ast.expr]] | None:
+    """The Python operator of an expression, the function that the language has for it, and its terms."""
+    if isinstance(node, ast.BoolOp):
+        return ("and", "all", node.values) if isinstance(node.op, ast.And) else ("or", "any", node.values)
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not | ast.Invert):
+        return "not" if isinstance(node.op, ast.Not) else "~", "nc", [node.operand]
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitAnd | ast.BitOr):
+        terms = [node.left, node.right]
+        return ("&", "all", terms) if isinstance(node.op, ast.BitAnd) else ("|", "any", terms)
+    return None
+
+
+class Rewritten(NamedTuple):
+    """An expression in the language."""
+
+    text: str
+    edit: Edit
+    """The edit that puts it there."""
+    turned: tuple[ast.expr, ...]
+    """The single conditions of which the text has the opposite, as they stand."""
+
+
+def in_language(context: Context, node: ast.expr) -> Rewritten | None:
+    """An expression in the language; None where that is not plain."""
+    return _Rewriter(context).rewritten(node)
+
+
+def terms_in(node: ast.expr, function: str = "all", wanted: bool = True) -> Iterator[tuple[ast.expr, str, bool]]:
+    """The terms under Python's operators, all and any: each with what joins it, and whether it is to hold or not."""
+    logic = python_logic(node)
+    if logic and logic[1] == "nc":
+        yield from terms_in(logic[2][0], function, not wanted)
+    elif logic:
+        for term in logic[2]:
+            yield from terms_in(term, logic[1], wanted)
+    elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _SWAPPED:
+        for term in node.args:
+            yield from terms_in(term, node.func.id, wanted)
+    else:
+        yield node, function, wanted
+
+
+def has_opposite(context: Context, node: ast.expr) -> bool:
+    """True for a single condition whose opposite the language can say."""
+    return _Rewriter(context).opposite(node) is not None
+
+
+@dataclass(frozen=True)
+class _Piece:
+    """Text that stands by itself, or the arguments of ``function``; ``is_loose`` are those of an operator."""
+
+    text: str
+    function: str = ""
+    is_loose: bool = False
+
+    @property
+    def whole(self) -> str:
+        return f"{self.function}({self.text})" if self.function else self.text
+
+
+class _Rewriter:
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._text = context.source.text
+        self._starts = context.source.starts
+        self._turned: list[ast.expr] = []
+
+    def rewritten(self, node: ast.expr) -> Rewritten | None:
+        start, end = self._extent(node)
+        piece = self.piece(node, wanted=True)
+        if piece is None:
+            return None
+        span = self._context.span(node)
+        bracket = self._bracket_around(start, end) if piece.function else None
+        if bracket is None:
+            return Rewritten(piece.whole, Edit(span, piece.whole), tuple(self._turned))
+        # Parentheses around the expression become those of the function.
+        line = self._text.count("\n", 0, bracket)
+        place = Span(span.path, line + 1, bracket - self._starts[line] + 1, span.end_line, span.end_col)
+        edit = Edit(place, piece.function + self._text[bracket:start] + piece.text)
+        return Rewritten(piece.whole, edit, tuple(self._turned))
+
+    def piece(self, node: ast.expr, wanted: bool) -> _Piece | None:
+        """The expression, or its opposite where it is not wanted; None where the language has no such thing."""
+        start, end = self._extent(node)
+        logic = python_logic(node)
+        if logic and logic[1] == "nc":
+            return self._negated(node, logic[2][0], wanted)
+        if logic:
+            _, function, terms = logic
+            function = function if wanted else _SWAPPED[function]
+            text = self._joined(function, terms, (start, end), wanted)
+            return None if text is None else _Piece(text, function, is_loose=True)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in _SWAPPED and node.args:
+            return self._call(node, node.func.id, wanted)
+        return _Piece(self._text[start:end]) if wanted else self.opposite(node)
+
+    def _call(self, node: ast.Call, name: str, wanted: bool) -> _Piece | None:
+        """all(...) or any(...): as it stands, where nothing in it changes."""
+        start, end = self._extent(node)
+        if wanted and not any(python_logic(inner) for inner in ast.walk(node) if isinstance(inner, ast.expr)):
+            return _Piece(self._text[start:end])
+        opening = self._text.index("(", self._extent(node.func)[1])
+        function = name if wanted else _SWAPPED[name]
+        text = self._joined(function, node.args, (opening + 1, end - 1), wanted)
+        return None if text is None else _Piece(text, function)
+
+    def _negated(self, node: ast.expr, operand: ast.expr, wanted: bool) -> _Piece | None:
+        piece = self.piece(operand, not wanted)
+        if piece is None:
+            return None
+        (start, end), (first, last) = self._extent(node), self._extent(operand)
+        before = re.sub(r"^(not|~)\s*", "", self._text[start:first])
+        behind = self._text[last:end]
+        if piece.function:
+            # These parentheses become those of the function.
+            text = _without("(", before) + piece.text + _without(")", behind)
+            return _Piece(text, piece.function, piece.is_loose)
+        return _Piece(before + piece.text + behind)
+
+    def opposite(self, node: ast.expr) -> _Piece | None:
+        """The opposite of a single condition. A name counts as one bit: nobody knows here what it stands for."""
+        self._turned.append(node)
+        text = self._text[slice(*self._extent(node))]
+        if isinstance(node, ast.Compare):
+            return self._opposite_comparison(node)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "nc":
+            bit = node.args[0] if len(node.args) == 1 and not node.keywords else None
+            return _Piece(self._text[slice(*self._extent(bit))]) if bit and _is_single(bit) else None
+        if not _is_single(node):
+            return None
+        bank = BANK_NAMES[_bank_of(node)]
+        if bank.is_bit:
+            return _Piece(text, "nc")
+        return None if bank.kind is Kind.TEXT else _Piece(f"{text} == 0")
+
+    def _opposite_comparison(self, node: ast.Compare) -> _Piece | None:
+        start, end = self._extent(node)
+        left, right = self._extent(node.left)[1], self._extent(node.comparators[0])[0]
+        sign = _SIGN.search(_code(self._text[left:right])) if len(node.ops) == 1 else None
+        if sign is None:
+            return None
+        text = self._text[start : left + sign.start()], OPPOSITE[sign[0]], self._text[left + sign.end() : end]
+        return _Piece("".join(text))
+
+    def _joined(self, function: str, terms: list[ast.expr], extent: tuple[int, int], wanted: bool) -> str | None:
+        """The terms with commas between them, and what stands around them in this stretch of the file."""
+        edges = [extent[0], *(offset for term in terms for offset in self._extent(term)), extent[1]]
+        gaps = [_with_comma(self._text[start:end]) for start, end in zip(edges[::2], edges[1::2], strict=True)]
+        texts: list[str] = []
+        for index, term in enumerate(terms):
+            piece = self.piece(term, wanted)
+            if piece is None:
+                return None
+            opening = _code(gaps[index]).rfind("(")
+            if piece.is_loose and piece.function == function:
+                gaps[index] = _without("(", gaps[index])
+                gaps[index + 1] = _without(")", gaps[index + 1])
+                texts.append(piece.text)
+            elif piece.function and opening >= 0:
+                # Parentheses around a term become those of its function.
+                gaps[index] = gaps[index][:opening] + piece.function + gaps[index][opening:]
+                texts.append(piece.text)
+            else:
+                texts.append(piece.whole)
+        return "".join(part for pair in zip(gaps, [*texts, ""], strict=True) for part in pair)
+
+    def _extent(self, node: ast.expr) -> tuple[int, int]:
+        """Where a node stands in the text, its own parentheses left out."""
+        span = self._context.span(node)
+        return self._starts[span.line - 1] + span.col - 1, self._starts[span.end_line - 1] + span.end_col - 1
+
+    def _bracket_around(self, start: int, end: int) -> int | None:
+        """Where the parenthesis stands that opens around this stretch, when it belongs to no call."""
+        before = self._text[:start].rstrip()
+        if not before.endswith("(") or not self._text[end:].lstrip().startswith(")"):
+            return None
+        bracket = len(before) - 1
+        line = before[before.rfind("\n") + 1 : bracket]
+        word = re.search(r"[\w\])]*$", line.rstrip())
+        is_call = word is not None and word[0] and not (word[0] in ("if", "elif") and line[-1:].isspace())
+        return None if is_call or "#" in line else bracket
+
+
+def _with_comma(gap: str) -> str:
+    """What stands between two terms, with a comma for the operator; the line is broken where it was."""
+    code = _code(gap)
+    match = _OPERATOR.search(code)
+    if match is None:
+        return gap
+    comma = code.rfind(")", 0, match.start()) + 1
+    before, behind = gap[comma : match.start()], gap[match.end() :]
+    if "\n" in before:
+        behind = behind.lstrip(" \t")
+    else:
+        before = "" if behind[:1].isspace() else " "
+    return f"{gap[:comma]},{before}{behind}"
+
+
+def _code(gap: str) -> str:
+    """What stands between terms, with blanks in the place of comments."""
+    return _COMMENT.sub(lambda comment: " " * len(comment[0]), gap)
+
+
+def _without(bracket: str, gap: str) -> str:
+    """What stands between terms without these parentheses; those of comments stay."""
+    return "".join(one for one, code in zip(gap, _code(gap), strict=True) if code != bracket)
+
+
+def _is_single(node: ast.expr) -> bool:
+    """True for one address: no range, no pointer."""
+    if isinstance(node, ast.Attribute) and node.attr == "immediate":
+        node = node.value
+    if isinstance(node, ast.Subscript) and not isinstance(node.slice, ast.Constant):
+        return False
+    return isinstance(node, ast.Attribute | ast.Subscript) and _bank_of(node) in BANK_NAMES
+
+
+def _bank_of(node: ast.expr) -> str:
+    while isinstance(node, ast.Attribute | ast.Subscript):
+        node = node.value
+    return node.id if isinstance(node, ast.Name) else ""

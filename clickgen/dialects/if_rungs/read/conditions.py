@@ -1,0 +1,340 @@
+"""Conditions out of expressions: contacts, comparisons, all, any."""
+
+from __future__ import annotations
+
+import ast
+import warnings
+from functools import partial
+
+from clickgen.device.banks import BANKS, Kind
+from clickgen.dialects.if_rungs.fix.rewrite import Rewritten, has_opposite, in_language, python_logic, terms_in
+from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.operands import looks_like_address, read_address, read_operand, shorten
+from clickgen.dialects.if_rungs.ways_out import no_condition
+from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
+from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real, form_of
+from clickgen.ir.proposals import Proposal
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Edit, Fix
+from clickgen.text.source import SourceFile, Span
+from clickgen.text.wording import no_opposite
+
+COMPARISONS: dict[type[ast.cmpop], str] = {
+    ast.Eq: "==",
+    ast.NotEq: "!=",
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+}
+FUNCTIONS = ("all", "any", "nc", "re", "fe")
+_EDGES = {function: edge for edge, function in EDGE_FUNCTIONS.items()}
+_WAY_OUT = "a condition is a bit, a comparison, all(...), any(...), nc(...), re(...) or fe(...)"
+
+
+def read_condition(context: Context, node: ast.expr) -> Condition | None:
+    """The condition that an expression writes; None with a problem."""
+    if isinstance(node, ast.Constant) and node.value is True:
+        return Always(context.span(node))
+    if isinstance(node, ast.Name) and node.id.lower() == "true":
+        fix = Fix((Edit(context.span(node), "True"),))
+        context.problem("CG107", node, "this is not a condition", "a rung that always runs stands under if True:", fix)
+        return None
+    return _read_term(context, node)
+
+
+def read_series(context: Context, nodes: list[ast.expr]) -> Condition | None:
+    """Conditions one behind the other, all of which must hold; None with problems."""
+    if len(nodes) == 1:
+        return read_condition(context, nodes[0])
+    terms = [_read_term(context, node) for node in nodes]
+    kept = tuple(term for term in terms if term is not None)
+    if len(kept) < len(terms):
+        return None
+    first, last = context.span(nodes[0]), context.span(nodes[-1])
+    return All(kept, first._replace(end_line=last.end_line, end_col=last.end_col))
+
+
+def _read_term(context: Context, node: ast.expr) -> Condition | None:
+    if isinstance(node, ast.Attribute | ast.Subscript):
+        return _read_contact(context, node)
+    if isinstance(node, ast.Compare):
+        return _read_comparison(context, node)
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in FUNCTIONS:
+        return _read_function(context, node, node.func.id)
+    logic = python_logic(node)
+    if logic:
+        rewritten = None if context.is_trial else _rewritten(context, node)
+        help = _WAY_OUT if rewritten or context.is_trial else _in_the_way(context, node)
+        context.problem("CG105", node, f"{logic[0]} is not part of the language", help)
+        if rewritten:
+            context.proposals.append(_proposal(context, "CG105", context.span(node), rewritten))
+    elif isinstance(node, ast.Constant) and node.value is True:
+        context.problem(
+            "CG107",
+            node,
+            "True stands alone as a rung's or a branch's condition, not inside another",
+            "leave it out; where a contact is needed, sc[1] is always on",
+        )
+    else:
+        fault = "this call is not a condition" if isinstance(node, ast.Call) else "this is not a condition"
+        help, fix = no_condition.way_out(context, node, partial(fits_condition, context))
+        context.problem("CG107", node, fault, help or _WAY_OUT, fix)
+    return None
+
+
+def _rewritten(context: Context, node: ast.expr) -> Rewritten | None:
+    """An expression in the language; None where that would be no condition."""
+    rewritten = in_language(context, node)
+    return rewritten if rewritten and fits_condition(context, rewritten.text) else None
+
+
+def _proposal(context: Context, code: str, place: Span, rewritten: Rewritten) -> Proposal:
+    """The fix of the problem at this place that writes an expression in the language, with all that it turns round."""
+    trial = Context(context.source, Diagnostics())
+    turned = [_read_term(trial, term) for term in rewritten.turned]
+    return Proposal(
+        code,
+        place,
+        (rewritten.edit,),
+        f"write {_on_one_line(rewritten.text)}",
+        tuple(term for term in turned if isinstance(term, Contact | Compare)),
+        is_read=None not in turned,
+    )
+
+
+def fits_condition(context: Context, text: str) -> bool:
+    """True for the text of a condition without a fault."""
+    return condition_fault(context, text, is_trial=True) is None
+
+
+def as_condition(context: Context, node: ast.expr) -> str:
+    """An expression as the text of a condition, and, or and not rewritten; "" where it is none."""
+    text = " ".join(context.text(node).split())
+    if "#" in text:
+        return ""
+    if fits_condition(context, text):
+        return text
+    rewritten = _rewritten(context, node)
+    return rewritten.text if rewritten is not None and _has_plain_opposites(context, rewritten) else ""
+
+
+def rewrites(context: Context, node: ast.expr) -> bool:
+    """True for and, or and not that can be written in the language, as far as the text says."""
+    return _rewritten(context, node) is not None
+
+
+def _has_plain_opposites(context: Context, rewritten: Rewritten) -> bool:
+    """True where all that is turned round has an opposite, whatever the names of the program stand for.
+
+    A name may be that of a block, whose bits are asked for together, and a DF register may hold no number.
+    """
+    proposal = _proposal(context, "", rewritten.edit.span, rewritten)
+    return proposal.is_read and all(
+        isinstance(leaf.operand, Cell | Immediate)
+        if isinstance(leaf, Contact)
+        else "DF" not in (form_of(leaf.left), form_of(leaf.right))
+        for leaf in proposal.turned
+    )
+
+
+def condition_fault(context: Context, text: str, is_trial: bool = False) -> Diagnostic | None:
+    """What is wrong with a condition of this text; None where nothing is. A trial finds no ways out."""
+    source = SourceFile(context.source.path, f"({text})")
+    trial = Context(source, Diagnostics(), is_trial=is_trial or context.is_trial)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            read_condition(trial, _read_alone(trial.source.text))
+    except SyntaxError:
+        return Diagnostic("CG107", "this is not a condition", None, _WAY_OUT)
+    return next(iter(trial.problems.found), None)
+
+
+def _read_alone(text: str) -> ast.expr:
+    return ast.parse(text, mode="eval").body
+
+
+def _on_one_line(text: str) -> str:
+    """A condition for a message, without the line breaks and comments in it."""
+    return ast.unparse(_read_alone(f"({text})")) if "#" in text and "\n" in text else " ".join(text.split())
+
+
+def _in_the_way(context: Context, node: ast.expr) -> str:
+    """The term for which Python's operators cannot be rewritten plainly, and the way out."""
+    compared: ast.Compare | None = None
+    for term, function, wanted in terms_in(node):
+        text = context.text(term)
+        shown = shorten(text)
+        # True is a condition where it stands alone, which it does not here.
+        fault = condition_fault(context, f"all({text})")
+        if fault is not None:
+            both = _compared_too(context, function, compared, term)
+            if not wanted and not both:
+                # Its own way out is not yet the opposite that is asked for.
+                return f"correct {shown} first: {fault.help}"
+            return f"{shown} has no place in it: {f'compare it as well, {both}' if both else fault.help}"
+        if not wanted and not has_opposite(context, term):
+            return no_opposite(shown, is_negated=True)
+        compared = term if isinstance(term, ast.Compare) else None
+    return f"in series write all(...), in parallel any(...); {_WAY_OUT}"
+
+
+def _compared_too(context: Context, function: str, before: ast.Compare | None, term: ast.expr) -> str:
+    """``any(ds.X == 1, ds.X == 2)`` for a number behind a comparison, ``ds.X == 1 or 2``; "" for anything else."""
+    is_number = isinstance(term, ast.Constant) and type(term.value) in (int, float)
+    if not is_number or before is None or not isinstance(before.comparators[0], ast.Constant):
+        return ""
+    first = " ".join(context.text(before).split())
+    second = f"{context.text(before.left)} {COMPARISONS[type(before.ops[0])]} {context.text(term)}"
+    both = f"{function}({first}, {second})"
+    return both if condition_fault(context, both) is None else ""
+
+
+def _read_contact(context: Context, node: ast.Attribute | ast.Subscript) -> Condition | None:
+    """A bit as a contact; a bare numeric register means that it is not zero."""
+    operand = read_address(context, node)
+    if operand is None:
+        return None
+    bank = BANKS[operand.bank] if isinstance(operand, Named | Cell | Range | Immediate | Pointer) else None
+    if bank is None or isinstance(operand, Pointer):
+        _refuse_pointer(context, node)
+        return None
+    if bank.is_bit:
+        assert isinstance(operand, Named | Cell | Range | Immediate)
+        return Contact(operand, operand.span)
+    if not isinstance(operand, Named | Cell) or bank.kind is Kind.TEXT:
+        context.problem("CG107", node, f"{bank.name} holds no bits", f"compare it: {bank.dsl}[{bank.first}] == ...")
+        return None
+    zero = Hex(0, operand.span) if bank.kind is Kind.HEX else Integer(0, operand.span)
+    right = Real(0.0, "0.0", operand.span) if bank.kind is Kind.FLOAT else zero
+    return Compare("!=", operand, right, operand.span)
+
+
+def _refuse_pointer(context: Context, node: ast.expr) -> None:
+    context.problem(
+        "CG307",
+        node,
+        "a pointer cannot stand in a condition: CLICK reads it too late",
+        "copy the register pointed to into another one in a rung before, and test that",
+    )
+
+
+def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
+    fits = partial(fits_condition, context)
+    if len(node.ops) > 1:
+        help, fix = no_condition.unchained(context, node, fits)
+        context.problem("CG106", node, "comparisons do not chain", help, fix)
+        return None
+    bit = no_condition.compared_bit(context, node, fits)
+    if bit is not None:
+        _refuse_compared(context, node, bit)
+        return None
+    operator = COMPARISONS.get(type(node.ops[0]))
+    if operator is None:
+        help = no_condition.listed_values(context, node, fits) or "the comparisons: == != < <= > >="
+        context.problem("CG107", node, "CLICK has no such comparison", help)
+        return None
+    left = read_operand(context, node.left)
+    right = read_operand(context, node.comparators[0])
+    if left is None or right is None:
+        return None
+    for side in (left, right):
+        if isinstance(side, Pointer):
+            context.problems.add(
+                "CG307",
+                side.span,
+                "a pointer cannot stand in a comparison: CLICK reads it too late",
+                "copy the register pointed to into another one in a rung before, and compare that",
+            )
+            return None
+        if isinstance(side, Range | Immediate):
+            help = no_condition.compared_range(context, node, side, fits) or _WAY_OUT
+            context.problems.add("CG107", side.span, "only single registers and constants compare", help)
+            return None
+    assert not isinstance(left, Range | Immediate)
+    assert not isinstance(right, Range | Immediate)
+    return Compare(operator, left, right, context.span(node))
+
+
+def _refuse_compared(context: Context, node: ast.Compare, bit: no_condition.ComparedBit) -> None:
+    fault = "a bit is a condition by itself, and is not compared"
+    if bit.turned is None or bit.fix is None or context.is_trial:
+        context.problem("CG303", node, fault, bit.help, bit.fix)
+        return
+    leaf = _read_term(Context(context.source, Diagnostics()), bit.turned)
+    context.problem("CG303", node, fault, no_condition.bit_help(context.text(bit.turned)))
+    if isinstance(leaf, Contact):
+        place = context.span(node)
+        context.proposals.append(Proposal("CG303", place, bit.fix.edits, bit.help, (leaf,)))
+
+
+def _read_function(context: Context, node: ast.Call, name: str) -> Condition | None:
+    for keyword in node.keywords:
+        context.problem("CG109", keyword, f"{name}() takes no keyword arguments", f"{name}(c.A, c.B)")
+    if any(isinstance(argument, ast.Starred) for argument in node.args):
+        context.problem("CG107", node, f"{name}(...) takes its conditions one by one", f"{name}(c.A, c.B)")
+        return None
+    if name in ("all", "any"):
+        if not node.args:
+            context.problem("CG110", node, f"{name}() needs at least one condition", f"{name}(c.A, c.B)")
+            return None
+        terms = [_read_term(context, argument) for argument in node.args]
+        kept = tuple(term for term in terms if term is not None)
+        if len(kept) < len(terms):
+            return None
+        return All(kept, context.span(node)) if name == "all" else Any(kept, context.span(node))
+    if len(node.args) != 1:
+        context.problem("CG110", node, f"{name}() takes one bit", f"{name}(c.A)")
+        return None
+    return _read_bit_function(context, node, name)
+
+
+def _read_bit_function(context: Context, node: ast.Call, name: str) -> Condition | None:
+    argument = node.args[0]
+    if not looks_like_address(argument):
+        help, fix = _without_function(context, node, name, argument)
+        context.problem("CG107", argument, f"{name}() takes one bit, not a condition", help, fix)
+        return None
+    operand = read_operand(context, argument)
+    if operand is None:
+        return None
+    if isinstance(operand, Pointer):
+        _refuse_pointer(context, argument)
+        return None
+    if not isinstance(operand, Named | Cell | Range | Immediate) or not BANKS[operand.bank].is_bit:
+        way = "compare a register: ds.A == 0" if name == "nc" else "edges belong to bits"
+        context.problem("CG107", argument, f"{name}() takes a bit", way)
+        return None
+    if name == "nc":
+        return Contact(operand, context.span(node), negated=True)
+    if isinstance(operand, Range):
+        context.problem("CG107", argument, f"{name}() takes one bit, not a range", f"any({name}(c[1]), {name}(c[2]))")
+        return None
+    if isinstance(operand, Immediate):
+        context.problem("CG308", argument, "an edge contact is never immediate", f"{name}(x[1])")
+        return None
+    return Contact(operand, context.span(node), edge=_EDGES[name])
+
+
+def _without_function(context: Context, node: ast.Call, name: str, argument: ast.expr) -> tuple[str, Fix | None]:
+    """The way out for ``nc(ds.A == 5)`` and ``re(all(...))``: the opposite, or a bit in a rung before."""
+    if context.is_trial:
+        return "", None
+    text = " ".join(context.text(argument).split())
+    if name == "nc" and "#" not in text:
+        rewritten = _rewritten(context, ast.copy_location(ast.UnaryOp(ast.Not(), argument), argument))
+        if rewritten is not None:
+            written = rewritten._replace(edit=Edit(context.span(node), rewritten.text))
+            context.proposals.append(_proposal(context, "CG107", context.span(argument), written))
+            return _WAY_OUT, None
+    if "#" in text or not fits_condition(context, f"all({text})"):
+        return no_condition.way_out(context, argument, partial(fits_condition, context))[0] or f"{name}(c.A)", None
+    turned = {"re": "fe", "fe": "re"}.get(name, "")
+    if (
+        turned
+        and isinstance(argument, ast.Call)
+        and text.startswith("nc(")
+        and fits_condition(context, turned + text[2:])
+    ):
+        return f"write {turned}{text[2:]}", None
+    return f"put the condition on a bit in a rung before, if {text}: out(c.Edge), and write {name}(c.Edge)", None

@@ -1,0 +1,281 @@
+"""Comments that silence findings: ``# clickgen: ignore[CG501] reason`` and ``# clickgen: file-ignore[CG504]``.
+
+Behind code a comment speaks of its line; on a line of its own of the rung or statement below it.
+"""
+
+from __future__ import annotations
+
+import ast
+import io
+import re
+import tokenize
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+from clickgen.problems.codes import CODES, Severity
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Edit, Fix, did_you_mean
+from clickgen.text.source import SourceFile, Span
+
+_DIRECTIVE = re.compile(
+    r"#\s*(?P<name>clickgen)(?P<colon>\s*:)?\s*(?P<word>[\w-]*)\s*(?:\[(?P<codes>[^\]#]*)\])?", re.IGNORECASE
+)
+_WORDS = ("ignore", "file-ignore")
+_UNUSED = "CG525"
+
+
+@dataclass
+class Directive:
+    """One comment: the codes it names, the lines that it speaks of, and what became of it."""
+
+    span: Span
+    """From its ``#`` to the closing bracket."""
+    codes: tuple[str, ...]
+    first: int
+    last: int
+    used: set[str] = field(default_factory=set)
+
+    def silences(self, finding: Diagnostic) -> bool:
+        span = finding.span
+        if span is None or span.path != self.span.path or finding.is_error:
+            return False
+        # A finding over several lines is met by a comment on any of them, a rung's by a comment above it.
+        meets = span.line <= self.last and span.end_line >= self.first
+        return meets and finding.code in self.codes
+
+
+def silenced(
+    findings: Iterable[Diagnostic], directives: Iterable[Directive]
+) -> tuple[list[Diagnostic], list[Diagnostic]]:
+    """The findings that are left, and those that a comment silences."""
+    left: list[Diagnostic] = []
+    gone: list[Diagnostic] = []
+    near = _Index(directives)
+    for finding in findings:
+        by = [directive for directive in near(finding) if directive.silences(finding)]
+        for directive in by:
+            directive.used.add(finding.code)
+        (gone if by else left).append(finding)
+    return left, gone
+
+
+class _Index:
+    """Directives by file, code and line, so that each finding looks at those near it."""
+
+    def __init__(self, directives: Iterable[Directive]) -> None:
+        self._wide: dict[tuple[str, str], list[Directive]] = {}
+        """Those that speak of many lines."""
+        self._narrow: dict[tuple[str, str], dict[int, list[Directive]]] = {}
+        for directive in directives:
+            for code in directive.codes:
+                key = directive.span.path, code
+                if directive.last - directive.first >= _MANY_LINES:
+                    self._wide.setdefault(key, []).append(directive)
+                    continue
+                lines = self._narrow.setdefault(key, {})
+                for line in range(directive.first, directive.last + 1):
+                    lines.setdefault(line, []).append(directive)
+
+    def __call__(self, finding: Diagnostic) -> list[Directive]:
+        """Every directive that may silence this finding, each once."""
+        if finding.span is None:
+            return []
+        key = finding.span.path, finding.code
+        lines = self._narrow.get(key, {})
+        own = range(finding.span.line, finding.span.end_line + 1)
+        near = own if len(own) < len(lines) else lines
+        found = [*self._wide.get(key, ()), *(one for line in near for one in lines.get(line, ()))]
+        return list({id(one): one for one in found}.values())
+
+
+_MANY_LINES = 50
+
+
+def read_directives(source: SourceFile, problems: Diagnostics) -> list[Directive]:
+    """Every directive of a file; what looks like one and is none is a problem."""
+    if "clickgen" not in source.text.lower():
+        return []
+    try:
+        tokens = list(tokenize.generate_tokens(io.StringIO(source.text).readline))
+        tree = ast.parse(source.text)
+    except (SyntaxError, tokenize.TokenError):
+        return []
+    statements = _Statements(tree)
+    code_lines = {token.start[0] for token in tokens if token.type not in _BLANK}
+    found: list[Directive] = []
+    for token in tokens:
+        for match in _directives_in(token):
+            line, col = token.start
+            span = source.span(line, col + match.start() + 1, line, col + match.end() + 1)
+            found += _read(source, span, match, line not in code_lines, statements, problems)
+    return found
+
+
+def _directives_in(token: tokenize.TokenInfo) -> Iterator[re.Match[str]]:
+    """What speaks to clickgen in a comment; one that only names it does not."""
+    if token.type == tokenize.COMMENT:
+        for match in _DIRECTIVE.finditer(token.string):
+            if match["colon"] or (match["word"].lower() in _WORDS and match["codes"] is not None):
+                yield match
+
+
+def _is_well_written(match: re.Match[str]) -> bool:
+    return match["name"] == "clickgen" and match["colon"] == ":" and match["word"] in _WORDS
+
+
+_BLANK = (tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER)
+
+
+class _Statements:
+    """The statements of a file, by line."""
+
+    def __init__(self, tree: ast.Module) -> None:
+        self.heads: dict[int, tuple[int, int]] = {}
+        """What a comment after code on a line speaks of, where that is more than the line: decorators and their def."""
+        self.starts: dict[int, tuple[int, int]] = {}
+        """What a comment above a line speaks of; between a decorator and its routine that is the routine."""
+        extents = {node.lineno: _extent(node) for node in ast.walk(tree) if isinstance(node, ast.stmt)}
+        for line, extent in extents.items():
+            if line == extent[1]:
+                for each in range(extent[0], line + 1):
+                    self.heads[each] = max(extent, self.heads.get(each, extent))
+            for each in (line, extent[0]):
+                self.starts[each] = max(extent, self.starts.get(each, extent), key=lambda one: one[1])
+
+
+def _extent(node: ast.stmt) -> tuple[int, int]:
+    """The lines that a comment above a statement speaks of: a whole rung, but of a routine only its head."""
+    if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+        return min([node.lineno, *(decorator.lineno for decorator in node.decorator_list)]), node.lineno
+    return node.lineno, node.end_lineno or node.lineno
+
+
+def _read(
+    source: SourceFile,
+    span: Span,
+    match: re.Match[str],
+    stands_alone: bool,
+    statements: _Statements,
+    problems: Diagnostics,
+) -> Iterator[Directive]:
+    word, listed = match["word"], match["codes"]
+    if word.lower() in _WORDS and not _is_well_written(match):
+        way = f"write # clickgen: {word.lower()}[{listed or 'CG501'}]"
+        problems.add(_UNUSED, span, "clickgen does not hear this", way)
+        return
+    if word == "file-ignore" and not stands_alone:
+        way = "put it on a line of its own, or write # clickgen: ignore[...] for this line"
+        problems.add(_UNUSED, span, "file-ignore speaks of the whole file and stands behind code", way)
+        return
+    if word not in _WORDS or listed is None or not listed.strip():
+        help = did_you_mean(word, _WORDS) or "write # clickgen: ignore[CG501] and the reason"
+        fault = "this names no codes" if word in _WORDS else f"there is no {word!r} to tell clickgen"
+        problems.add(_UNUSED, span, fault, help)
+        return
+    codes = tuple(code.strip() for code in listed.split(","))
+    for code in codes:
+        if code not in CODES:
+            problems.add(_UNUSED, span, f"there is no code {code!r}", did_you_mean(code, CODES) or "see clickgen rules")
+        elif CODES[code].severity is Severity.ERROR:
+            problems.add(_UNUSED, span, f"{code} is an error: CLICK would not take the program", "correct it")
+    codes = tuple(code for code in codes if code in CODES and CODES[code].severity is not Severity.ERROR)
+    if word == "file-ignore":
+        yield Directive(span, codes, 1, len(source.lines))
+    elif not stands_alone:
+        yield Directive(span, codes, *statements.heads.get(span.line, (span.line, span.line)))
+    else:
+        below = span.line + 1
+        while source.line(below).lstrip().startswith("#"):
+            below += 1
+        yield Directive(span, codes, *statements.starts.get(below, (span.line, span.line)))
+
+
+# -- writing them ----------------------------------------------------------------------------------------------------
+
+
+def silenceable(source: SourceFile, findings: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """The findings of a file that a comment can silence: no errors, and not what is wrong with such comments."""
+    return [
+        finding
+        for finding in findings
+        if finding.span and finding.span.path == source.path and not finding.is_error and finding.code != _UNUSED
+    ]
+
+
+def ignoring(source: SourceFile, findings: Iterable[Diagnostic]) -> Fix | None:
+    """The edits that silence these findings of a file, each where it stands; None when there is nothing to silence."""
+    wanted: dict[int, list[str]] = {}
+    for finding in silenceable(source, findings):
+        assert finding.span is not None
+        codes = wanted.setdefault(finding.span.line, [])
+        codes += [finding.code] if finding.code not in codes else []
+    if not wanted:
+        return None
+    tokens = list(tokenize.generate_tokens(io.StringIO(source.text).readline))
+    ends = {token.start[0]: token for token in tokens if token.type in (tokenize.NEWLINE, tokenize.NL)}
+    comments = {token.start[0]: token for token in tokens if token.type == tokenize.COMMENT}
+    statements = sorted(node.lineno for node in ast.walk(ast.parse(source.text)) if isinstance(node, ast.stmt))
+    edits = [
+        _ignoring_line(source, line, codes, comments.get(line), line in ends, statements)
+        for line, codes in sorted(wanted.items())
+    ]
+    return Fix(tuple(edits))
+
+
+def _ignoring_line(
+    source: SourceFile,
+    line: int,
+    codes: list[str],
+    comment: tokenize.TokenInfo | None,
+    has_end: bool,
+    statements: list[int],
+) -> Edit:
+    text = source.line(line)
+    match = _DIRECTIVE.search(comment.string) if comment else None
+    if comment and match and match["word"] == "ignore" and match["codes"] and _is_well_written(match):
+        start = comment.start[1] + match.start("codes") + 1
+        span = source.span(line, start, line, start + len(match["codes"]))
+        known = [code.strip() for code in match["codes"].split(",")]
+        return Edit(span, ", ".join([*known, *(code for code in codes if code not in known)]))
+    directive = f"# clickgen: ignore[{', '.join(codes)}]"
+    if has_end:
+        end = len(text) + 1
+        return Edit(source.span(line, end, line, end), f"  {directive}")
+    # No comment fits behind a line that goes on: it stands above the statement.
+    above = max((start for start in statements if start <= line), default=line)
+    indent = source.line(above)[: len(source.line(above)) - len(source.line(above).lstrip())]
+    return Edit(source.span(above, 1, above, 1), f"{indent}{directive}\n")
+
+
+# -- what silences nothing --------------------------------------------------------------------------------------------
+
+
+def report_unused(
+    source: SourceFile, directives: Iterable[Directive], judged: Iterable[str], problems: Diagnostics
+) -> None:
+    """A finding for each code that a directive names and that silences nothing, of those codes that were judged."""
+    judged = set(judged)
+    for directive in directives:
+        unused = [code for code in directive.codes if code not in directive.used and code in judged]
+        if not unused or directive.span.path != source.path:
+            continue
+        problems.add(
+            _UNUSED,
+            directive.span,
+            f"this silences no {' and no '.join(unused)}",
+            "remove it",
+            fix=Fix((_without(source, directive, unused),)),
+        )
+
+
+def _without(source: SourceFile, directive: Directive, unused: list[str]) -> Edit:
+    """The edit that takes codes out of a directive, and with the last one the whole comment."""
+    span = directive.span
+    kept = [code for code in directive.codes if code not in unused]
+    text = source.line(span.line)
+    if kept:
+        head, _, _ = text[span.col - 1 : span.end_col - 1].partition("[")
+        return Edit(span, f"{head}[{', '.join(kept)}]")
+    before = text[: span.col - 1].rstrip()
+    if before:
+        return Edit(source.span(span.line, len(before) + 1, span.line, len(text) + 1), "")
+    return Edit(source.span(span.line, 1, span.line + 1, 1), "")

@@ -1,0 +1,64 @@
+"""What is written as a function of a formula elsewhere."""
+
+from __future__ import annotations
+
+from clickgen.dialects.if_rungs.trade.advice import SIZE, table
+
+FORMULAS = table(
+    ("pow power expt xpy", "write {}: a power has its sign", ("(ds.A ^ 2)",), "($1 ^ $2)"),
+    ("exp", "write {}: a power of e", ("(2.7182818 ^ df.A)",), "(2.7182818 ^ $1)"),
+    ("sqr", "a square is {}, a square root {}", ("ds.A ^ 2", "SQRT(df.A)"), ""),
+    ("log10", "CLICK's LOG is the logarithm to base 10: {}", ("LOG(df.A)",), "LOG($1)"),
+    ("log2", "write {}: a logarithm to base 2", ("(LN(df.A) / LN(2))",), "(LN($1) / LN(2))"),
+    ("rol", "write {}: a rotation to the left", ("LRO(dh.A, 1)",), "LRO($1, $2)"),
+    ("ror", "write {}: a rotation to the right", ("RRO(dh.A, 1)",), "RRO($1, $2)"),
+    ("abs", SIZE, ("copy(ds.A, ds.Size)", 'if ds.Size < 0: calc("-ds.Size", ds.Size)'), ""),
+    ("sine", "write {}: a sine", ("SIN(df.A)",), "SIN($1)"),
+    ("cosine", "write {}: a cosine", ("COS(df.A)",), "COS($1)"),
+    ("tangent", "write {}: a tangent", ("TAN(df.A)",), "TAN($1)"),
+    ("sqroot root", "write {}: a square root", ("SQRT(df.A)",), "SQRT($1)"),
+    ("add", "write {}: a sum has its sign", ("(ds.A + ds.B)",), "($1 + $2)"),
+    ("sub", "write {}: a difference has its sign", ("(ds.A - ds.B)",), "($1 - $2)"),
+    ("mul", "write {}: a product has its sign", ("(ds.A * ds.B)",), "($1 * $2)"),
+    ("div", "write {}: a quotient has its sign", ("(ds.A / ds.B)",), "($1 / $2)"),
+    ("neg", "write {}: the opposite number", ("(-ds.A)",), "(-$1)"),
+    ("avg ave average mean", "write {}: a mean value", ("(SUM(ds[1:11]) / 10)",), ""),
+    ("total", "write {}: a sum of a range", ("SUM(ds[1:11])",), ""),
+    (
+        "min",
+        "CLICK chooses by conditions, in two rungs: {} and {}",
+        ("if ds.A <= ds.B: copy(ds.A, ds.C)", "if ds.A > ds.B: copy(ds.B, ds.C)"),
+        "",
+    ),
+    (
+        "max",
+        "CLICK chooses by conditions, in two rungs: {} and {}",
+        ("if ds.A >= ds.B: copy(ds.A, ds.C)", "if ds.A < ds.B: copy(ds.B, ds.C)"),
+        "",
+    ),
+    (
+        "limit clamp lim",
+        "CLICK limits by conditions, in two rungs: {} and {}",
+        ("if ds.A < 0: copy(0, ds.A)", "if ds.A > 100: copy(100, ds.A)"),
+        "",
+    ),
+    (
+        "sel if iif choose",
+        "CLICK chooses by conditions, in two rungs: {} and {}",
+        ("if nc(c.Pick): copy(ds.A, ds.C)", "if c.Pick: copy(ds.B, ds.C)"),
+        "",
+    ),
+    ("mux", "a pointer chooses one of a table: {}", ("copy(ds[ds.Index], ds.C)",), ""),
+    (
+        "round",
+        "add a half with {}, and cut the decimals off with {}",
+        ('calc("df.A + 0.5", df.B)', "copy(df.B, ds.C)"),
+        "",
+    ),
+    ("int trunc floor dint fix", "a copy to a whole number cuts the decimals off: {}", ("copy(df.A, ds.B)",), ""),
+    ("real float", "a copy to DF makes a floating-point number: {}", ("copy(ds.A, df.B)",), ""),
+    ("band", "words are combined in math_hex: {}", ('math_hex("dh.A AND dh.B", dh.C)',), ""),
+    ("bor", "words are combined in math_hex: {}", ('math_hex("dh.A OR dh.B", dh.C)',), ""),
+    ("bxor", "words are combined in math_hex: {}", ('math_hex("dh.A XOR dh.B", dh.C)',), ""),
+)
+"""What is written as a function of a formula."""

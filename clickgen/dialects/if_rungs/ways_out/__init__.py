@@ -1,0 +1,1 @@
+"""Ways out for what people bring along from other languages and machines."""

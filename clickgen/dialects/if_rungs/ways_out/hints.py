@@ -1,0 +1,235 @@
+"""Ways out for what people bring along from other machines and languages, in the words that they wrote themselves."""
+
+from __future__ import annotations
+
+import ast
+import re
+import warnings
+from collections.abc import Callable, Sequence
+
+from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
+from clickgen.dialects.if_rungs.read.context import Context, Located
+from clickgen.dialects.if_rungs.trade import ARGUMENTS, MEMBERS, Advice, advice, bank_hint
+from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
+from clickgen.problems.diagnostics import Edit, Fix
+
+Fits = Callable[[str], bool]
+"""True for code that the language takes in this place."""
+
+BANK_NAMES = {bank.dsl: bank for bank in BANKS.values()}
+_OWN_MAX = 120
+"""So much of a person's own code is repeated in a message."""
+
+_FLAT = re.compile(r"([A-Za-z]+?)([0-9]{1,4}[uU]?)")
+_SURE_MEMBERS = frozenset(("done", "dn", "q", "acc", "accum", "accumulator", "et", "cv", "current"))
+"""Members of a timer or counter that mean one thing only."""
+
+
+def expression_of(text: str) -> ast.expr | None:
+    """The syntax tree of an expression; None where Python cannot read it."""
+    node = statement_of(text)
+    return node.value if isinstance(node, ast.Expr) else None
+
+
+def statement_of(text: str) -> ast.stmt | None:
+    """The syntax tree of a single statement; None where Python cannot read it."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        try:
+            body = ast.parse(text).body
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            return None
+    return body[0] if len(body) == 1 else None
+
+
+def own(context: Context, node: ast.expr) -> str:
+    """A node as it is written, on one line; "" where a message cannot repeat it."""
+    text = context.text(node)
+    text = "" if "#" in text and "\n" in text else " ".join(text.split())
+    return text if len(text) <= _OWN_MAX else ""
+
+
+def own_advice(
+    context: Context,
+    found: Advice | None,
+    arguments: Sequence[ast.expr],
+    fits: Fits,
+    keywords: Sequence[ast.keyword] = (),
+) -> str:
+    """What a word of the trade is here, with the person's own arguments where that gives code that is right."""
+    if found is None:
+        return ""
+    written = own_code(context, found, arguments, fits, keywords)
+    return found.of(written) if written else found.shown
+
+
+def own_code(
+    context: Context,
+    found: Advice,
+    arguments: Sequence[ast.expr],
+    fits: Fits,
+    keywords: Sequence[ast.keyword] = (),
+) -> str:
+    """The person's own arguments as they are written here; "" where that gives nothing that is right."""
+    texts = [own(context, argument) for argument in arguments]
+    if keywords:
+        if "$*" not in found.own or not all(keyword.arg for keyword in keywords):
+            return ""
+        texts += [f"{ARGUMENTS.get(word.arg or '', word.arg or '')}={own(context, word.value)}" for word in keywords]
+    # In a formula an argument that calculates would need parentheses of its own.
+    if '"' in found.own and not all(_is_operand(one, "math_hex" in found.own) for one in arguments):
+        return ""
+    written = found.written(texts) if all(texts) else ""
+    return written if written and fits(written) else ""
+
+
+def _is_operand(node: ast.expr, is_hex: bool) -> bool:
+    """True for a number or an address that a formula of this kind takes."""
+    if isinstance(node, ast.Constant):
+        return type(node.value) in (int, float) and not is_hex
+    holder = node.value if isinstance(node, ast.Attribute | ast.Subscript) else None
+    bank = BANK_NAMES.get(holder.id) if isinstance(holder, ast.Name) else None
+    wanted = ("DH",) if is_hex else ("DS", "DD", "DF", "TD", "CTD", "SD")
+    return bank is not None and bank.name in wanted
+
+
+def trade_advice(
+    context: Context,
+    name: str,
+    table: dict[str, Advice],
+    arguments: Sequence[ast.expr],
+    fits: Fits,
+    keywords: Sequence[ast.keyword] = (),
+) -> str:
+    """``own_advice`` for a word; "" for one that is not in the table."""
+    return own_advice(context, advice(name, table), arguments, fits, keywords)
+
+
+def replaced(context: Context, node: Located, text: str, is_safe: bool) -> Fix:
+    """The fix that writes this text in a node's place."""
+    return Fix((Edit(context.span(node), text),), is_safe)
+
+
+# -- addresses --------------------------------------------------------------------------------------------------------
+
+
+def cell_text(address: Address) -> str:
+    """An address as a program writes it: ``x[1]``, ``xd["0u"]``."""
+    return f"{address.bank.lower()}[{chr(34) + '0u' + chr(34) if address.upper else address.number}]"
+
+
+def flat_address(text: str) -> str:
+    """How the language writes what looks like an address of CLICK's: ``C1``, ``ds5``, ``X001``; "" for others."""
+    address = parse_address(text) if len(text) < 10 else None
+    return cell_text(address) if address is not None else ""
+
+
+def name_hint(name: str) -> str:
+    """The way out for a bare word in the place of an address; "" for a word that says nothing."""
+    exact = flat_address(name)
+    if exact:
+        return f"write {exact}"
+    match = _FLAT.fullmatch(name)
+    if match and match[1].lower() in BANK_NAMES:
+        bank = BANK_NAMES[match[1].lower()]
+        return f"{bank.name} has {bank.describe_range()}: write {bank.dsl}[{bank.first}]"
+    if match and match[1].lower() in FOREIGN_BANKS:
+        return bank_hint(match[1], match[2])
+    return ""
+
+
+def text_hint(value: str, bank: str = "c") -> str:
+    """The way out for a text in quotes in the place of an address, which is likely one of a bank."""
+    exact = flat_address(value)
+    if exact:
+        return f"write {exact}, without quotes"
+    shown = f".{value}" if value.isidentifier() else f'["{value}"]'
+    if not value or len(value) > 24 or not value.isprintable() or '"' in value or "\\" in value:
+        return "an address is written ds[5] or ds.Name, without quotes around it"
+    return f"a nickname follows its bank, without quotes around it all: {bank}{shown}"
+
+
+def banks_hint() -> str:
+    """All banks, and how an address of one is written."""
+    return f"the banks: {', '.join(BANK_NAMES)}; an address is written ds[5] or ds.Name"
+
+
+def bit_of_word(word: str, bank: Bank, index: int | None) -> str:
+    """How a bit of a word is looked at: ``ds[1][3]``."""
+    bits = 32 if bank.kind in (Kind.INT32, Kind.FLOAT) else 16
+    number = 3 if index is None or not 0 <= index < bits else index
+    match = re.fullmatch(r"[xy]d\[(\d)\]", word)
+    if match and bank.has(int(match[1])):
+        point = points_of(Address(bank.name, int(match[1])))[number]
+        return f"bit {number} of this word is {cell_text(point)}"
+    source, before = word, ""
+    if bank.name not in ("DS", "DD", "DH", "DF"):
+        if bank.kind is Kind.TEXT:
+            return 'a character has no bits; compare it: txt[1] == "A"'
+        wide = bits == 32
+        source = "dd.Word" if wide else "dh.Word" if bank.kind is Kind.HEX else "ds.Word"
+        before = f"copy({word}, {source}) and "
+    target = f"c[1001:{1001 + bits}]"
+    unpacked = f"{before}copy_unpack({source}, {target})"
+    return f"copy the bits out in a rung before, {unpacked}, and bit {number} is c[{1001 + number}]"
+
+
+def bank_of(node: ast.expr) -> Bank | None:
+    """The bank of an address, be it a name, a number or a range; None for anything else."""
+    inner = node
+    while isinstance(inner, ast.Attribute | ast.Subscript):
+        inner = inner.value
+    is_address = isinstance(node, ast.Attribute | ast.Subscript) and isinstance(inner, ast.Name)
+    return BANK_NAMES.get(inner.id) if is_address and isinstance(inner, ast.Name) else None
+
+
+def has_bits(node: ast.expr) -> bool:
+    """True for an expression with a bit in it, of which no formula takes any."""
+    banks = (bank_of(part) for part in ast.walk(node) if isinstance(part, ast.Attribute | ast.Subscript))
+    return any(bank is not None and bank.is_bit for bank in banks)
+
+
+# -- members ----------------------------------------------------------------------------------------------------------
+
+
+def member_hint(context: Context, node: ast.Attribute, bank: Bank, rest: str) -> tuple[str, Fix | None]:
+    """The way out for ``t.A.done`` and the like; ``rest`` is what stands behind the bank: ``.A``."""
+    base, kind = f"{bank.dsl}{rest}", MEMBERS.get(node.attr.lower(), "")
+    value = VALUE_BANK.get(bank.name, "").lower()
+    fix: Fix | None = None
+    if not kind:
+        return "", None
+    if kind == "bit" or (kind == "current" and not value):
+        text = base
+    elif kind == "current":
+        text = f"{value}{rest}"
+    elif kind == "timing" and bank.name == "T":
+        text = f"all({value}{rest} > 0, nc({base}))"
+    elif bank.is_bit and kind in ("off", "rising", "falling"):
+        text = {"off": "nc", "rising": "re", "falling": "fe"}[kind] + f"({base})"
+    elif kind == "immediate" and bank.name in ("X", "Y"):
+        text = f"{base}.immediate"
+    elif kind == "setpoint" and value:
+        example = f"ton({base}, setpoint=ds.Limit)" if bank.name == "T" else _counter(base, "ds.Limit")
+        return f"a setpoint is not read back: keep it in a register, {example}, and read that, ds.Limit", None
+    elif kind == "enabled" and value:
+        return "CLICK has no such bit: test what the rung of the instruction tests", None
+    elif kind == "reset" and value:
+        return reset_hint(bank.name, base), None
+    else:
+        return "", None
+    if value and node.attr.lower() in _SURE_MEMBERS:
+        fix = replaced(context, node, text, is_safe=True)
+    return f"write {text}", fix
+
+
+def _counter(name: str, setpoint: str) -> str:
+    return f"ctu({name}, setpoint={setpoint}, reset=lambda: c.Clear)"
+
+
+def reset_hint(bank: str, shown: str) -> str:
+    """How a timer or a counter is reset: ``reset(t.A)`` does not do it."""
+    if bank in ("CT", "CTD"):
+        return f"a counter has an input for its reset: {_counter(shown, '10')}"
+    retentive = f"rton({shown}, setpoint=5, unit=Ts, reset=lambda: c.Clear)"
+    return f"a ton is reset when its rung goes off; a retentive timer has an input for it: {retentive}"

@@ -1,0 +1,150 @@
+"""Ways out for calls of instructions that there are not, and for arguments that are called otherwise elsewhere."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Sequence
+
+from clickgen.device.banks import Bank
+from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.trade import ACTIONS, ARGUMENTS, CONDITIONS, advice
+from clickgen.dialects.if_rungs.ways_out.hints import (
+    BANK_NAMES,
+    Fits,
+    own,
+    own_code,
+    replaced,
+    reset_hint,
+    trade_advice,
+)
+from clickgen.instructions import INSTRUCTIONS
+from clickgen.instructions.spec import ParamKind, Spec
+from clickgen.problems.diagnostics import Edit, Fix, did_you_mean
+
+_FUNCTIONS = ("all", "any", "nc", "re", "fe")
+_LIST = "clickgen explain instructions lists them all"
+_RESETS = ("res", "rst", "clr", "clear")
+_METHODS = {
+    "on": "set",
+    "turn_on": "set",
+    "latch": "set",
+    "off": "reset",
+    "turn_off": "reset",
+    "unlatch": "reset",
+    "write": "copy",
+    "assign": "copy",
+}
+"""What people call an address to do, and the instruction for it; others keep their name."""
+
+
+def no_instruction(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | None]:
+    """The way out for a call of what is no instruction, and a fix where the meaning is certain."""
+    if context.is_trial:
+        return "", None
+    func = node.func
+    if isinstance(func, ast.Attribute):
+        return _of_address(context, node, func, fits), None
+    if not isinstance(func, ast.Name):
+        return _LIST, None
+    name, lower = func.id, func.id.lower()
+    if lower in INSTRUCTIONS:
+        text = _renamed(context, node, lower)
+        fix = replaced(context, func, lower, is_safe=True)
+        return f"it is written in small letters: {text or INSTRUCTIONS[lower].signature}", fix
+    routine = _routine(context, name)
+    if routine and not (node.args and lower in ACTIONS):
+        fix = replaced(context, node, f"call({routine})", is_safe=routine == name and not (node.args or node.keywords))
+        return f"a subroutine is called with call({routine})", fix
+    if lower in ("return", "pass"):
+        return f"write {lower}", None
+    if lower in BANK_NAMES:
+        return f"{lower} is a bank; an address has square brackets, and an action names it: out(y[1])", None
+    if lower in _FUNCTIONS:
+        return f"{lower}(...) is a condition: write if {own(context, node) or f'{lower}(c.A)'}:", None
+    bank = _bank_of(context, node.args[0]) if node.args else None
+    if lower in _RESETS and bank is not None and bank.name in ("T", "CT"):
+        return reset_hint(bank.name, own(context, node.args[0])), None
+    told = trade_advice(context, name, ACTIONS, node.args, fits, node.keywords)
+    if told:
+        return told, _rename(context, node, name, fits)
+    told = trade_advice(context, name, CONDITIONS, node.args, lambda _: False)
+    if told:
+        return f"a condition stands in the if: {told}", None
+    return did_you_mean(name, (*INSTRUCTIONS, "return", "pass")) or _LIST, None
+
+
+def _renamed(context: Context, node: ast.Call, name: str) -> str:
+    text = own(context, node)
+    return name + text[len(own(context, node.func)) :] if text else ""
+
+
+def _rename(context: Context, node: ast.Call, name: str, fits: Fits) -> Fix | None:
+    """The fix that writes a word of the trade as it is called here, with the same arguments."""
+    found = advice(name, ACTIONS)
+    text = own_code(context, found, node.args, fits, node.keywords) if found else ""
+    span = context.span(node)
+    return replaced(context, node, text, is_safe=False) if text and span.line == span.end_line else None
+
+
+def _bank_of(context: Context, node: ast.expr) -> Bank | None:
+    return BANK_NAMES.get(re.split(r"[.\[]", own(context, node), maxsplit=1)[0])
+
+
+def _of_address(context: Context, node: ast.Call, func: ast.Attribute, fits: Fits) -> str:
+    """``y[1].set()`` and ``ctu.res(ct.A)``: an instruction is a call, and the address its argument."""
+    holder, method = func.value, func.attr.lower()
+    if isinstance(holder, ast.Name) and holder.id.lower() in INSTRUCTIONS:
+        if method in ("res", "reset", "rst"):
+            owner = "CT" if holder.id.lower().startswith("ct") else "T"
+            return reset_hint(owner, own(context, node.args[0]) if node.args else f"{owner.lower()}.A")
+        return f"an instruction is written alone: {INSTRUCTIONS[holder.id.lower()].example}"
+    name = _METHODS.get(method, method)
+    if name in INSTRUCTIONS and own(context, holder):
+        arguments = [own(context, argument) for argument in node.args]
+        text = f"{name}({', '.join([*arguments, own(context, holder)])})"
+        if fits(text):
+            return f"an instruction is called, and the address is its argument: {text}"
+        bank = _bank_of(context, holder)
+        if name == "reset" and bank is not None and bank.name in ("T", "CT"):
+            return reset_hint(bank.name, own(context, holder))
+    told = trade_advice(context, func.attr, ACTIONS, (), fits)
+    return told or f"an instruction is called by its name alone: {INSTRUCTIONS['out'].example}; {_LIST}"
+
+
+def _routine(context: Context, name: str) -> str:
+    """The function of this file, or one that it imports, which a call means; "" for none."""
+    word = re.escape(name)
+    text = context.source.text
+    for found in re.finditer(
+        rf"^[ \t]*(?:def[ \t]+({word})[ \t]*\(|from\b[^\n]*\bimport\b[^\n]*\b({word})\b)", text, re.I | re.M
+    ):
+        function = found[1] or found[2]
+        if function.lower() != "main" and "clickgen.dsl" not in found[0]:
+            return function
+    return ""
+
+
+# -- arguments --------------------------------------------------------------------------------------------------------
+
+
+def other_argument(context: Context, spec: Spec, keyword: ast.keyword, names: Sequence[str]) -> tuple[str, Fix | None]:
+    """The way out for an argument that is called otherwise here; "" for a word that says nothing."""
+    word = keyword.arg or ""
+    lower = word.lower()
+    if lower in names:
+        name, is_safe = lower, True
+    else:
+        name, is_safe = ARGUMENTS.get(lower, ""), lower == "preset"
+    if name not in names:
+        return "", None
+    text = own(context, keyword.value)
+    param = next(param for param in spec.params if name in (param.name, *param.aliases))
+    if param.kind is ParamKind.PIN and not isinstance(keyword.value, ast.Lambda):
+        text, is_safe = f"lambda: {text or 'c.Name'}", False
+    fix = None
+    if is_safe:
+        start = context.span(keyword)
+        place = start._replace(end_line=start.line, end_col=start.col + len(word))
+        fix = Fix((Edit(place, name),))
+    return f"write {name}={text or '...'}:", fix

@@ -1,0 +1,262 @@
+"""Ways out for what stands in the place of a condition and is none: words of other machines, compared bits, chains."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+from clickgen.device.banks import BANKS
+from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.operands import address_hint
+from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, advice
+from clickgen.dialects.if_rungs.ways_out.hints import Fits, bank_of, has_bits, own, own_advice, replaced, trade_advice
+from clickgen.instructions import INSTRUCTIONS
+from clickgen.ir.operands import Immediate, Operand, Range
+from clickgen.problems.diagnostics import Edit, Fix, did_you_mean
+
+_FUNCTIONS = ("all", "any", "nc", "re", "fe")
+_ALWAYS = frozenset(("true", "on", "always"))
+_NEVER = frozenset(("false", "off", "never"))
+_SIGNS = {"==": True, "!=": False, "is": True, "is not": False}
+_COMPARED: dict[type[ast.cmpop], str] = {
+    ast.Eq: "==",
+    ast.NotEq: "!=",
+    ast.Is: "is",
+    ast.IsNot: "is not",
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+}
+_RANGE_MAX = 8
+"""Of a longer range a message does not name each address."""
+
+
+def way_out(context: Context, node: ast.expr, fits: Fits) -> tuple[str, Fix | None]:
+    """The way out for an expression that is no condition, and a fix where the meaning is certain."""
+    if context.is_trial:
+        return "", None
+    if isinstance(node, ast.Call):
+        return _called(context, node, fits)
+    word = node.id.lower() if isinstance(node, ast.Name) else ""
+    if isinstance(node, ast.Constant) and node.value in (0, 1, False):
+        word = "true" if node.value == 1 else "false"
+    if word in _ALWAYS or word in _NEVER:
+        return CONDITIONS["always" if word in _ALWAYS else "never"].shown, None
+    if isinstance(node, ast.Tuple | ast.List):
+        texts = [own(context, element) for element in node.elts]
+        series, parallel = (f"{function}({', '.join(texts)})" for function in ("all", "any"))
+        return (
+            (f"in series write {series}, in parallel {parallel}", None) if all(texts) and fits(series) else ("", None)
+        )
+    if isinstance(node, ast.Lambda):
+        text = own(context, node.body)
+        return (f"lambda: is for the inputs of a box; write {text} alone" if fits(text) else ""), None
+    if isinstance(node, ast.BinOp):
+        if isinstance(node.op, ast.BitXor):
+            return own_advice(context, CONDITIONS["xor"], (node.left, node.right), fits), None
+        return _calculation(context, node, fits)
+    known = advice(node.id, CONDITIONS) if isinstance(node, ast.Name) else None
+    if known is not None:
+        return known.shown, None
+    if isinstance(node, ast.Name) and not address_hint(node):
+        return f"a nickname follows its bank: x.{node.id}, y.{node.id} or c.{node.id}", None
+    return address_hint(node), None
+
+
+def _called(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | None]:
+    if isinstance(node.func, ast.Attribute | ast.Subscript):
+        text = own(context, node.func)
+        if not node.args and text and fits(text):
+            return f"an address is not called: write {text}", None
+        if isinstance(node.func, ast.Attribute):
+            holder = node.func.value
+            return trade_advice(context, node.func.attr, CONDITIONS, (holder, *node.args), fits), None
+        return "", None
+    name = node.func.id if isinstance(node.func, ast.Name) else ""
+    lower = name.lower()
+    if lower in _FUNCTIONS:
+        return f"it is written in small letters: {lower}(...)", replaced(context, node.func, lower, is_safe=True)
+    told = trade_advice(context, name, CONDITIONS, node.args, fits)
+    if told:
+        return told, None
+    if lower in INSTRUCTIONS or lower in ACTIONS:
+        spec = INSTRUCTIONS.get(lower)
+        found = advice(lower, ACTIONS)
+        shown = spec.example if spec else found.code[0] if found and found.code else ""
+        return f"an action stands under the if, not in it: {shown}", None
+    return address_hint(node) or did_you_mean(name, _FUNCTIONS), None
+
+
+def _calculation(context: Context, node: ast.BinOp, fits: Fits) -> tuple[str, Fix | None]:
+    """A sum in the place of a condition: most often a name with a sign in it."""
+    left = node.left
+    if isinstance(node.op, ast.Sub) and isinstance(left, ast.Attribute) and isinstance(node.right, ast.Name):
+        return f"CLICK takes no - in a nickname: write {own(context, left)}_{node.right.id}", None
+    if has_bits(node):
+        return _algebra(context, node, fits), None
+    text = own(context, node)
+    if not text or "'" in text:
+        return "", None
+    quote = "'" if '"' in text else '"'
+    return f"calculate it in a rung before, calc({quote}{text}{quote}, ds.Result), and test ds.Result != 0", None
+
+
+def _algebra(context: Context, node: ast.BinOp, fits: Fits) -> str:
+    """``c.A + c.B`` and ``c.A * c.B``, as boolean algebra writes or and and."""
+    function = {ast.Add: "any", ast.Mult: "all"}.get(type(node.op))
+    text = f"{function}({own(context, node.left)}, {own(context, node.right)})"
+    return f"bits do not calculate; write {text}" if function and fits(text) else ""
+
+
+# -- comparisons ------------------------------------------------------------------------------------------------------
+
+
+def unchained(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, Fix | None]:
+    """``0 < ds[1] < 10`` as ``all(0 < ds[1], ds[1] < 10)``, and the edits that write it; every comment stays."""
+    if context.is_trial:
+        return "", None
+    signs = [_COMPARED.get(type(op), "") for op in node.ops]
+    operands = [node.left, *node.comparators]
+    texts = [own(context, operand) for operand in operands]
+    general = "write each comparison by itself: all(1 < ds.A, ds.A < 5)"
+    if not all(texts) or any(sign not in ("==", "!=", "<", "<=", ">", ">=") for sign in signs):
+        return general, None
+    pairs = zip(texts, signs, texts[1:], strict=False)
+    text = f"all({', '.join(f'{left} {sign} {right}' for left, sign, right in pairs)})"
+    if not fits(text):
+        return general, None
+    span, between = context.span(node), _between(context, operands)
+    if "(" in between or ")" in between:
+        return f"write {text}", None
+    edits = [Edit(span._replace(end_line=span.line, end_col=span.col), "all(")]
+    for operand, shown in zip(operands[1:-1], texts[1:-1], strict=True):
+        end = context.span(operand)
+        edits.append(Edit(end._replace(line=end.end_line, col=end.end_col), f", {shown}"))
+    edits.append(Edit(span._replace(line=span.end_line, col=span.end_col), ")"))
+    return f"write {text}", Fix(tuple(edits))
+
+
+def _between(context: Context, operands: list[ast.expr]) -> str:
+    """What stands between the operands of a comparison, comments left out: its signs, and parentheses."""
+    gaps: list[str] = []
+    spans = [context.span(operand) for operand in operands]
+    for one, other in pairwise(spans):
+        lines = [context.source.line(number) for number in range(one.end_line, other.line + 1)]
+        lines[-1] = lines[-1][: other.col - 1]
+        lines[0] = lines[0][one.end_col - 1 :]
+        gaps += [line.partition("#")[0] for line in lines]
+    return "".join(gaps)
+
+
+class ComparedBit(NamedTuple):
+    """The way out for a bit that is compared. ``turned`` is the bit where its opposite is meant, which is for the judge
+    of fixes: a name may be that of a block."""
+
+    help: str
+    fix: Fix | None = None
+    turned: ast.expr | None = None
+
+
+def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> ComparedBit | None:
+    """The way out for a bit that is compared: with True, 0, "ON", another bit; None where no bit is."""
+    left, right, sign = node.left, node.comparators[0], _COMPARED.get(type(node.ops[0]), "")
+    if bank_of(right) is not None and _is_bit(right) and not _is_bit(left):
+        left, right = right, left
+    text, bank = own(context, left), bank_of(left)
+    is_terminal = isinstance(left, ast.Attribute) and left.attr == "immediate" and _is_bit(left.value)
+    if bank is not None and not bank.is_bit and isinstance(right, ast.Constant) and isinstance(right.value, bool):
+        return ComparedBit(f"write {text} {'!=' if right.value is _SIGNS.get(sign, True) else '=='} 0")
+    if bank is None or not (_is_bit(left) or (is_terminal and _truth(right) is not None)) or not fits(text):
+        return None
+    if _is_bit(right):
+        other = own(context, right)
+        same, unlike = (
+            f"any(all({text}, {other}), all(nc({text}), nc({other})))",
+            CONDITIONS["xor"].written([text, other]),
+        )
+        written = same if _SIGNS.get(sign) else unlike
+        return ComparedBit(
+            f"write {written}" if sign in _SIGNS and text and other and fits(written) else bit_help(text)
+        )
+    value = _truth(right)
+    if value is None or sign not in _SIGNS or not text:
+        current = {"T": "td", "CT": "ctd"}.get(bank.name)
+        if current and sign and text:
+            whole = own(context, node)
+            written = re.sub(rf"\b{bank.dsl}(?=[.\[])", current, whole)
+            if fits(written):
+                return ComparedBit(f"{text} is the bit; its current value is compared with {written}")
+        return ComparedBit(bit_help(text))
+    wanted = text if value is _SIGNS[sign] else f"nc({text})"
+    is_sure = isinstance(left, ast.Subscript) and isinstance(left.slice, ast.Constant) and type(left.slice.value) is int
+    fix = replaced(context, node, wanted, is_safe=is_sure) if fits(wanted) else None
+    return ComparedBit(f"write {wanted}", fix, None if wanted == text else left)
+
+
+def bit_help(text: str) -> str:
+    return f"write {text or 'c.A'} where it is to be on, nc({text or 'c.A'}) where it is to be off"
+
+
+def _truth(node: ast.expr) -> bool | None:
+    """What a value means for a bit: True, 1, on; None for anything else."""
+    if isinstance(node, ast.Constant) and node.value in (0, 1) and not isinstance(node.value, float):
+        return bool(node.value)
+    word = node.id if isinstance(node, ast.Name) else node.value if isinstance(node, ast.Constant) else None
+    lower = word.lower() if isinstance(word, str) else ""
+    return True if lower in _ALWAYS else False if lower in _NEVER else None
+
+
+def _is_bit(node: ast.expr) -> bool:
+    """True for a single bit by its name or number."""
+    if isinstance(node, ast.Subscript) and not isinstance(node.slice, ast.Constant):
+        return False
+    bank = bank_of(node) if isinstance(node, ast.Attribute | ast.Subscript) else None
+    return bank is not None and bank.is_bit and isinstance(getattr(node, "value", None), ast.Name)
+
+
+def listed_values(context: Context, node: ast.Compare, fits: Fits) -> str:
+    """``ds.A in (1, 2)`` as ``any(ds.A == 1, ds.A == 2)``; "" for any other comparison."""
+    op, values = node.ops[0], node.comparators[0]
+    if isinstance(op, ast.Is | ast.IsNot):
+        sign = "==" if isinstance(op, ast.Is) else "!="
+        text = f"{own(context, node.left)} {sign} {own(context, values)}"
+        return f"write {text}" if fits(text) else ""
+    if not isinstance(op, ast.In | ast.NotIn) or not isinstance(values, ast.Tuple | ast.List | ast.Set):
+        return ""
+    sign, function = ("==", "any") if isinstance(op, ast.In) else ("!=", "all")
+    left = own(context, node.left)
+    text = f"{function}({', '.join(f'{left} {sign} {own(context, value)}' for value in values.elts)})"
+    return f"write {text}" if len(text) < 200 and fits(text) else ""
+
+
+def compared_range(context: Context, node: ast.Compare, side: Operand, fits: Fits) -> str:
+    """The way out for a range that is compared: a search for a text, each register by itself for numbers."""
+    if isinstance(side, Immediate) or not isinstance(side, Range):
+        return ""
+    left, right, sign = node.left, node.comparators[0], _COMPARED.get(type(node.ops[0]), "")
+    value = right if context.span(left) == side.span else left
+    ranged = left if value is right else right
+    text, shown = own(context, value), own(context, ranged)
+    if side.bank == "TXT" and isinstance(value, ast.Constant) and isinstance(value.value, str) and sign in ("==", "!="):
+        found = "c.Found" if sign == "==" else "nc(c.Found)"
+        return (
+            f"a search compares a text: search({shown} == {text}, result=ds.FoundAt, found=c.Found) in a rung before, "
+            f"and test {found}"
+        )
+    if len(side) <= _RANGE_MAX and value is right:
+        cells = [f"{BANKS[side.bank].dsl}[{number}]" for number in _numbers(side)]
+        each = f"all({', '.join(f'{cell} {sign} {text}' for cell in cells)})"
+        return f"compare each by itself: {each}" if fits(each) else ""
+    return (
+        f"a search looks through a range: search({shown} {sign} {text}, result=ds.FoundAt, found=c.Found)"
+        if sign
+        else ""
+    )
+
+
+def _numbers(span: Range) -> Iterator[int]:
+    return (address.number for address in span.addresses())

@@ -1,0 +1,375 @@
+"""What a line means that Python cannot read: signs and words of other languages, and slips, each with its way out.
+
+The table is looked at only when Python's parser has failed, and only at the line where it failed. Every pattern takes
+time in proportion to the line.
+"""
+
+from __future__ import annotations
+
+import keyword
+import re
+from collections.abc import Callable
+from typing import NamedTuple
+
+from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.ways_out import slip_kinds as kinds
+from clickgen.dialects.if_rungs.ways_out.slip_kinds import Line, Told
+from clickgen.instructions import INSTRUCTIONS
+from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.text.source import SourceFile, Span
+
+_LINE_MAX = 2000
+"""A longer line is left to Python's own message."""
+
+
+class Slip(NamedTuple):
+    """One kind of slip: a pattern for the code of the line, and what to say."""
+
+    pattern: re.Pattern[str]
+    tell: Callable[[Line, re.Match[str]], Told | None]
+    examples: tuple[str, ...]
+    with_comment: bool = False
+    """True for a pattern that a # belongs to."""
+
+
+def slip(source: SourceFile, number: int, fault: str) -> tuple[str, Span, str, Fix | None] | None:
+    """The message, place, way out and fix for the line where Python failed; None where nothing is known of it."""
+    text = source.line(number)
+    if len(text) > _LINE_MAX:
+        return None
+    line = Line(
+        text, _blanked(text, True), _blanked(text, False), Context(SourceFile(source.path, text), Diagnostics()), fault
+    )
+    for kind in SLIPS:
+        match = kind.pattern.search(line.plain if kind.with_comment else line.code)
+        told = kind.tell(line, match) if match else None
+        if told is None:
+            continue
+        start, end = told.at
+        span = Span(source.path, number, start + 1, number, max(end, start + 1) + 1)
+        edits = tuple(Edit(Span(source.path, number, a + 1, number, b + 1), new) for a, b, new in told.edits)
+        return told.message, span, told.help, Fix(edits) if edits else None
+    return None
+
+
+_QUOTED = re.compile(r"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|(#.*)""")
+
+
+def _blanked(text: str, with_comment: bool) -> str:
+    """The line with blanks in the place of what stands between quotes, and of its comment."""
+
+    def blank(found: re.Match[str]) -> str:
+        if found[1]:
+            return f'"{" " * (len(found[0]) - 2)}"'
+        return " " * len(found[0]) if with_comment else found[0]
+
+    return _QUOTED.sub(blank, text)
+
+
+def _re(pattern: str, flags: int = 0) -> re.Pattern[str]:
+    return re.compile(pattern, flags)
+
+
+_ENDS = r"end\s*_?if|end\s*_?while|end\s*_?for|end\s*_?var|end\s*_?program|end\s*_?sub|next\s+\w+|wend|begin|done"
+_START = r"IF|If|ELIF|Elif|ELSE|Else|DEF|Def|FOR|For|WHILE|While|RETURN|Return|PASS|Pass|IMPORT|Import|FROM|From"
+
+_ARGUMENTS = frozenset(param.name for spec in INSTRUCTIONS.values() for param in spec.params)
+
+SLIPS: tuple[Slip, ...] = (
+    Slip(
+        kinds.SIGN,
+        kinds.typographic,
+        ("if \N{LEFT DOUBLE QUOTATION MARK}A:", "if ds.A \N{GREATER-THAN OR EQUAL TO} 5:", "if c.A \N{EN DASH} c.B:"),
+    ),
+    Slip(
+        _re(r"^(?:<{7}|={7}|>{7})(?:\s|$)"),
+        kinds.says("this is the mark of a merge conflict", "keep one of the two versions, and take the marks away"),
+        ("<<<<<<< HEAD", "=======", ">>>>>>> branch"),
+    ),
+    Slip(
+        _re(r"(?:^|\s|;)(?P<sign>//)|(?P<other>/\*|\(\*|^\s*\*/)"),
+        lambda line, match: (
+            kinds.comment(line, match)
+            if match["sign"]
+            else Told(
+                "a comment begins with #", "write # at the beginning of each line of a comment", match.span("other")
+            )
+        ),
+        ("// comment", "out(y[1])  // the motor is on", "/* comment */", "(* comment *)"),
+    ),
+    Slip(
+        _re(r"^\s*(?P<sign>--|;|'|REM\b|rem\b|%(?!\s*[IQMiqm]))"),
+        kinds.old_comment,
+        ("-- comment here", "; comment", "' comment", "REM comment"),
+        with_comment=True,
+    ),
+    # Addresses and numbers of other machines
+    Slip(
+        _re(r"%(?P<letter>[IQMiqm])(?P<size>[XBWDLxbwdl]?)\d+(?:\.\d+)?"),
+        kinds.foreign,
+        ("if %I0.1:", "copy(%MW10, ds.A)", "if %QX0.0:"),
+    ),
+    Slip(
+        _re(r"(?<![\w.\])])(?P<letter>[IOBNFTCSRiobnftcsr])\d{0,3}:\d+(?:[./]\w+)?(?P<size>)"),
+        kinds.foreign,
+        ("if I:0/1:", "if N7:0 > 5:", "if T4:0.DN:", "if B3:0/1:"),
+    ),
+    Slip(_re(r"\b(?P<letter>[IQMiqm])(?P<size>[XBWDxbwd]?)\d+\.\d+\b"), kinds.foreign, ("if I0.1:", "if M10.3:")),
+    Slip(
+        _re(r"\b16#(?P<digits>[0-9A-Fa-f_]{1,9})\b|\b2#(?P<two>[01_]{1,32})\b"),
+        kinds.hexadecimal,
+        ("if dh.A == 16#FF:", "copy(16#00FF, dh.A)", "copy(2#1010, dh.A)"),
+        with_comment=True,
+    ),
+    Slip(
+        _re(r"(?:\$|&[Hh]|(?<=[(,=])\s?#)(?P<digits>[0-9A-Fa-f]{1,8})\b(?P<two>)"),
+        kinds.hexadecimal,
+        ("if dh.A == $FF:", "copy(&HFF, dh.A)", "copy(#FF, dh.A)"),
+        with_comment=True,
+    ),
+    Slip(
+        _re(r"(?<![\w.#\"'])(?P<digits>[0-9][0-9A-Fa-f]{0,7})[hH]\b(?P<two>)"),
+        kinds.hexadecimal,
+        ("if dh.A == 0FFh:", "copy(00FFh, dh.A)"),
+    ),
+    Slip(
+        _re(r"\b(?:T|TIME|t|time)#(?P<number>[0-9]{1,9}(?:\.[0-9]{1,9})?)(?P<unit>[A-Za-z]{1,12})"),
+        kinds.duration,
+        ("ton(t.A, T#5s)",),
+        with_comment=True,
+    ),
+    Slip(
+        _re(r"(?<![\w.])(?P<number>[0-9]{1,9}(?:\.[0-9]{1,9})?)(?P<unit>[A-Za-z]{1,12})\b"),
+        kinds.duration,
+        ("ton(t.A, 5s)", "ton(t.A, setpoint=500ms)", "ton(t.A, 5.5s)"),
+    ),
+    Slip(_re(r"(?P<zeros>(?<![\w.])0+)(?P<number>[1-9][0-9]*)\b(?!\.)"), kinds.zeros, ("if x[001]:", "if x[01]:")),
+    Slip(
+        _re(rf"{kinds.BANK}\[\s*(?P<first>[0-9]{{1,6}})\s*\.\.\.?\s*(?P<last>[0-9]{{1,6}})\s*\]"),
+        kinds.dotted_range,
+        ("if x[1..4]:",),
+    ),
+    Slip(
+        _re(rf"{kinds.BANK}\[(?P<first>[0-9]{{1,6}})\]\s*\.\.\.?\s*(?P=bank)\[(?P<last>[0-9]{{1,6}})\]"),
+        kinds.dotted_range,
+        ("if x[1]..x[2]:",),
+    ),
+    Slip(_re(rf"{kinds.BANK}\.(?P<number>[0-9]{{1,6}})\b(?!\.)"), kinds.dotted, ("if x.1:", 'copy("a", txt.1)')),
+    Slip(
+        _re(rf"{kinds.BANK}(?P<index>\[[^\[\]]{{0,60}}\]|\.[A-Za-z_]\w{{0,60}})\.(?P<number>[0-9]{{1,4}})\b"),
+        kinds.bit_of,
+        ("if ds[1].3:", "if ds.A.3:", "if xd[0].3:"),
+    ),
+    Slip(
+        _re(rf"{kinds.BANK}\.(?P<name>[0-9]\w{{0,30}}|(?:{'|'.join(keyword.kwlist)})\b)"),
+        kinds.quoted_name,
+        ("if c.1st:", "if c.if:"),
+    ),
+    Slip(
+        _re(rf"{kinds.BANK}\.(?P<name>[A-Za-z_]\w{{0,30}} [A-Za-z0-9_]\w{{0,30}})\b(?!\s*[(=])"),
+        kinds.quoted_name,
+        ("if c.My Name:",),
+    ),
+    Slip(
+        _re(rf"{kinds.BANK}\{{"),
+        lambda _, match: Told("an address has square brackets", f"write {match['bank']}[1]", match.span()),
+        ("if x{1}:",),
+    ),
+    # Conditions
+    Slip(
+        _re(r"^\s*(?P<word>else\s+if|elseif|elsif|elseif|ELSE\s+IF|ELSEIF|ELSIF|ELIF|Else\s+If|ElseIf|Elseif)\b"),
+        kinds.else_if,
+        ("elseif c.B:", "else if c.B:", "ELSIF c.B THEN"),
+    ),
+    Slip(_re(rf"^\s*(?P<word>{_START})\b"), kinds.capitals, ("If c.A:", "ELSE:", "DEF main():", "IF c.A THEN")),
+    Slip(_re(r"\b(?P<word>then|THEN|Then|do|DO)\b\s*(?:[:;]\s*)?$"), kinds.then_word, ("if c.A then", "if c.A then:")),
+    Slip(
+        _re(r"\b(?P<word>xor|XOR|Xor)\b"),
+        kinds.says(
+            "CLICK has no such contact", "write any(all(c.A, nc(c.B)), all(nc(c.A), c.B)) for one of two, but not both"
+        ),
+        ("if c.A xor c.B:",),
+    ),
+    Slip(
+        _re(r"\b(?P<word>nand|NAND|Nand)\b"),
+        kinds.says("CLICK has no such contact", "write any(nc(c.A), nc(c.B)) for not both"),
+        ("if c.A nand c.B:",),
+    ),
+    Slip(
+        _re(r"\b(?P<word>nor|NOR|Nor)\b"),
+        kinds.says("CLICK has no such contact", "write all(nc(c.A), nc(c.B)) for none of them"),
+        ("if c.A nor c.B:",),
+    ),
+    Slip(
+        _re(r"=>|=<|<>|===|!=="),
+        kinds.comparison(("=>", ">="), ("=<", "<="), ("<>", "!="), ("===", "=="), ("!==", "!=")),
+        (
+            "if ds.A => 5:",
+            "if ds.A =< 5:",
+            "if ds.A <> 5:",
+            "if ds.A === 5:",
+        ),
+    ),
+    Slip(_re(r":="), kinds.assigned, ("ds.A := 5", "if ds.A := 5:", "c.A := TRUE;")),
+    Slip(
+        kinds.LOGIC,
+        kinds.logic,
+        ("if x[1] AND x[2]:", "if x[1] && x[2]:", "if x[1]||x[2]:", "if !x[1]:", "if NOT x[1]:"),
+    ),
+    Slip(
+        _re(r"^\s*(?:if|elif|while)\b.*?[^=!<>:+*/%&|^-](?P<sign>=)(?!=)"),
+        kinds.equals,
+        ("if x[1] = 1:", "if ds.A = 5:"),
+    ),
+    Slip(
+        _re(r"^\s*(?:search)\s*\([^()=,]{0,80}[^=!<>](?P<sign>=)(?!=)[^()]*"),
+        kinds.equals,
+        ("search(ds[1:5] = 5, ds.A)",),
+    ),
+    Slip(
+        _re(r"\blambda(?P<gap>\s+)(?=[a-z]+[\[(.])"),
+        lambda _, match: Told(
+            "lambda has a colon",
+            "write lambda: in front of the condition",
+            match.span(),
+            ((match.start("gap"), match.end("gap"), ": "),),
+        ),
+        ("rton(t.A, 5, reset=lambda x[2])",),
+    ),
+    Slip(
+        _re(r"(?P<word>\b(?:and|or|not)|==|!=|<=|>=|<|>)\s*(?::\s*)?$"),
+        lambda _, match: Told(
+            f"something is missing after {match['word']}", "a condition or a value follows it", match.span("word")
+        ),
+        ("if c.A and:", "if x[1] == :"),
+    ),
+    Slip(_re(r"^\s*if\b.*?(?P<sign>,)"), kinds.comma, ("if c.A, c.B:", "if ds.A == 1,5:")),
+    Slip(
+        _re(r"^\s*(?P<name>[A-Za-z_]\w*)\{"),
+        lambda _, match: (
+            Told("an instruction has round parentheses", f"write {INSTRUCTIONS[match['name']].example}", match.span())
+            if match["name"] in INSTRUCTIONS
+            else None
+        ),
+        ("ton{t.A, 5}",),
+    ),
+    Slip(
+        _re(r"^[^:]*:\s.*?\S\s(?P<word>else|elif)\b"),
+        kinds.second_half,
+        ("if c.A: out(y[1]) else: out(y[2])",),
+    ),
+    # Blocks
+    Slip(
+        _re(r"[{}]\s*(?:;\s*)?$"),
+        kinds.says("braces make no block here", "end the line of the if with a colon, and indent what stands under it"),
+        ("if c.A {", "}"),
+    ),
+    Slip(
+        _re(rf"^\s*(?P<word>{_ENDS})\b", re.IGNORECASE),
+        kinds.says(
+            "a block has no closing word", "it ends where its lines stop being indented: leave this out", "word"
+        ),
+        ("end if", "END_IF;", "end_if x"),
+    ),
+    Slip(
+        _re(r"^\s*(?P<word>VAR\w*|PROGRAM|FUNCTION\w*|SUB|function|void|int|bool|var|let|const)\b(?=\s)"),
+        kinds.says(
+            "declarations of other languages are not read",
+            "the rungs stand in def main():, and a name gets its address with nickname(x.Start, x[1])",
+            "word",
+        ),
+        ("PROGRAM main", "var a;", "int main"),
+    ),
+    Slip(
+        _re(
+            r"^\s*(?P<word>LD[NIPF]?|STR[N]?|ANDN?|ORN?|ANI|ORI|ANB|ORB|MPS|MRD|MPP|OUT|SET|RST|TON|CTU|ST)\s+[%A-Za-z_]"
+        ),
+        kinds.says(
+            "an instruction list is no program here",
+            "a rung is an if with its actions under it: if x[1]: out(y[1])",
+            "word",
+        ),
+        ("LD X1", "OUT Y1", "STR X1"),
+    ),
+    Slip(
+        _re(r"^\s*(?P<word>main\s*\(\s*\)\s*:)"),
+        kinds.says("a routine begins with def", "write def main():", "word"),
+        ("main():",),
+    ),
+    Slip(
+        _re(r"^\s*(?P<word>if|elif|else|def|for|while|with)\b"),
+        kinds.no_colon,
+        ("if c.A", "def main()", "else", "if c.A;"),
+    ),
+    # Actions
+    Slip(
+        _re(r"\b(?P<target>[A-Za-z_]\w*(?:\.\w+|\[[^\[\]]{0,60}\]))\s*(?P<sign>\+\+|--)"),
+        kinds.counted,
+        ("ds.A++", "ds[1]--"),
+    ),
+    Slip(_re(r"->|\N{RIGHTWARDS ARROW}"), kinds.arrow, ("copy(5 -> ds.A)", "5 → ds.A")),
+    Slip(
+        _re(r"[\])]\s+(?P<second>[A-Za-z_]\w*\s*\()"),
+        kinds.says("there are two actions on one line", "write each action on a line of its own", "second"),
+        ("out(y[1]) out(y[2])",),
+    ),
+    Slip(
+        _re(r"^\s*(?P<name>[A-Za-z_]\w*)\s+(?P<argument>[A-Za-z_\"][^=]*)$"),
+        kinds.bare_call,
+        ("out y[1]", "call fill", "set y[1]"),
+    ),
+    Slip(
+        _re(r"\(.*;"),
+        kinds.semicolon,
+        ("ton(t.A; 5)", "copy(5; ds.A)"),
+    ),
+    Slip(
+        _re(r"\b(?P<name>[a-z_]+)\s*(?P<sign>:|(?<= ))\s*[0-9]+\s*[,)]"),
+        lambda _, match: (
+            Told(
+                "an argument is given by its name and =",
+                f"write {match['name']}=5" if match["name"] in _ARGUMENTS else "write setpoint=5",
+                match.span("name"),
+            )
+            if match["name"] in _ARGUMENTS
+            else None
+        ),
+        ("ton(t.A, setpoint:5)", "ton(t.A, setpoint 5)"),
+    ),
+)
+"""In order; the first that knows the line tells."""
+
+# -- what Python says -------------------------------------------------------------------------------------------------
+
+FAULTS: tuple[tuple[str, str, str], ...] = (
+    (
+        "inconsistent use of tabs",
+        "tabs and spaces are mixed",
+        "indent with four spaces; an editor can turn tabs into spaces",
+    ),
+    (
+        "unindent does not match",
+        "this line is indented like none above it",
+        "indent the lines of one block alike, by four spaces",
+    ),
+    ("unexpected indent", "this line is indented and stands under nothing", "begin it where the line above begins"),
+    (
+        "expected an indented block",
+        "nothing is indented under the line above",
+        "indent what belongs to it by four spaces; pass alone makes a rung that does nothing",
+    ),
+    ("was never closed", "this bracket is never closed", "close it in this line or in one below"),
+    ("unmatched", "nothing was opened for this bracket to close", "take it away, or open one before it"),
+    ("does not match opening", "this bracket closes one of another kind", "close ( with ), [ with ] and { with }"),
+    ("unterminated string", "this quote is never closed", "close it in the same line"),
+    ("unterminated triple-quoted", "this text is never closed", 'close it with """'),
+    ("keyword argument repeated", "an argument is given twice", "give each argument once"),
+    ("positional argument follows", "an argument without a name follows one with a name", "give this one its name too"),
+    ("Perhaps you forgot a comma", "a comma is missing here", "separate arguments and conditions by commas"),
+)
+"""What Python's parser says, and the same in words that help."""
+
+
+def said_otherwise(fault: str) -> tuple[str, str] | None:
+    """A message and a way out for what Python's parser says; None for what says too little."""
+    return next(((message, help) for start, message, help in FAULTS if start in fault), None)

@@ -1,0 +1,1 @@
+"""A program written as a person would."""

@@ -1,0 +1,97 @@
+"""What instructions change, as stretches of addresses: what a rung has written may no longer be what it was."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+
+from clickgen.device.banks import BANKS, TWIN_BANKS, Address, points_of
+from clickgen.facts.facts import Facts
+from clickgen.facts.uses import Use, addresses_of, extents_of
+from clickgen.instructions import communication
+from clickgen.instructions.control import CALL
+from clickgen.instructions.raw import RAW
+from clickgen.ir.operands import Immediate, Operand, Pointer
+from clickgen.ir.program import Action
+
+Extent = tuple[str, int, int]
+"""A bank, and the first and last number."""
+
+_VOLATILE = ("T", "TD", "CT", "SC", "SD")
+"""Banks that may change between two rungs although no instruction there names them."""
+_MESSAGES = frozenset(spec.name for spec in (*communication.SPECS, RAW))
+
+
+def extents_written(operand: Operand) -> list[Extent]:
+    """What writing an operand may change: through a pointer all of its bank, and the points or words of that."""
+    if isinstance(operand, Pointer):
+        return [(bank, 0, BANKS[bank].last) for bank in (operand.bank, TWIN_BANKS.get(operand.bank, operand.bank))]
+    return extents_of(operand)
+
+
+def with_points(operand: Operand) -> set[Address]:
+    """The addresses of an operand, and the points that its words hold."""
+    return {point for address in addresses_of(operand) for point in (address, *points_of(address))}
+
+
+def meets(extents: Iterable[Extent], operand: Operand) -> bool:
+    """True when some of these stretches holds an address of the operand."""
+    own = extents_of(operand)
+    return any(
+        bank == name and first <= end and start <= last for bank, first, last in own for name, start, end in extents
+    )
+
+
+class Changes:
+    """What each instruction of a program writes; a call writes what its subroutine writes."""
+
+    def __init__(self, facts: Facts) -> None:
+        self._facts = facts
+
+    def of(self, action: Action) -> list[Extent]:
+        """What running an action may change, CLICK's status bits aside."""
+        if action.spec is CALL:
+            return self._by_routine.get(action.word("subroutine"), [])
+        return self._by_action.get(id(action), [])
+
+    def surely(self, action: Action) -> list[Extent]:
+        """What an action writes for sure where it runs: not what a pointer may lead to, and nothing of a call."""
+        return self._named_by_action.get(id(action), [])
+
+    def may_change(self, operand: Operand, extents: Iterable[Extent]) -> bool:
+        """True when an operand of a condition may have another value after these changes."""
+        if isinstance(operand, Immediate) or not self.arriving.isdisjoint(with_points(operand)):
+            return True
+        return any(bank in _VOLATILE for bank, _, _ in extents_of(operand)) or meets(extents, operand)
+
+    @cached_property
+    def arriving(self) -> frozenset[Address]:
+        """What other devices write, in their own time, with the points of words."""
+        uses = (use for use in self._written if use.action and use.action.spec.name in _MESSAGES)
+        return frozenset(address for use in uses for address in with_points(use.operand))
+
+    @cached_property
+    def _written(self) -> list[Use]:
+        return [use for use in self._facts.uses.every if use.is_written]
+
+    @cached_property
+    def _by_action(self) -> Mapping[int, list[Extent]]:
+        found: dict[int, list[Extent]] = defaultdict(list)
+        for use in self._written:
+            found[id(use.action)] += extents_written(use.operand)
+        return found
+
+    @cached_property
+    def _named_by_action(self) -> Mapping[int, list[Extent]]:
+        found: dict[int, list[Extent]] = defaultdict(list)
+        for use in self._written:
+            found[id(use.action)] += extents_of(use.operand)
+        return found
+
+    @cached_property
+    def _by_routine(self) -> Mapping[str, list[Extent]]:
+        found: dict[str, dict[Extent, None]] = defaultdict(dict)
+        for use in self._written:
+            found[use.routine.name].update(dict.fromkeys(extents_written(use.operand)))
+        return {name: [*extents] for name, extents in found.items()}

@@ -1,0 +1,64 @@
+"""Classes of values and ranges of constants, for the rules about operands."""
+
+from __future__ import annotations
+
+from clickgen.device.banks import FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, VALUE_CLASSES, Kind
+from clickgen.instructions.spec import Spec
+from clickgen.ir.operands import CharCode, Hex, Integer, Operand, Real, Text, form_of
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.resolve.constants import kind_of
+from clickgen.text.source import Span
+
+_REFUSALS = ("CG301", "CG304", "CG307", "CG308")
+
+
+def refused_operands(problems: Diagnostics) -> set[Span | None]:
+    """The places of operands that their instruction does not take: nothing more is to be said of them."""
+    return {problem.span for problem in problems.found if problem.code in _REFUSALS}
+
+
+def value_class(operand: Operand) -> str:
+    """``decimal``, ``hexadecimal``, ``text`` or ``bit``."""
+    kind = kind_of(operand)
+    if kind is not None:
+        return VALUE_CLASSES[kind]
+    if isinstance(operand, Hex):
+        return "hexadecimal"
+    return "text" if isinstance(operand, Text | CharCode) else "decimal"
+
+
+def constant_fault(constant: Operand, kind: Kind | None) -> str:
+    """What is wrong with a constant that a value of this kind is to take; "" when nothing is, or it is no constant."""
+    if isinstance(constant, Real) and kind in (Kind.INT16, Kind.INT32, Kind.HEX) and not constant.value.is_integer():
+        return f"{constant.text} loses its fraction in a whole number"
+    return range_fault(constant, kind)
+
+
+def range_fault(constant: Operand, kind: Kind | None) -> str:
+    """The same for a constant that is only compared with a value of this kind."""
+    if isinstance(constant, Integer):
+        if kind is Kind.HEX:
+            return f"{constant.value} is negative; a hexadecimal word holds 0..FFFFh"
+        low, high = INTEGER_RANGES[kind if kind in INTEGER_RANGES else Kind.INT32]
+        if not low <= constant.value <= high:
+            return f"{constant.value} is outside {low}..{high}"
+    if isinstance(constant, Hex) and constant.value > 0xFFFF:
+        return f"{constant.value:X}h is outside 0000h..FFFFh"
+    if isinstance(constant, Real) and not -FLOAT_MAX <= constant.value <= FLOAT_MAX:
+        return f"{constant.text} is outside -3.4028235E+38..3.4028235E+38"
+    if isinstance(constant, Real) and 0 < abs(constant.value) < FLOAT_MIN:
+        return f"{constant.text} is closer to 0 than a floating-point register can hold"
+    if isinstance(constant, Text):
+        if not constant.value:
+            return "the text is empty"
+        if not constant.value.isascii() or not constant.value.isprintable():
+            return "TXT addresses hold printable ASCII characters"
+    if isinstance(constant, CharCode) and constant.value > 0x7F:
+        return f"${constant.value:02X} is outside $00..$7F"
+    return ""
+
+
+def copies(spec: Spec, source: object, target: object) -> bool:
+    """True where an instruction of the copy family copies from one of these to the other."""
+    pairs = [pair for variant in spec.variants for pair in variant.pairs]
+    return any(form_of(source) in pair.sources and form_of(target) in pair.targets for pair in pairs)

@@ -1,0 +1,1 @@
+"""Problems: their codes, their places, their explanations, and the formats of reports."""

@@ -1,0 +1,128 @@
+"""Problems: what is wrong, where, and the way out. The codes are a table in ``codes.py``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from clickgen.problems.codes import CODES, Severity
+from clickgen.text.source import Span
+
+TRACEBACK = "CLICKGEN_TRACEBACK"
+"""The environment variable that lets an internal error through, for those who mend it."""
+
+
+class CouldNotRun(Exception):
+    """There is nothing to judge: a file is missing or unreadable, an output folder unusable. The message says which.
+
+    ``lines`` are the message and what is listed below it.
+    """
+
+    def __init__(self, message: str = "", *more: str) -> None:
+        super().__init__("\n".join((message, *more)))
+        self.lines = (message, *more)
+
+
+class Label(NamedTuple):
+    """A second place that a problem speaks of, such as the earlier of two owners."""
+
+    span: Span
+    text: str
+
+
+class Edit(NamedTuple):
+    """Text that replaces a stretch of a source file; an empty stretch is an insertion."""
+
+    span: Span
+    text: str
+
+
+class Fix(NamedTuple):
+    """Edits that take a problem away. A safe one cannot change what the program does."""
+
+    edits: tuple[Edit, ...]
+    is_safe: bool = True
+    rests_on_names: bool = False
+    """True when it is safe by what names stand for: every program that the file belongs to has to agree."""
+
+
+class Diagnostic(NamedTuple):
+    """One problem. ``span`` is None only for a problem that has no place in a file."""
+
+    code: str
+    message: str
+    span: Span | None
+    help: str = ""
+    labels: tuple[Label, ...] = ()
+    fix: Fix | None = None
+
+    @property
+    def severity(self) -> Severity:
+        return CODES[self.code].severity
+
+    @property
+    def is_error(self) -> bool:
+        return self.severity is Severity.ERROR
+
+    @property
+    def sort_key(self) -> tuple[str, str, int, int, str, str]:
+        """By file, in a workbook by sheet, and by place."""
+        span = self.span or Span("", 0, 0, 0, 0)
+        return (span.path, span.sheet, span.line, span.col, self.code, self.message)
+
+
+class Diagnostics:
+    """What the stages found so far. Stages add; nothing stops at the first."""
+
+    def __init__(self) -> None:
+        self.found: list[Diagnostic] = []
+
+    def add(
+        self,
+        code: str,
+        span: Span | None,
+        message: str,
+        help: str = "",
+        labels: tuple[Label, ...] = (),
+        fix: Fix | None = None,
+    ) -> None:
+        self.found.append(Diagnostic(code, message, span, help, labels, fix))
+
+    def drop(self, code: str) -> None:
+        self.found = [problem for problem in self.found if problem.code != code]
+
+    @property
+    def has_errors(self) -> bool:
+        return any(problem.is_error for problem in self.found)
+
+    def in_order(self) -> tuple[Diagnostic, ...]:
+        """Every problem once, by file and position."""
+        return tuple(sorted(dict.fromkeys(self.found), key=lambda problem: problem.sort_key))
+
+
+class Suggestions:
+    """``did_you_mean`` for the mistakes of one program.
+
+    Each compares a word with all the names of a kind, so the first ones are answered and no others: a program with so
+    many mistakes has another problem than its spelling.
+    """
+
+    def __init__(self) -> None:
+        self._left = _SUGGESTED_MAX
+
+    def __call__(self, word: str, known: Iterable[str]) -> str:
+        """``did you mean x?``; an empty string where nothing is near, and after many answers."""
+        self._left -= 1
+        return did_you_mean(word, known) if self._left >= 0 else ""
+
+
+_SUGGESTED_MAX = 100
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """``did you mean x?`` for a slip of the keyboard, whatever its case; else an empty string."""
+    from clickgen.problems.suggest import near_words
+
+    near = near_words(word, known)
+    shown = f"{', '.join(near[:-1])} or {near[-1]}" if len(near) > 1 else "".join(near)
+    return f"did you mean {shown}?" if near else ""

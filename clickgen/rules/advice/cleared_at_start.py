@@ -1,0 +1,152 @@
+"""A value that is kept over a power cycle and cleared in the first scan all the same."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
+from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
+from clickgen.facts.uses import addresses_of
+from clickgen.facts.written import left_in
+from clickgen.instructions.coils import RESET
+from clickgen.instructions.counters import SPECS as COUNTERS
+from clickgen.instructions.timers import SPECS as TIMERS
+from clickgen.ir.conditions import All, Condition, Contact
+from clickgen.ir.operands import Cell
+from clickgen.ir.reach import touches
+from clickgen.logic.conditions import implies, looked_at
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.rules.rule import Rule, Wrong
+from clickgen.text.source import Span
+
+CODE = "CG557"
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    said: set[Address] = set()
+    for placed in facts.actions:
+        for address, span in _cleared(facts, placed):
+            bit = Address(CURRENT_VALUE_OF.get(address.bank, address.bank), address.number, address.upper)
+            if bit not in said and facts.is_retentive(bit) and _is_meant(facts, bit):
+                said.add(bit)
+                name, bank = facts.nickname(bit) or "Total", bit.bank.lower()
+                written = f"{bank}.{name}" if name.isidentifier() else f'{bank}["{name}"]'
+                problems.add(
+                    CODE,
+                    span,
+                    f"{facts.shown(bit)} is retentive and cleared here in the first scan: what it kept is lost at "
+                    "every power-up",
+                    f"clear it on a condition of its own to keep the value; where it is to begin anew, declare that: "
+                    f" nickname({written}, {bank}[{bit.number}], retentive=False)",
+                )
+
+
+def _cleared(facts: Facts, placed: Placed) -> Iterator[tuple[Address, Span]]:
+    """What an action clears in the first scan, and where that is written."""
+    if placed.spec in (*COUNTERS, *TIMERS):
+        owned = placed.action.args.get("counter") or placed.action.args.get("timer")
+        pin = placed.action.pin("reset")
+        if pin is not None and isinstance(owned, Cell) and _holds_at_start(facts, placed, pin):
+            yield owned.address, pin.span
+    elif _holds_at_start(facts, placed, placed.condition):
+        for touch in touches(placed.action):
+            if touch.is_written:
+                for address in addresses_of(touch.operand):
+                    if placed.spec is RESET or left_in(placed, address, 1) == 0:
+                        yield address, placed.action.span
+
+
+def _holds_at_start(facts: Facts, placed: Placed, condition: Condition) -> bool:
+    """True for what the first scan alone makes true, in a subroutine that is called then."""
+    call, seen = facts.sometimes(placed.routine), facts.seen_through(condition)
+    whole = seen if call is None else All((seen, call), condition.span)
+    first = Contact(Cell(FIRST_SCAN, condition.span), condition.span)
+    return FIRST_SCAN in looked_at(whole) and implies(first, whole)
+
+
+def _is_meant(facts: Facts, address: Address) -> bool:
+    """True where retention is no accident: a counter's, one that the source declares, one that the bank does not have.
+
+    Most registers are retentive because CLICK makes them so, and clearing a step in the first scan is good practice.
+    """
+    if address.bank == "CT" or not BANKS[address.bank].retentive:
+        return True
+    declared = facts.declared.get(address)
+    in_block = any(block.retentive and address in block.range.addresses() for block in facts.program.blocks)
+    return bool(declared and declared.retentive) or in_block
+
+
+RULE = Rule(
+    CODE,
+    check,
+    """
+A counter is retentive in CLICK unless the table says No: it goes on counting after a power failure. With the first
+scan in its reset that is undone, and a batch or an hour meter begins anew after every short dip of the supply. The same
+holds for a bit or register that was declared `retentive=True`.
+
+If it is to begin anew, `retentive=False` says so, and the rule is silent. Registers that are retentive only because
+CLICK makes them so are left alone: to clear a step in the first scan is good practice.
+""",
+    wrong=(
+        Wrong(
+            """
+if re(x.Part):
+    ctu(ct.Parts, 1000).reset(any(c.NewBatch, sc._1st_SCAN))  # <-
+"""
+        ),
+        Wrong(
+            """
+nickname(ds.Hours, ds[10], retentive=True, comment="of the spindle")
+nickname(c.Homed, c[5], retentive=True)
+
+
+def main():
+    if sc._1st_SCAN:
+        out(c.Starting)
+
+    if c.Starting:
+        copy(0, ds.Hours)  # <-
+        copy(0, ctd.Strokes)  # <-
+        reset(c.Homed)  # <-
+
+    if re(x.Stroke):
+        ctu(ct.Strokes, ds.Hours).reset(c.Clear)
+
+    if c.Service:
+        set(c.Homed)
+
+    if all(ct.Strokes, c.Homed):
+        calc("ds.Hours + 1", ds.Hours)
+
+    if True:
+        end()
+"""
+        ),
+    ),
+    right=(
+        """
+nickname(ct.Parts, ct[1], retentive=False)
+
+
+def main():
+    if re(x.Part):
+        ctu(ct.Parts, 1000).reset(any(c.NewBatch, sc._1st_SCAN))
+
+    if True:
+        end()
+""",
+        """
+if sc._1st_SCAN:
+    copy(0, ds.Step)
+    reset(c.Alarm)
+if re(x.Part):
+    ctu(ct.Parts, 1000).reset(all(c.NewBatch, sc._1st_SCAN))
+if x.Trip:
+    set(c.Alarm)
+if x.Heat:
+    rton(t.Soak, 30, unit=Tm).reset(any(c.Again, sc._1st_SCAN))
+if all(c.Alarm, ds.Step == 3):
+    copy(0, ds.Step)
+""",
+    ),
+)

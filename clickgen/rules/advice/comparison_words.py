@@ -1,0 +1,67 @@
+"""A search whose comparison is a word: ``"eq"`` instead of ``"=="``."""
+
+from __future__ import annotations
+
+import re
+
+from clickgen.facts.facts import Facts
+from clickgen.instructions.data import SEARCH
+from clickgen.ir.program import Word
+from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.rules.rule import Rule, Wrong
+from clickgen.text.source import Span
+
+CODE = "CG524"
+
+_LITERAL = re.compile(r"""(["']{1,3})(eq|ne|lt|le|gt|ge)\1""")
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    for placed in facts.actions:
+        condition = placed.action.args.get("condition")
+        if placed.spec is not SEARCH or not isinstance(condition, Word):
+            continue
+        match = _LITERAL.fullmatch(facts.text(condition.span))
+        if match:
+            path, line, col, *_ = condition.span
+            word = Span(path, line, col + match.start(2), line, col + match.end(2))
+            problems.add(
+                CODE,
+                condition.span,
+                f'this search compares with "{match[2]}"; conditions and CLICK write {condition.value}',
+                f'write "{condition.value}"',
+                fix=Fix((Edit(word, str(condition.value)),)),
+            )
+
+
+RULE = Rule(
+    CODE,
+    check,
+    """
+Conditions, CLICK's own window for a search and the listing all write a comparison as a sign. One way to write it is
+easier to read and to look for.
+""",
+    wrong=(
+        Wrong(
+            """
+if c.Find:
+    search("eq", ds.Wanted, ds[100], ds[200], ds.FoundAt, c.Found)  # <-
+    search(condition="ge", value=5, start=ds[1], end=ds[9], result=ds.At, flag=c.Seen)  # <-
+""",
+            """
+if c.Find:
+    search("==", ds.Wanted, ds[100], ds[200], ds.FoundAt, c.Found)  # <-
+    search(condition=">=", value=5, start=ds[1], end=ds[9], result=ds.At, flag=c.Seen)  # <-
+""",
+        ),
+    ),
+    right=(
+        """
+if c.Find:
+    search("==", ds.Wanted, ds[100], ds[200], ds.FoundAt, c.Found)
+    search(ds[1:10] >= 5, result=ds.At, found=c.Seen)
+    search(txt[1:10] == "e", result=ds.At, found=c.Seen)
+""",
+    ),
+    holds_in_parts=True,
+)

@@ -1,0 +1,126 @@
+"""An output coil that two places drive: the last one that runs wins, and the other does nothing."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from clickgen.device.banks import Address
+from clickgen.facts.facts import Facts, Placed
+from clickgen.facts.uses import addresses_of
+from clickgen.instructions.coils import OUT
+from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.rules.advice.unreached_rung import unreached
+from clickgen.rules.rule import Rule, Wrong
+
+CODE = "CG501"
+
+_COILS_MAX = 100
+"""A coil is compared with so many coils of the same bit before it."""
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    driven: dict[Address, list[Placed]] = defaultdict(list)
+    idle = never_run(facts)
+    for placed in facts.actions:
+        if placed.spec is not OUT or id(placed.action) in idle:
+            continue
+        bits = addresses_of(placed.action.args["address"])
+        for address in bits:
+            before = driven[address][:_COILS_MAX]
+            earlier = next((one for one in before if not facts.run_apart(one.routine, placed.routine)), None)
+            if earlier is not None:
+                problems.add(
+                    CODE,
+                    placed.action.span,
+                    f"{facts.shown(address)} is driven by out in {earlier.action.span.seen_from(placed.action.span)} "
+                    "already: whichever runs last decides, also when it turns the bit off",
+                    "join the conditions in one rung with any(...), or use set and reset",
+                    (Label(earlier.action.span, "driven here first"),),
+                )
+                break
+        for address in bits:
+            driven[address].append(placed)
+
+
+def never_run(facts: Facts) -> set[int]:
+    """The coils that decide nothing, by id: of subroutines that nothing calls, and behind an end() or return."""
+    idle = {id(missed.action) for routine in facts.program.routines for missed in unreached(routine.rungs)}
+    if facts.program.main is None:  # A part of a program: what runs, another file says.
+        return idle
+    uncalled = (one for one in facts.actions if not one.routine.is_main and one.routine.name not in facts.calls)
+    return idle | {id(placed.action) for placed in uncalled}
+
+
+RULE = Rule(
+    CODE,
+    check,
+    """
+`out` writes its bit in every scan in which its rung is looked at: on when the rung is true and off when it is false.
+With two of them the later rung decides alone, and the earlier one does nothing but flicker: a classic reason why a
+motor does not start although its rung is green. CLICK warns about it too (C1001).
+
+Subroutines that are never called in the same scan may drive the same bit: their calls must stand on conditions that
+exclude each other; a coil of main that `out` alone drives counts as its condition. When one of them changes the step
+that the calls look at, both run in that one scan; the rule takes this for intended, because a sequence hands over so.
+What never runs, a subroutine that nothing calls or a rung behind an unconditional `end()`, drives nothing: rules of
+their own speak of these.
+""",
+    wrong=(
+        Wrong(
+            """
+if c.Auto:
+    out(y.Motor)
+
+if c.Manual:
+    out(y.Motor)  # <-
+"""
+        ),
+        Wrong(
+            """
+if c.Fill:
+    out(y[1:5])
+    if c.Drain:
+        out(y[3])  # <-
+"""
+        ),
+    ),
+    right=(
+        """
+if any(c.Auto, c.Manual):
+    out(y.Motor)
+""",
+        """
+if c.Start:
+    set(y.Motor)
+
+if c.Stop:
+    reset(y.Motor)
+""",
+        """
+def main():
+    if ds.Mode == 1:
+        call(auto)
+    if ds.Mode == 2:
+        call(manual)
+    if True:
+        end()
+
+
+@sub
+def auto():
+    if c.Run:
+        out(y.Motor)
+    if True:
+        return
+
+
+@sub
+def manual():
+    if c.Jog:
+        out(y.Motor)
+    if True:
+        return
+""",
+    ),
+    holds_in_parts=True,
+)

@@ -1,0 +1,313 @@
+"""A value that is overwritten before anything can have read it."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import NamedTuple
+
+from clickgen.device.banks import Address, parse_address
+from clickgen.facts.changes import Changes, Extent, extents_written
+from clickgen.facts.facts import Facts, Placed
+from clickgen.facts.uses import Use, addresses_of, extents_of
+from clickgen.formula.nodes import Binary, Call, walk
+from clickgen.instructions import copies, maths
+from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
+from clickgen.instructions.copies import COPY, COPY_PACK
+from clickgen.instructions.raw import RAW
+from clickgen.instructions.spec import BITS, COPY_FLAGS, MATH_FLAGS, TEXT
+from clickgen.instructions.spec import CODE as CHARACTER
+from clickgen.ir.conditions import Condition
+from clickgen.ir.operands import Cell, Constant, Operand, Pointer, Range, form_of
+from clickgen.ir.program import Action, FormulaText
+from clickgen.ir.walk import condition_operands, leaves
+from clickgen.logic.conditions import can_hold, implies, terms_of
+from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.rules.rule import Rule, Wrong
+
+CODE = "CG510"
+
+_WRITERS = frozenset(spec.name for spec in (*copies.SPECS, *maths.SPECS))
+_BARRIERS = frozenset(spec.name for spec in (CALL, END, RETURN, FOR, NEXT, RAW))
+"""What runs behind these is not what stands behind them, or nobody knows what they read."""
+_BANKS = ("C", "DS", "DD", "DH", "DF", "TXT")
+_CERTAIN = ("+", "-", "*", "/", "AND", "OR", "XOR", "LSH", "RSH", "LRO", "RRO")
+"""The operators that give a result whatever their operands are (click-facts, section 4)."""
+_COPY_FLAGS = frozenset(filter(None, map(parse_address, COPY_FLAGS)))
+_FLAGS = _COPY_FLAGS | frozenset(filter(None, map(parse_address, (*MATH_FLAGS, "SC46"))))
+"""The system bits that a write may be there for, its value aside; SC46 is CLICK's _Math_Operation_Error."""
+_RUNGS_MAX = 20
+_RANGES_MAX = 8
+"""A write further back is not looked for."""
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    looked_at: dict[int, list[Operand]] = defaultdict(list)
+    touched: dict[int, list[Use]] = defaultdict(list)
+    changes = Changes(facts)
+    for use in facts.uses.every:
+        if use.action is None or use.leaf:
+            looked_at[id(use.rung)].append(use.operand)
+        else:
+            touched[id(use.action)].append(use)
+    walk = _Walk(facts, problems, changes)
+    routine, rung = None, None
+    for placed in facts.actions:
+        if placed.routine is not routine:
+            walk, routine = _Walk(facts, problems, changes), placed.routine
+        if placed.rung is not rung:
+            rung = placed.rung
+            walk.enter(looked_at[id(rung)])
+        walk.run(placed, touched[id(placed.action)])
+
+
+class _Write(NamedTuple):
+    """A value that nothing has read yet. ``rung`` counts from the routine's first."""
+
+    placed: Placed
+    first: int
+    last: int
+    rung: int
+
+
+class _Walk:
+    """One routine from its first rung to its last, with the values that nothing has read so far."""
+
+    def __init__(self, facts: Facts, problems: Diagnostics, changes: Changes) -> None:
+        self._facts = facts
+        self._problems = problems
+        self._changes = changes
+        self._flags = frozenset(flag for flag in _FLAGS if facts.uses.reads(flag))
+        """The flags that the program looks at anywhere."""
+        self._cells: dict[str, dict[int, _Write]] = defaultdict(dict)
+        self._ranges: dict[str, list[_Write]] = defaultdict(list)
+        self._changed: list[list[Extent]] = []
+        """What each rung has written: bank, first and last number."""
+        self._left: set[int] = set()
+        """The rungs with a call or a loop: behind it their conditions may not hold any more."""
+
+    def enter(self, looked_at: list[Operand]) -> None:
+        """Every condition of a rung is looked at before its first action, those of pins too."""
+        self._changed.append([])
+        for operand in looked_at:
+            self._read(operand)
+
+    def run(self, placed: Placed, touched: list[Use]) -> None:
+        if placed.spec.name in _BARRIERS or placed.loop:
+            self._forget()
+            self._left.add(id(placed.rung))
+            return
+        for use in touched:
+            if not use.is_written:
+                self._read(use.operand)
+        for use in touched:
+            if use.is_written:
+                self._write(placed, use.operand)
+
+    # -- reading ------------------------------------------------------------------------------------------------------
+
+    def _read(self, operand: Operand) -> None:
+        if isinstance(operand, Pointer):
+            self._cells.pop(operand.bank, None)
+            self._ranges.pop(operand.bank, None)
+        elif form_of(operand) == "SC" and not _FLAGS.isdisjoint(addresses_of(operand)):
+            self._forget()
+        for bank, first, last in extents_of(operand):
+            self._drop(bank, first, last)
+
+    def _forget(self) -> None:
+        self._cells.clear()
+        self._ranges.clear()
+
+    def _drop(self, bank: str, first: int, last: int) -> None:
+        for write in self._cells_in(bank, first, last):
+            del self._cells[bank][write.first]
+        ranges = self._ranges.get(bank)
+        if ranges:
+            self._ranges[bank] = [write for write in ranges if write.last < first or last < write.first]
+
+    def _cells_in(self, bank: str, first: int, last: int) -> list[_Write]:
+        cells = self._cells.get(bank, {})
+        if first == last:
+            return [cells[first]] if first in cells else []
+        return [write for number, write in cells.items() if first <= number <= last]
+
+    # -- writing ------------------------------------------------------------------------------------------------------
+
+    def _write(self, placed: Placed, operand: Operand) -> None:
+        self._changed[-1] += extents_written(operand)
+        if isinstance(operand, Pointer):
+            return
+        is_copied = placed.spec.name in _WRITERS
+        for bank, first, last in extents_of(operand):
+            if bank not in _BANKS:
+                continue
+            if is_copied and _replaces(placed.action):
+                self._judge(placed, bank, first, last)
+            self._drop(bank, first, last)
+            if not is_copied or _becomes_text(placed.action):
+                continue
+            write = _Write(placed, first, last, len(self._changed))
+            if first == last:
+                self._cells[bank][first] = write
+            else:
+                self._ranges[bank] = [*self._ranges[bank][1 - _RANGES_MAX :], write]
+
+    def _judge(self, placed: Placed, bank: str, first: int, last: int) -> None:
+        lost = self._cells_in(bank, first, last)
+        lost += [write for write in self._ranges.get(bank, ()) if first <= write.first and write.last <= last]
+        for write in lost:
+            if self._is_for_flags(write.placed.action, placed.action) or not self._always_follows(write, placed):
+                continue
+            here, there = write.placed.action.span, placed.action.span
+            ends = [Address(bank, number) for number in sorted({write.first, write.last})]
+            shown = " to ".join(map(self._facts.shown, ends))
+            self._problems.add(
+                CODE,
+                here,
+                f"the value for {shown} is overwritten in {there.seen_from(here)} before anything reads it: "
+                "this instruction does nothing",
+                "remove one of the two, correct the address, or let their conditions exclude each other",
+                (Label(there, "overwritten here"),),
+            )
+
+    def _is_for_flags(self, lost: Action, action: Action) -> bool:
+        """True when the program looks at a flag that the lost action may raise, or that the other one leaves alone."""
+        looked_at = _flags_of(lost) & self._flags
+        return bool(looked_at) and (_may_raise_flags(lost) or not looked_at <= _flags_of(action))
+
+    def _always_follows(self, write: _Write, placed: Placed) -> bool:
+        """True when the second write runs in every scan in which the first one does."""
+        one, other = write.placed.condition, placed.condition
+        if len(self._changed) - write.rung > _RUNGS_MAX:
+            return False
+        if placed.is_unconditional or (write.placed.rung is placed.rung and _begins_with(one, other)):
+            return True
+        if any(getattr(leaf, "edge", "") for leaf in leaves(other)):
+            return False
+        if write.placed.rung is not placed.rung:
+            if id(write.placed.rung) in self._left:
+                return False
+            changed = [extent for rung in self._changed[write.rung - 1 :] for extent in rung]
+            if any(self._changes.may_change(operand, changed) for operand in condition_operands(other)):
+                return False
+        # What never runs at all is CG507's.
+        return implies(one, other) and can_hold(one)
+
+
+def _begins_with(path: Condition, other: Condition) -> bool:
+    """True when ``path`` is ``other``, or a branch below it: one power flow decides both."""
+    terms = {id(term) for term in terms_of(path)}
+    return all(id(term) in terms for term in terms_of(other))
+
+
+def _replaces(action: Action) -> bool:
+    """True when the instruction, once it runs, surely writes its whole target."""
+    if action.flag("oneshot") or "options" in action.args or isinstance(action.args.get("source"), Pointer):
+        return False
+    formula = action.args.get("formula")
+    if isinstance(formula, FormulaText):
+        nodes = list(walk(formula.formula))
+        return not any(
+            isinstance(node, Call) or (isinstance(node, Binary) and node.op not in _CERTAIN) for node in nodes
+        )
+    source, target = action.args["source"], form_of(action.args["destination"])
+    if action.spec is COPY_PACK and isinstance(source, Range) and form_of(source) in BITS:
+        # What becomes of the bits above those that are packed, no source says.
+        return len(source) == (32 if target in ("DD", "DF") else 16)
+    # A text that is no number leaves the target as it is.
+    return not _becomes_text(action) and (form_of(source) != "TXT" or target == "TXT")
+
+
+def _becomes_text(action: Action) -> bool:
+    """True for a number that is copied to a text without a word about how: no source says how much that fills."""
+    if action.spec is not COPY or "options" in action.args or form_of(action.args["destination"]) != "TXT":
+        return False
+    return form_of(action.args["source"]) not in ("TXT", TEXT, CHARACTER)
+
+
+def _flags_of(action: Action) -> frozenset[Address]:
+    """The flags that an instruction may change; a formula changes those of copies too where it reads pointers."""
+    return _FLAGS if action.spec in maths.SPECS else _COPY_FLAGS
+
+
+def _may_raise_flags(action: Action) -> bool:
+    """False for what cannot fail: a constant, or a value of the target's own bank, is copied as it is."""
+    source = action.args.get("source")
+    if isinstance(source, Cell | Range) and source.bank == form_of(action.args["destination"]):
+        return False
+    return not isinstance(source, Constant)
+
+
+RULE = Rule(
+    CODE,
+    check,
+    """
+Two instructions write the same address, and whenever the first one runs, the second one runs behind it, in the same
+rung or a few rungs further down, before anything has looked at the value. The first one does nothing. Mostly a line
+was copied and its address not changed, so another address misses its value.
+
+The rule speaks only where it is sure: not across a call, an `end()`, a `return` or a loop, not where one of these may
+have changed what the conditions look at, not where a pointer may read the value, and not where the second instruction
+is a one-shot, hangs on an edge, or may leave its target as it is. It is silent too where the program looks at a flag
+that the first one may raise, such as SC40 (_Division_Error): the instruction may be there for that.
+""",
+    wrong=(
+        Wrong(
+            """
+if c.LoadRecipe:
+    copy(ds[101], ds.FillTime)
+    copy(ds[102], ds.CapTime)  # <-
+    copy(ds[103], ds.CapTime)
+"""
+        ),
+        Wrong(
+            """
+if all(c.Auto, c.Fast):
+    copy(80, ds.Speed)  # <-
+
+if c.Auto:
+    copy(50, ds.Speed)
+"""
+        ),
+        Wrong(
+            """
+if re(x.Start):
+    calc("ds.Base + 1", ds[5])  # <-
+
+if True:
+    copy_fill(0, ds[1:11])
+"""
+        ),
+    ),
+    right=(
+        """
+if True:
+    copy(50, ds.Speed)
+
+if c.Fast:
+    copy(80, ds.Speed)
+""",
+        """
+if c.Load:
+    copy(101, ds.Row)
+    copy(ds[ds.Row], ds.FillTime)
+    copy(102, ds.Row)
+    copy(ds[ds.Row], ds.CapTime)
+""",
+        """
+if ds.Step == 1:
+    copy(2, ds.Next)
+    reset(c.Ready)
+
+if all(ds.Step == 1, c.Ready):
+    copy(5, ds.Next)
+""",
+        """
+if c.Start:
+    copy(0, ds.Total)
+
+if c.Start:
+    copy(ds.Offset, ds.Total, oneshot=True)
+""",
+    ),
+)

@@ -1,0 +1,309 @@
+"""A term that says again what another one in series or in parallel with it says: mostly a copied line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from itertools import combinations, pairwise
+
+from clickgen.facts.facts import Facts
+from clickgen.ir.conditions import All, Any, Compare, Condition
+from clickgen.ir.operands import Cell, Immediate, Range
+from clickgen.ir.walk import condition_operands, leaves
+from clickgen.logic.conditions import (
+    MANY,
+    always_holds,
+    are_exclusive,
+    can_hold,
+    implies,
+    looked_at,
+    may_meet,
+    shape,
+    terms_of,
+)
+from clickgen.problems.diagnostics import Diagnostics, Edit, Fix, Label
+from clickgen.rules.rule import Rule, Wrong
+from clickgen.text.source import Span
+
+CODE = "CG509"
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    judge = _Judge(facts, problems)
+    for site in facts.sites:
+        if may_meet((*site.above, site.condition)):
+            judge.series(site.condition, terms_of(*site.above))
+
+
+_Pair = tuple[Condition, Condition]
+"""A term that is too much, and the one that makes it so."""
+
+
+class _Judge:
+    def __init__(self, facts: Facts, problems: Diagnostics) -> None:
+        self._facts = facts
+        self._problems = problems
+
+    def series(self, part: Condition, beside: tuple[Condition, ...]) -> None:
+        """Terms that all must hold, beside others that hold too."""
+        kept = self._without_repeats(part, terms_of(part), beside)
+        if len(kept) + len(beside) <= MANY and not are_exclusive(*beside, part):
+            pairs = [(term, cause) for term in kept for cause in beside] + _both_ways(kept)
+            for term, cause in _too_much(pairs, lambda term, cause: implies(cause, term) and not always_holds(term)):
+                kept.remove(term)
+                self._report(term, cause, f"{self._facts.described(cause)} in series with it says it already")
+        for term in kept:
+            if isinstance(term, Any):
+                self.parallel(term, (*beside, *(other for other in kept if other is not term)))
+
+    def parallel(self, part: Any, beside: tuple[Condition, ...]) -> None:
+        """Alternatives, and what holds beside each of them."""
+        kept = self._without_repeats(part, _alternatives(part), ())
+        if len(kept) <= MANY and not always_holds(part):
+            for term, cause in _too_much(_both_ways(kept), lambda term, cause: implies(term, cause) and can_hold(term)):
+                kept.remove(term)
+                self._report(term, cause, f"{self._facts.described(cause)} in parallel with it is on whenever it is")
+        for term in kept:
+            if isinstance(term, All):
+                self.series(term, beside)
+
+    def _without_repeats(
+        self, part: Condition, terms: tuple[Condition, ...], beside: tuple[Condition, ...]
+    ) -> list[Condition]:
+        """The terms that are not word for word an earlier one; the others are reported, in one finding with one fix."""
+        above = {shape(term): term for term in reversed(beside)}
+        seen: dict[object, Condition] = {}
+        again: list[_Pair] = []
+        for term in terms:
+            said = above.get(shape(term))
+            if said is not None:
+                self._report(term, said, "the same stands in series with it")
+                continue
+            first = seen.setdefault(shape(term), term)
+            if first is not term:
+                again.append((term, first))
+        if again:
+            wiring = "parallel" if isinstance(part, Any) else "series"
+            named = dict.fromkeys(self._facts.described(term) for term, _ in again)
+            verb = "stand" if len(named) > 1 else "stands"
+            self._problems.add(
+                CODE,
+                again[0][0].span,
+                f"{' and '.join(named)} {verb} twice in {wiring}: the second time changes nothing",
+                "leave it out, or name the address that was meant",
+                tuple(Label(first.span, "the first time") for _, first in again),
+                _removal(self._facts, part, again),
+            )
+        return list(seen.values())
+
+    def _report(self, term: Condition, cause: Condition, reason: str) -> None:
+        fault = f"{self._facts.described(term)} changes nothing: {reason}"
+        help = "leave it out, or correct what is not meant so"
+        self._problems.add(CODE, term.span, fault, help, (Label(cause.span, "this one"),))
+
+
+def _alternatives(part: Any) -> tuple[Condition, ...]:
+    return tuple(flat for term in part.terms for flat in (_alternatives(term) if isinstance(term, Any) else (term,)))
+
+
+def _both_ways(terms: list[Condition]) -> list[_Pair]:
+    """Every pair, the later one first as what is too much; none of ds.Step == 1 and ds.Step == 2, which is common."""
+    equations = [isinstance(term, Compare) and term.op == "==" for term in terms]
+    pairs = combinations(zip(terms, equations, strict=True), 2)
+    return [
+        pair
+        for (one, first), (other, second) in pairs
+        if not (first and second)
+        for pair in ((other, one), (one, other))
+    ]
+
+
+def _too_much(pairs: Iterable[_Pair], is_too_much: Callable[[Condition, Condition], bool]) -> list[_Pair]:
+    found: list[_Pair] = []
+    gone: set[int] = set()
+    looks: dict[int, set[object]] = {}
+    for term, cause in pairs:
+        for one in (term, cause):
+            if id(one) not in looks:
+                # A level beside an edge of its bit is written for the reader: all(c.Run, re(c.Run)) is no mistake.
+                looks[id(one)] = set() if _has_edge(one) else looked_at(one)
+        if id(term) in gone or id(cause) in gone or looks[id(term)].isdisjoint(looks[id(cause)]):
+            continue
+        if is_too_much(term, cause):
+            gone.add(id(term))
+            found.append((term, cause))
+    return found
+
+
+def _has_edge(condition: Condition) -> bool:
+    return any(getattr(leaf, "edge", "") for leaf in leaves(condition))
+
+
+# -- the fix ----------------------------------------------------------------------------------------------------------
+
+
+def _removal(facts: Facts, part: Condition, again: list[_Pair]) -> Fix | None:
+    """Take terms that say an earlier one again out of a series or a parallel; None where more would go."""
+    gone = {id(term) for term, _ in again}
+    lines = range(part.span.line, part.span.end_line + 1)
+    has_comment = len(lines) > 1 and any("#" in facts.sources[part.span.path].line(line) for line in lines)
+    cuts = None if has_comment or not isinstance(part, All | Any) else _cuts(facts, part, gone)
+    if cuts is None:
+        return None
+    # Two words for one address are so by the table of this program.
+    rests_on_names = any(_words(facts, term) != _words(facts, first) for term, first in again)
+    return Fix(tuple(Edit(cut, "") for cut in cuts), rests_on_names=rests_on_names)
+
+
+def _words(facts: Facts, term: Condition) -> set[str]:
+    """How a term writes its addresses."""
+    operands = (operand for operand in condition_operands(term) if isinstance(operand, Cell | Range | Immediate))
+    return {"".join(facts.text(operand.span).split()) for operand in operands}
+
+
+def _cuts(facts: Facts, part: All | Any, gone: set[int]) -> list[Span] | None:
+    """What to cut out of all(...) or any(...), and out of the same inside it."""
+    cuts: list[Span] = []
+    kept = [term for term in part.terms if not _is_gone(part, term, gone)]
+    for term in kept:
+        if isinstance(term, All | Any) and type(term) is type(part):
+            inside = _cuts(facts, term, gone)
+            if inside is None:
+                return None
+            cuts += inside
+    if len(kept) == len(part.terms):
+        return cuts
+    is_call = _start(part) != _start(part.terms[0])
+    if len(kept) == 1 and is_call:
+        # A comparison over several lines needs the parentheses that would go.
+        is_loose = isinstance(kept[0], Compare) and kept[0].span.line < kept[0].span.end_line
+        outside = [_cut(part, _start(part), _start(kept[0])), _cut(part, _end(kept[0]), _end(part))]
+        return None if is_loose else cuts + outside
+    head = part.terms.index(kept[0])
+    if head:
+        cuts.append(_cut(part, _start(part.terms[0]), _start(kept[0])))
+    staying = set(map(id, kept))
+    for index, (before, term) in enumerate(pairwise(part.terms), 1):
+        if index > head and id(term) in staying:
+            continue
+        if not _COMMA.fullmatch(facts.text(_cut(part, _end(before), _start(term)))):
+            return None
+        if index > head:
+            cuts.append(_cut(part, _end(before), _end(term)))
+    return cuts
+
+
+def _is_gone(part: All | Any, term: Condition, gone: set[int]) -> bool:
+    """True also for a group of the same kind that keeps nothing."""
+    inside = term.terms if isinstance(term, All | Any) and type(term) is type(part) else ()
+    return id(term) in gone or (bool(inside) and all(_is_gone(part, inner, gone) for inner in inside))
+
+
+_COMMA = re.compile(r"\s*,\s*")
+_Point = tuple[int, int]
+
+
+def _start(condition: Condition) -> _Point:
+    return condition.span.line, condition.span.col
+
+
+def _end(condition: Condition) -> _Point:
+    return condition.span.end_line, condition.span.end_col
+
+
+def _cut(part: Condition, start: _Point, end: _Point) -> Span:
+    return Span(part.span.path, *start, *end)
+
+
+RULE = Rule(
+    CODE,
+    check,
+    """
+A second contact on the same bit in one series changes nothing, so it is mostly a copied term in which the address was
+not changed: the guard of the other door that nobody checks. The same goes for two equal alternatives, for a branch that
+asks again what its rung asks already, and for a comparison that another one includes: of `ds.Level > 50` and
+`ds.Level > 30` in series one does nothing, and often one of them should be `<`.
+
+Word-for-word repeats in one `all(...)` or `any(...)` are taken out by the fix. What only follows from another term is
+left to you: either the term or its number is wrong. Edges count as equal within one rung, since all of it is looked at
+in one moment; immediate contacts do not, since each reads the terminal anew. A level beside an edge of the same bit is
+left alone.
+""",
+    wrong=(
+        Wrong(
+            """
+if all(x.Door1, x.Door2, x.Door1):  # <-
+    out(y.Motor)
+""",
+            """
+if all(x.Door1, x.Door2):  # <-
+    out(y.Motor)
+""",
+        ),
+        Wrong(
+            """
+if any(c.Start, c.Start):  # <-
+    set(c.Run)
+if all(c.Auto, any(re(x.Go), c.Test, re(x.Go)), all(c.Auto, nc(c.Fault))):  # <-  # <-
+    set(c.Run)
+""",
+            """
+if c.Start:  # <-
+    set(c.Run)
+if all(c.Auto, any(re(x.Go), c.Test), nc(c.Fault)):  # <-  # <-
+    set(c.Run)
+""",
+        ),
+        Wrong(
+            """
+if all(
+    c.Auto,
+    ds.Level > 5,
+    c.Auto,  # <-
+):
+    rton(t.Hours, 5, Th).reset(c.Clear, c.Clear)  # <-
+""",
+            """
+if all(
+    c.Auto,
+    ds.Level > 5,
+    c.Auto,  # <-
+):
+    rton(t.Hours, 5, Th).reset(c.Clear)  # <-
+""",
+        ),
+        Wrong(
+            """
+if all(c.Auto, ds.Level > 50, ds.Level > 30):  # <-
+    out(y.Drain)
+    if c.Auto:  # <-
+        out(y.Lamp)
+if any(c.Test, all(c.Auto, c.Test)):  # <-
+    out(y.Horn)
+"""
+        ),
+    ),
+    right=(
+        """
+if all(x.Door1, x.Door2, any(c.Auto, c.Manual)):
+    out(y.Motor)
+if any(all(c.Auto, c.Start), all(c.Manual, c.Start)):
+    set(c.Run)
+""",
+        """
+if all(x.Door.immediate, c.Run, x.Door.immediate):
+    out(y.Motor)
+""",
+        """
+if all(ds.Level > 30, ds.Level < 50, ds.Level != 40):
+    out(y.Lamp)
+    if ds.Level == 35:
+        out(y.Half)
+""",
+        """
+if all(c.Run, re(c.Run)):
+    set(c.Started)
+""",
+    ),
+    holds_in_parts=True,
+)

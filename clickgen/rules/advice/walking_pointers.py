@@ -1,0 +1,318 @@
+"""A pointer that writes over cells of other names: those that clickgen chose, or its own register."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from clickgen.device.banks import BANKS, Address
+from clickgen.facts.facts import Facts, Placed
+from clickgen.facts.written import Asked, is_relative, left_in, whole_condition
+from clickgen.instructions.raw import RAW
+from clickgen.ir.conditions import Compare
+from clickgen.ir.operands import Cell, Integer, Pointer
+from clickgen.ir.reach import touches
+from clickgen.logic.conditions import implies
+from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.rules.rule import Rule, Wrong
+from clickgen.text.source import Span
+
+CODE = "CG555"
+
+
+class _Walk(NamedTuple):
+    """How a program moves a register: the numbers that it gives it, and what counts it up."""
+
+    numbers: tuple[int, ...]
+    steps: tuple[Placed, ...]
+    size: int
+    """The greatest step."""
+    wraps: tuple[Placed, ...]
+    """What takes it back to a number under a condition on the register itself."""
+
+
+class _Reach(NamedTuple):
+    """The cells that a pointer can lead to; ``is_open`` when nothing ends the way up."""
+
+    numbers: range | tuple[int, ...]
+    is_open: bool
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    walks: dict[Address, _Walk | None] = {}
+    for placed in facts.actions:
+        if placed.spec is RAW:
+            continue
+        for touch in touches(placed.action):
+            pointer = touch.operand
+            if not touch.is_written or not isinstance(pointer, Pointer) or not isinstance(pointer.register, Cell):
+                continue
+            address = pointer.register.address
+            if address not in walks:
+                walks[address] = _walk(facts, address)
+            walk = walks[address]
+            reach = _reach(facts, placed, address, pointer.bank, walk) if walk else None
+            if walk and reach:
+                hit = _hit(facts, address, pointer.bank, reach)
+                if hit:
+                    _report(facts, problems, pointer, walk, reach, hit)
+
+
+def _hit(facts: Facts, address: Address, bank: str, reach: _Reach) -> list[Address]:
+    """The cells that the pointer must not write.
+
+    That is its own register, those that clickgen gave a name, and any name behind the block in which it begins.
+    """
+    reached = reach.numbers if isinstance(reach.numbers, range) else set(reach.numbers)
+    guarded = {*facts.placed, address}
+    for block in facts.program.blocks:
+        if block.range.bank == bank and block.range.first <= reach.numbers[0] <= block.range.last:
+            guarded.update(row.address for row in facts.rows.values() if row.nickname)
+            guarded.difference_update(block.range.addresses())
+    hit = [one for one in guarded if one.bank == bank and one.number in reached]
+    return sorted(hit, key=lambda one: one.sort_key)
+
+
+def _report(
+    facts: Facts, problems: Diagnostics, pointer: Pointer, walk: _Walk, reach: _Reach, hit: list[Address]
+) -> None:
+    assert isinstance(pointer.register, Cell)
+    name, bank = facts.text(pointer.register.span), pointer.bank
+    shown = facts.shown(pointer.register.address)
+    if reach.is_open:
+        says = f"nothing stops {shown} on its way up from {reach.numbers[0]}"
+    elif walk.steps:
+        says = f"{shown} goes from {reach.numbers[0]} to {reach.numbers[-1]}"
+    else:
+        says = f"{shown} can be {', '.join(map(str, sorted(set(reach.numbers))))}"
+    one = len(hit) == 1
+    labels = (Label(walk.steps[0].action.span, "counted on here"),) if walk.steps else ()
+    problems.add(
+        CODE,
+        pointer.span,
+        f"{says}, so this can write over {facts.listed(hit)}, which {'is' if one else 'are'} not of the table",
+        f"give the table a place of its own, nickname({bank.lower()}.Table, {_place(facts, bank)}), let {name} begin "
+        "there, and take it back behind the last cell",
+        labels,
+    )
+
+
+def _place(facts: Facts, bank: str) -> str:
+    """A free place for a table, as an example: behind everything that the bank is used for."""
+    last = max((address.number for address in facts.rows if address.bank == bank), default=0)
+    first = (last // 100 + 1) * 100 + 1
+    size = BANKS[bank]
+    return f"{bank.lower()}[{first}:{first + 50}]" if first + 49 <= size.last else f"{bank.lower()}[...]"
+
+
+# -- where the register goes ------------------------------------------------------------------------------------------
+
+
+def _walk(facts: Facts, address: Address) -> _Walk | None:
+    """How the program moves a register; None where a panel, a calculation or a loop may give it any number."""
+    numbers: list[int] = []
+    steps: list[Placed] = []
+    wraps: list[Placed] = []
+    size = 0
+    for writer in facts.writers(address):
+        left = left_in(writer, address, 1)
+        if left is None:
+            return None
+        if not is_relative(writer, address):
+            numbers.append(left)
+            if Asked(facts, writer, address).is_asked:
+                wraps.append(writer)
+            continue
+        step = left - 1
+        if step <= 0 or left_in(writer, address, 100) != 100 + step or writer.loop is not None:
+            return None
+        steps.append(writer)
+        size = max(size, step)
+    if not numbers and not steps:
+        return None
+    return _Walk(tuple(numbers), tuple(steps), size, tuple(wraps))
+
+
+def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: _Walk) -> _Reach | None:
+    """The numbers that the register can have where it is used; None where that is not known."""
+    asked = Asked(facts, use, address)
+    if use.loop is not None:
+        return None
+    if not walk.steps:
+        numbers = tuple(number for number in walk.numbers if asked.may_be(number) and BANKS[bank].has(number))
+        return _Reach(numbers, False) if numbers else None
+    starts = [number for number in walk.numbers if number > 0]
+    begins = facts.initial(address)
+    if begins not in ("", "0"):
+        starts.append(int(begins))
+    if not starts or 0 in walk.numbers:
+        starts.append(0)
+    places = facts.places
+    is_counted_before = any(
+        step.rung is use.rung and places[id(step.action)] < places[id(use.action)] for step in walk.steps
+    )
+    # From 0 the pointer leads nowhere until it is counted on.
+    low = min(starts)
+    low = low + walk.size if is_counted_before or low == 0 else low
+    high = _bound(facts, use, asked, address, walk, low)
+    if high is not None:
+        return _Reach(range(low, high + 1), False) if low <= high else None
+    if any(address in _looked_at(leaf) for leaf in facts.comparisons):
+        return None
+    return _Reach(range(low, BANKS[bank].last + 1), True)
+
+
+def _looked_at(compare: Compare) -> list[Address]:
+    return [side.address for side in (compare.left, compare.right) if isinstance(side, Cell)]
+
+
+def _bound(facts: Facts, use: Placed, asked: Asked, address: Address, walk: _Walk, low: int) -> int | None:
+    """The greatest number that the register can have where it is used; None where it is not known."""
+    limits = sorted(limit for limit in set(_limits(facts, address)) if limit >= low)
+    span = use.action.span
+    for limit in limits:
+        if asked.implies(_at_most(address, limit, span)):
+            return limit
+    for limit in limits:
+        bound = _at_most(address, limit, span)
+        if all(Asked(facts, step, address).implies(bound) for step in walk.steps):
+            return max(limit + walk.size, *walk.numbers, 0)
+    for limit in limits:
+        # Whoever counts by more than 1 may pass a number that is only asked for with ==.
+        beyond = Compare(">", Cell(address, span), Integer(limit, span), span)
+        if walk.size == 1:
+            beyond = Compare("==", Cell(address, span), Integer(limit + 1, span), span)
+        if any(implies(beyond, whole_condition(facts, wrap)) for wrap in walk.wraps):
+            return limit + (walk.size if _is_ahead_of_wrap(use, walk) else 0)
+    return None
+
+
+def _is_ahead_of_wrap(use: Placed, walk: _Walk) -> bool:
+    """True where the register is counted on, then used, then taken back, in this order of rungs."""
+    rungs = [id(rung) for rung in use.routine.rungs]
+    if any(other.routine is not use.routine for other in (*walk.steps, *walk.wraps)):
+        return False
+    try:
+        at = rungs.index(id(use.rung))
+        steps = [rungs.index(id(step.rung)) for step in walk.steps]
+        wraps = [rungs.index(id(wrap.rung)) for wrap in walk.wraps]
+    except ValueError:
+        return False
+    return max(steps) < at < min(wraps)
+
+
+def _limits(facts: Facts, address: Address) -> Sequence[int]:
+    """Numbers that may bound the register: those that comparisons of it name, and their neighbours."""
+    limits: list[int] = []
+    for compare in facts.comparisons:
+        for side, other in ((compare.left, compare.right), (compare.right, compare.left)):
+            if isinstance(side, Cell) and side.address == address and isinstance(other, Integer):
+                limits += (other.value - 1, other.value)
+    return limits
+
+
+def _at_most(address: Address, limit: int, span: Span) -> Compare:
+    return Compare("<=", Cell(address, span), Integer(limit, span), span)
+
+
+RULE = Rule(
+    CODE,
+    check,
+    """
+A pointer does not know where a table ends, nor what clickgen put into its bank. A log that counts `ds.Row` on from 1
+writes DS1, DS2, DS3. That is where clickgen has placed setpoints and the pointer itself, unless the table was given a
+place. The machine then works with a weight for a setpoint.
+
+The rule speaks where the program alone moves the register, by constants and by counting up, and the cells that it can
+reach hold a name whose address clickgen chose, or the register itself. A condition that bounds the register counts: in
+the rung of the pointer, where it is counted on, or where it is taken back. Where it is compared in a way that gives no
+number, or moved by a panel, a calculation or a loop, the rule is silent. A pointer that only reads harms nobody.
+
+Give the table a block, and begin in it: clickgen places no name in a block.
+""",
+    wrong=(
+        Wrong(
+            """
+if ds.Row == 0:
+    copy(1, ds.Row)
+if re(x.Sample):
+    copy(ds.Weight, ds[ds.Row])  # <-
+    calc("ds.Row + 1", ds.Row)
+if ds.Row > 50:
+    copy(1, ds.Row)
+"""
+        ),
+        Wrong(
+            """
+nickname(ds.History, ds[1001:1051])
+nickname(ds.Speed, ds[1051], comment="of the belt")
+
+
+def main():
+    if ds.Row < 1001:
+        copy(1001, ds.Row)
+
+    if re(x.Sample):
+        copy(ds.Weight, ds[ds.Row])  # <-
+        calc("ds.Row + 1", ds.Row)
+
+    if ds.Row > 1051:
+        copy(1001, ds.Row)
+
+    if ds.Speed > 10:
+        out(y.Belt)
+
+    if True:
+        end()
+"""
+        ),
+        Wrong(
+            """
+if re(x.Reset):
+    copy(5, ds.Place)
+if re(x.Part):
+    calc("ds.Place + 1", ds.Place)
+    copy(1, ds[ds.Place])  # <-
+if all(c.A, ds.B == ds.C, ds.D == ds.E, ds.F == 7):
+    copy(ds.G, ds.Pick)
+if re(x.Choose):
+    copy(3, ds.Slot)
+    copy(9, ds[ds.Slot])  # <-
+"""
+        ),
+    ),
+    right=(
+        """
+nickname(ds.History, ds[1001:1051])
+
+
+def main():
+    if any(ds.Row < 1001, ds.Row > 1050):
+        copy(1001, ds.Row)
+
+    if re(x.Sample):
+        copy(ds.Weight, ds[ds.Row])
+        calc("ds.Row + 1", ds.Row)
+
+    if True:
+        end()
+""",
+        """
+if re(x.Reset):
+    copy(1000, ds.Place)
+if all(re(x.Part), ds.Place < 1010):
+    calc("ds.Place + 1", ds.Place)
+    copy(1, ds[ds.Place])
+if re(x.Load):
+    copy(ds.FromPanel, ds.Slot)
+    copy(9, ds[ds.Slot])
+if ds.Line == 0:
+    copy(1, ds.Line)
+if re(x.Store):
+    copy(ds.Weight, dd[ds.Line])
+    calc("ds.Line + 1", ds.Line)
+if ds.Line > ds.Lines:
+    copy(1, ds.Line)
+""",
+    ),
+)

@@ -1,0 +1,112 @@
+"""An address that is written and never read: work for nothing, or for a panel."""
+
+from __future__ import annotations
+
+from clickgen.device.banks import Address
+from clickgen.facts.facts import Facts
+from clickgen.facts.uses import addresses_of, extents_of
+from clickgen.instructions.data import SEARCH
+from clickgen.instructions.drums import EVENT_DRUM, TIME_DRUM
+from clickgen.ir.operands import form_of
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.rules.rule import Rule, Wrong
+
+CODE = "CG505"
+
+_BANKS = ("C", "DS", "DD", "DH", "DF", "TXT")
+"""Outputs and system points act by themselves; a timer's or counter's value belongs to its instruction."""
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    judged: set[tuple[str, int, int]] = set()
+    said = _by_the_way(facts)
+    for use in facts.uses.every:
+        if not use.is_written or form_of(use.operand) not in _BANKS:
+            continue
+        extents = extents_of(use.operand)
+        if judged.issuperset(extents):
+            continue
+        judged.update(extents)
+        addresses = addresses_of(use.operand)
+        if said.issuperset(addresses) or facts.uses.may_be_read(use.operand):
+            continue
+        said.update(addresses)
+        one = len(addresses) == 1
+        problems.add(
+            CODE,
+            use.operand.span,
+            f"{facts.listed(addresses)} {'is' if one else 'are'} written here and nothing in the program reads "
+            f"{'it' if one else 'them'}",
+            f"correct the name, remove what writes it, or write # clickgen: ignore[{CODE}] where a panel or another "
+            "device reads it",
+        )
+
+
+def _by_the_way(facts: Facts) -> set[Address]:
+    """What an instruction must have beside what it is there for, or reads itself: a drum's step, a search's result."""
+    found: set[Address] = set()
+    for placed in facts.actions:
+        args, needed = placed.action.args, []
+        if placed.spec is EVENT_DRUM or placed.spec is TIME_DRUM:
+            needed = [args["current_step"], args["completion_flag"]]
+        elif placed.spec is SEARCH:
+            result, flag = addresses_of(args["result"])[0], addresses_of(args["flag"])[0]
+            if placed.action.flag("continuous") or facts.uses.reads(flag):
+                needed.append(args["result"])
+            if facts.uses.reads(result):
+                needed.append(args["flag"])
+        found.update(address for operand in needed for address in addresses_of(operand))
+    return found
+
+
+RULE = Rule(
+    CODE,
+    check,
+    """
+The program writes an address that it never looks at. It may be for a panel; otherwise it is a leftover, or the name is
+misspelled where it should be read.
+
+The rule is off by default, because a program does not say what panels show.
+""",
+    wrong=(
+        Wrong(
+            """
+if x.Part:
+    calc("sd[1] * 10", ds.Weigth)  # <-
+
+if ds.Weight > 500:
+    out(y.Reject)
+"""
+        ),
+        Wrong(
+            """
+if x.Clear:
+    copy_fill(0, ds[101:111])  # <-
+"""
+        ),
+    ),
+    right=(
+        """
+if x.Part:
+    calc("sd[1] * 10", ds.Weight)
+
+if ds.Weight > 500:
+    out(y.Reject)
+""",
+        """
+if x.Clear:
+    copy_fill(0, ds[101:111])
+
+if x.Show:
+    copy(ds[ds.Row], sd[31])
+""",
+        """
+if x.Find:
+    search(sd[1:10] == 5, result=ds.FoundAt, found=c.Found)
+
+if c.Found:
+    copy(4, dh.Code)
+    send(ModbusTcpTarget(ip="192.168.1.10"), "DH1", dh.Code)
+""",
+    ),
+)

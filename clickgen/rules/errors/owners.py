@@ -1,0 +1,33 @@
+"""One timer or counter number has one instruction (C010A, C010B)."""
+
+from __future__ import annotations
+
+from clickgen.device.banks import CURRENT_VALUE_OF, Address
+from clickgen.facts.facts import Facts
+from clickgen.instructions.spec import Access
+from clickgen.ir.operands import Cell
+from clickgen.ir.program import Action
+from clickgen.problems.diagnostics import Diagnostics, Label
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    owners: dict[Address, Action] = {}
+    for placed in facts.actions:
+        for param in placed.spec.params:
+            operand = placed.action.args.get(param.name)
+            if param.slot.access is not Access.OWN or not isinstance(operand, Cell):
+                continue
+            if operand.bank not in param.slot.cells:
+                continue
+            number = Address(CURRENT_VALUE_OF.get(operand.bank, operand.bank), operand.address.number)
+            earlier = owners.setdefault(number, placed.action)
+            if earlier is not placed.action:
+                kind = "counter" if number.bank == "CT" else "timer"
+                problems.add(
+                    "CG412",
+                    operand.span,
+                    f"{operand.address} belongs to the {earlier.spec.name} of "
+                    f"{earlier.span.seen_from(operand.span)} already",
+                    f"give this {kind} another name",
+                    (Label(earlier.span, "its first owner"),),
+                )

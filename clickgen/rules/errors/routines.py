@@ -1,0 +1,83 @@
+"""There is one main, and every routine has a name that CLICK takes and no other routine has."""
+
+from __future__ import annotations
+
+import re
+
+from clickgen.device.limits import SUBROUTINE_NAME_MAX, SUBROUTINES_MAX
+from clickgen.facts.facts import Facts
+from clickgen.ir.program import Program, Routine
+from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.text.wording import quoted
+
+_MAIN = "main"
+_NAME = re.compile(r"[A-Za-z0-9_ -]+")
+_DEVICES = frozenset(("con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))))
+"""Names that Windows, where CLICK runs, takes for devices: no file can have them."""
+
+
+def check(facts: Facts, problems: Diagnostics) -> None:
+    program = facts.program
+    if program.main is None:
+        span = program.source.span(1, 1, 1, 2)
+        problems.add("CG401", span, "the program has no main", "add def main(): with the rungs that run in every scan")
+    _check_twice(program, problems)
+    for routine in program.subroutines:
+        _check_name(routine, problems)
+    if len(program.subroutines) > SUBROUTINES_MAX:
+        problems.add(
+            "CG416",
+            program.subroutines[SUBROUTINES_MAX].span,
+            f"the program has {len(program.subroutines)} subroutines and CLICK takes {SUBROUTINES_MAX}",
+            "join some of them",
+        )
+
+
+def _check_twice(program: Program, problems: Diagnostics) -> None:
+    """One name in CLICK, where names are files, and one function in the source."""
+    names: dict[str, Routine] = {}
+    functions: dict[str, Routine] = {}
+    for routine in program.routines:
+        # A subroutine named like main is refused for that.
+        is_kept = not routine.is_main and routine.name.lower() == _MAIN
+        earlier = routine if is_kept else names.setdefault(routine.name.lower(), routine)
+        namesake = functions.setdefault(routine.function, routine)
+        if earlier is not routine:
+            fault, place, first = f"routine {earlier.name!r}", routine.named_at, earlier.named_at
+        elif namesake is not routine:
+            fault, place, first = f"function {routine.function!r}", routine.span, namesake.span
+        else:
+            continue
+        message = f"there is a {fault} already ({first})"
+        problems.add("CG402", place, message, "rename one of them", (Label(first, "the first one"),))
+    for routine in program.routines:
+        other = names.get(routine.function.lower(), routine)
+        if other is not routine and routine.function.lower() != routine.name.lower():
+            problems.add(
+                "CG402",
+                routine.span,
+                f"the function {routine.function!r} is called like the subroutine {other.name!r} ({other.named_at}), "
+                "and is another one",
+                "rename the function",
+                (Label(other.named_at, "CLICK's name"),),
+            )
+
+
+def _check_name(routine: Routine, problems: Diagnostics) -> None:
+    name = routine.name
+    help = "rename it" if routine.title else 'rename it, or write CLICK\'s name beside it: @sub("Auto Mode")'
+    if not name.strip():
+        fault, help = "there is nothing in it", "write a name, or @sub without brackets to use the function's name"
+    elif len(name) > SUBROUTINE_NAME_MAX:
+        fault = f"it has {len(name)} characters and CLICK takes {SUBROUTINE_NAME_MAX}"
+    elif not _NAME.fullmatch(name):
+        fault = "CLICK takes letters, digits, _, - and space"
+    elif name != name.strip():
+        fault, help = "it has a space at its beginning or end", f"write @sub({quoted(name.strip())})"
+    elif name.lower() == _MAIN:
+        fault = "the main program has this name"
+    elif name.lower() in _DEVICES:
+        fault = "Windows takes it for a device, so no file can have it"
+    else:
+        return
+    problems.add("CG417", routine.named_at, f"a subroutine cannot be named {name!r}: {fault}", help)

@@ -1,0 +1,57 @@
+"""Pointers that may write a bit which clickgen needs for itself. The bits are known once rungs are lowered.
+
+Scratch registers are in no danger: what they hold is copied there directly before its use.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from clickgen.device.banks import BANKS
+from clickgen.facts.facts import Facts, Placed
+from clickgen.instructions.copies import COPY, COPY_FILL
+from clickgen.ir.conditions import Compare
+from clickgen.ir.operands import Cell, Integer, Pointer
+from clickgen.ir.reach import touches
+from clickgen.logic.conditions import are_exclusive
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.table.rows import Row
+
+
+def check(facts: Facts, scratch: Collection[Row], problems: Diagnostics) -> None:
+    bits = sorted((row for row in scratch if BANKS[row.address.bank].is_bit), key=lambda row: row.address.number)
+    for placed in facts.actions:
+        for touch in touches(placed.action) if bits else ():
+            if touch.is_written and isinstance(touch.operand, Pointer) and isinstance(touch.operand.register, Cell):
+                reached = next((row for row in bits if _may_lead_to(facts, placed, touch.operand, row)), None)
+                if reached is not None:
+                    _report(facts, placed, touch.operand, touch.operand.register, reached, problems)
+
+
+def _report(facts: Facts, placed: Placed, pointer: Pointer, register: Cell, row: Row, problems: Diagnostics) -> None:
+    test = f"{facts.text(register.span)} < {row.address.number}"
+    problems.add(
+        "CG428",
+        pointer.span,
+        f"{facts.shown(register.address)} may lead to {row.address}, which clickgen uses for itself ({row.comment})",
+        f"test the pointer in this rung: if {facts.with_test(placed, test)}:",
+    )
+
+
+def _may_lead_to(facts: Facts, placed: Placed, pointer: Pointer, row: Row) -> bool:
+    if row.address.bank != pointer.bank:
+        return False
+    register, number = pointer.register, row.address.number
+    assert isinstance(register, Cell)
+    is_there = Compare("==", register, Integer(number, register.span), register.span)
+    return not are_exclusive(placed.condition, is_there) and not _is_kept_away(facts, register, number)
+
+
+def _is_kept_away(facts: Facts, register: Cell, number: int) -> bool:
+    """True when the program gives the register constants alone, and never this number."""
+    writers = facts.writers(register.address)
+    if not writers or facts.uses.is_pointed("DS", is_written=True):
+        return False
+    sources = [writer.action.args.get("source") for writer in writers if writer.spec in (COPY, COPY_FILL)]
+    numbers = [source.value for source in sources if isinstance(source, Integer)]
+    return len(numbers) == len(writers) and number not in numbers

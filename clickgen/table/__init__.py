@@ -1,0 +1,1 @@
+"""The address table: rows, CSV and workbooks, blocks, and the record of what clickgen placed."""

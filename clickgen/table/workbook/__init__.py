@@ -1,0 +1,1 @@
+"""Address lists that a person keeps in a workbook."""

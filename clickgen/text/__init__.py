@@ -1,0 +1,1 @@
+"""Text and files: source, spans, edits, and writing several files at once."""

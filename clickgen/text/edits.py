@@ -1,0 +1,73 @@
+"""Applying fixes: edits in the text of a file, every other byte kept."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from clickgen.problems.diagnostics import Edit, Fix
+from clickgen.text.source import FORM_FEED, Span
+
+_LINE_END = re.compile(r"\r\n|\r|\n")
+
+
+def apply_fixes(text: str, fixes: Iterable[Fix]) -> tuple[str, int]:
+    """The text with as many of these fixes as do not overlap, the earlier first, and how many those are.
+
+    ``text`` is the file as it stands, with its own line ends and byte order mark; new lines get the same line ends.
+    """
+    places = _Places(text)
+    taken: list[tuple[int, int]] = []
+    chosen: list[tuple[int, int, str]] = []
+    count = 0
+    for fix in sorted(fixes, key=lambda fix: min(edit.span[1:3] for edit in fix.edits)):
+        pieces = [_piece(places, edit) for edit in fix.edits]
+        if any(_overlap((start, end), other) for start, end, _ in pieces for other in taken):
+            continue
+        taken += [(start, end) for start, end, _ in pieces]
+        chosen += pieces
+        count += 1
+    parts: list[str] = []
+    done = 0
+    # An insertion stands in front of what is replaced at its place; two insertions of one fix keep their order.
+    for start, end, new in sorted(chosen, key=lambda piece: piece[:2]):
+        parts += (text[done:start], new)
+        done = end
+    return "".join((*parts, text[done:])), count
+
+
+def _piece(places: _Places, edit: Edit) -> tuple[int, int, str]:
+    start, end = places.offsets(edit.span)
+    return start, end, edit.text.replace("\n", places.line_end)
+
+
+def _overlap(one: tuple[int, int], other: tuple[int, int]) -> bool:
+    """Two stretches that share a character, or two insertions at one place."""
+    return one == other or (one[0] < other[1] and other[0] < one[1])
+
+
+class _Places:
+    """Lines and columns of a file as problems name them, and where they stand in its text."""
+
+    def __init__(self, text: str) -> None:
+        self.line_end = "\n"
+        ends = list(_LINE_END.finditer(text))
+        if ends:
+            self.line_end = ends[0].group()
+        self._starts = [0, *(match.end() for match in ends)]
+        self._ends = [*(match.start() for match in ends), len(text)]
+        self._text = text
+
+    def offsets(self, span: Span) -> tuple[int, int]:
+        return self._offset(span.line, span.col), self._offset(span.end_line, span.end_col)
+
+    def _offset(self, line: int, col: int) -> int:
+        index = min(line, len(self._starts)) - 1
+        start, end = self._starts[index], self._ends[index]
+        # What the reader of the file leaves out: a byte order mark, and what stands before a form feed.
+        if index == 0 and self._text.startswith("\ufeff"):
+            start += 1
+        skipped = FORM_FEED.match(self._text[start:end])
+        if skipped:
+            start += skipped.end()
+        return min(start + col - 1, end)

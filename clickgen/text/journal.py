@@ -1,0 +1,216 @@
+"""What a writer is about to do, noted on disk: whoever comes after one that was killed puts back what it left.
+
+Each folder gets a note of the steps in it before the first file is replaced. The note of one folder, the first, is the
+one that counts: as long as it is there, the work is not done, and everything is put back. When all files are in
+place, that note gets another name, and from then on there is only to tidy up. A note speaks of files in its own folder
+alone, under plain names, and a file is put back only while it holds what the writer put there: a forged note can do
+nothing beyond what its folder holds.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import re
+import stat
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from clickgen.text.lock import locked
+from clickgen.workspace import read_file
+
+_OWN = re.compile(r"\.clickgen-([0-9a-f]{16})(?:-\d+)?\.(new|old|journal|done)")
+_NOTE_MAX = 16 * 2**20
+
+
+def journal_name(work: str) -> str:
+    """The file that says what work is under way; ``work`` is 16 hexadecimal digits."""
+    return f".clickgen-{work}.journal"
+
+
+def done_name(work: str) -> str:
+    """The name of the first journal when everything is in place."""
+    return f".clickgen-{work}.done"
+
+
+def sibling_name(work: str, number: int, kind: str) -> str:
+    """The name of a new (``new``) or former (``old``) content until everything is in place."""
+    return f".clickgen-{work}-{number}.{kind}"
+
+
+class Step(NamedTuple):
+    """One file, by names in its folder: its staged new content (None: it goes) and its former content (if any)."""
+
+    name: str
+    staged: str | None
+    former: str
+    existed: bool
+    digest: str | None
+    """Of the new content."""
+
+
+class Note(NamedTuple):
+    """The steps of one folder, and all folders of the work by their real paths, the first one in front."""
+
+    folders: tuple[str, ...]
+    steps: tuple[Step, ...]
+
+    def to_bytes(self, folder: str) -> bytes:
+        """The note in one of the folders. It names the others as seen from there: a repository may be moved."""
+        return json.dumps(
+            {"folders": [_seen_from(folder, other) for other in self.folders], "steps": self.steps}
+        ).encode()
+
+
+def _seen_from(folder: str, other: str) -> str:
+    try:
+        return os.path.relpath(other, folder)
+    except ValueError:  # another drive of Windows
+        return other
+
+
+def digest_of(data: bytes) -> str:
+    return hashlib.blake2b(data, digest_size=20).hexdigest()
+
+
+def recover(folders: Iterable[str | os.PathLike[str]]) -> list[Path]:
+    """Put back what killed writers left half done in these folders, and tidy up after them.
+
+    Returns the files that were put back. Nothing is touched where no writer was killed. Raises OSError and Busy.
+    """
+    marked = {os.path.realpath(folder) for folder in folders if _traces(folder)}
+    if not marked:
+        return []
+    with locked(_with_companions(marked)) as ours:
+        # The lock ended with its owner: what is here now belongs to nobody.
+        return [path for folder in sorted(ours) for path in _recovered(folder, ours)]
+
+
+def _with_companions(folders: set[str]) -> set[str]:
+    """These folders, and those in which the same work was under way."""
+    notes = [(work, note) for folder in folders for work, note in _notes(folder)]
+    others = {other for work, note in notes for other in note.folders if _note_of(work, other)}
+    return folders | others
+
+
+def _recovered(folder: str, ours: frozenset[str]) -> Iterator[Path]:
+    for work, note in _notes(folder):
+        first = note.folders[0]
+        if first not in ours and os.path.isdir(first) and _note_of(work, first):
+            continue
+        if Path(first, journal_name(work)).is_file():
+            yield from _roll_back(work, note)
+        elif Path(first, done_name(work)).is_file():
+            _finish(work, note)
+        elif not any(Path(folder, step.former).exists() for step in note.steps):
+            _tidy(folder, note)  # It had not begun.
+            _remove(Path(folder, journal_name(work)))
+    noted = {work for work, _ in _notes(folder)}
+    for name, (work, kind) in _traces(folder).items():
+        if kind == "new" and work not in noted:
+            _remove(Path(folder, name))
+
+
+def _roll_back(work: str, note: Note) -> Iterator[Path]:
+    """Put back everything that one writer did; the note that counts goes last."""
+    for folder in reversed(note.folders):
+        own = _note_of(work, folder)
+        for step in own.steps if own else ():
+            if _put_back(Path(folder), step):
+                yield Path(folder, step.name)
+        if own:
+            _tidy(folder, own)
+        _remove(Path(folder, journal_name(work)))
+
+
+def _finish(work: str, note: Note) -> None:
+    """Everything is in place: drop what was kept in case it would not be."""
+    for folder in reversed(note.folders):
+        own = _note_of(work, folder)
+        if own:
+            _tidy(folder, own)
+        _remove(Path(folder, journal_name(work)))
+    _remove(Path(note.folders[0], done_name(work)))
+
+
+def _put_back(folder: Path, step: Step) -> bool:
+    """Undo one step; True where there was something to undo. A file that someone has changed since stays."""
+    target, former = folder / step.name, folder / step.former
+    if step.staged is None:
+        if _is_plain(former) and not os.path.lexists(target):
+            os.replace(former, target)
+            return True
+        return False
+    if (folder / step.staged).exists() or not _is_plain(target) or digest_of(read_file(target)) != step.digest:
+        return False
+    if not step.existed:
+        _remove(target)
+        return True
+    if _is_plain(former):
+        os.replace(former, target)
+        return True
+    return False
+
+
+def _tidy(folder: str, note: Note) -> None:
+    for step in note.steps:
+        for name in (step.staged, step.former):
+            if name is not None:
+                _remove(Path(folder, name))
+
+
+def _traces(folder: str | os.PathLike[str]) -> dict[str, tuple[str, str]]:
+    """The files of writers in a folder: of which work each is, and what it is."""
+    try:
+        names = os.listdir(folder)
+    except OSError:
+        return {}
+    matches = ((name, _OWN.fullmatch(name)) for name in names if name.startswith(".clickgen-"))
+    return {name: (match[1], match[2]) for name, match in matches if match}
+
+
+def _notes(folder: str) -> list[tuple[str, Note]]:
+    """The works of which there is a note in a folder."""
+    works = sorted({work for work, kind in _traces(folder).values() if kind in ("journal", "done")})
+    return [(work, note) for work in works if (note := _note_of(work, folder))]
+
+
+def _note_of(work: str, folder: str) -> Note | None:
+    """What a writer noted in a folder; None where there is nothing that a writer can have noted."""
+    for name in (journal_name(work), done_name(work)):
+        path = Path(folder, name)
+        try:
+            if not _is_plain(path):
+                continue
+            tree = json.loads(read_file(path, _NOTE_MAX))
+            folders = tuple(os.path.realpath(os.path.join(folder, other)) for other in tree["folders"])
+            steps = tuple(Step(*step) for step in tree["steps"])
+        except (OSError, ValueError, LookupError, TypeError, RecursionError):
+            continue
+        if os.path.realpath(folder) in folders and all(_is_sound(step, work) for step in steps):
+            return Note(folders, steps)
+    return None
+
+
+def _is_sound(step: Step, work: str) -> bool:
+    if not (isinstance(step.name, str) and isinstance(step.former, str) and isinstance(step.existed, bool)):
+        return False
+    names: Sequence[object] = (step.former,) if step.staged is None else (step.former, step.staged)
+    own = [isinstance(name, str) and _OWN.fullmatch(name) for name in names]
+    is_plain = step.name not in ("", ".", "..") and os.path.basename(step.name) == step.name and "\0" not in step.name
+    return is_plain and ":" not in step.name[1:2] and all(match and match[1] == work for match in own)
+
+
+def _is_plain(path: Path) -> bool:
+    try:
+        return stat.S_ISREG(os.lstat(path).st_mode)
+    except (OSError, ValueError):
+        return False
+
+
+def _remove(path: Path) -> None:
+    with contextlib.suppress(FileNotFoundError):
+        os.unlink(path)

@@ -1,0 +1,150 @@
+"""One writer at a time: a lock on each folder that a command writes into.
+
+The lock is the operating system's, on a file in the folder, so that it ends with its process, however that ends. A disk
+that knows no locks is written to without one: what is replaced is compared in any case (see ``write.py``).
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import stat
+import sys
+import threading
+import time
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import IO
+
+from clickgen.problems.diagnostics import CouldNotRun
+
+NAME = ".clickgen-lock"
+PATIENCE = 60.0
+"""Seconds to wait for another writer; each takes a fraction of one."""
+_PAUSE = 0.02
+_NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL}
+
+_threads = threading.RLock()
+_held: set[str] = set()
+"""The folders that this process has locked, by their real paths."""
+
+
+class Busy(CouldNotRun):
+    """Another process has been writing into a folder for longer than anybody should."""
+
+    def __init__(self, folder: str) -> None:
+        super().__init__(f"another clickgen is writing into {folder} and does not end; nothing was written")
+
+
+@contextlib.contextmanager
+def locked(folders: Iterable[str | os.PathLike[str]]) -> Iterator[frozenset[str]]:
+    """Lock folders while the block runs; those that are locked already stay so. Yields the real paths of the locked.
+
+    All of them are taken in one order, so that two processes never wait for each other. Raises Busy, and OSError
+    where no file can be made in a folder.
+    """
+    wanted = {os.path.realpath(folder) for folder in folders}
+    with _threads, contextlib.ExitStack() as stack:
+        for folder in sorted(wanted - _held):
+            stack.enter_context(_locked(folder))
+        yield frozenset(wanted & _held)
+
+
+@contextlib.contextmanager
+def _locked(folder: str) -> Iterator[None]:
+    path = Path(folder, NAME)
+    file = _taken(path)
+    if file is None:
+        yield
+        return
+    _held.add(folder)
+    try:
+        yield
+    finally:
+        _held.discard(folder)
+        _release(path, file)
+
+
+def _taken(path: Path) -> IO[bytes] | None:
+    """The lock file, locked; None where this disk has no locks. Raises Busy and OSError."""
+    deadline = time.monotonic() + PATIENCE
+    while True:
+        file = _opened(path)
+        if file is None:
+            return None
+        try:
+            if _try_lock(file.fileno()):
+                if _is_still_there(path, file):
+                    return file
+            elif time.monotonic() > deadline:
+                raise Busy(str(path.parent))
+        except OSError as error:
+            file.close()
+            if error.errno in _NO_LOCKS:
+                _remove_empty(path)
+                return None
+            raise
+        except BaseException:
+            file.close()
+            raise
+        file.close()
+        time.sleep(_PAUSE)
+
+
+def _opened(path: Path) -> IO[bytes] | None:
+    """The lock file; None where something else has its name."""
+    with contextlib.suppress(FileNotFoundError):
+        if not stat.S_ISREG(os.lstat(path).st_mode):
+            return None
+    try:
+        return open(path, "ab")
+    except OSError as error:
+        # Someone else's lock file can be locked all the same.
+        with contextlib.suppress(OSError):
+            return open(path, "rb")
+        raise OSError(error.errno, error.strerror or str(error), str(path.parent)) from error
+
+
+def _is_still_there(path: Path, file: IO[bytes]) -> bool:
+    """False where the one who had the lock has taken its file away: then the next one is another file."""
+    try:
+        return os.path.samestat(os.fstat(file.fileno()), os.lstat(path))
+    except FileNotFoundError:
+        return False
+
+
+def _release(path: Path, file: IO[bytes]) -> None:
+    if sys.platform != "win32":
+        _remove_empty(path)
+    file.close()
+    if sys.platform == "win32":
+        _remove_empty(path)  # Windows keeps an open file; one who waits has it open, and takes it away in turn.
+
+
+def _remove_empty(path: Path) -> None:
+    with contextlib.suppress(OSError):
+        if os.lstat(path).st_size == 0:
+            os.unlink(path)
+
+
+if sys.platform == "win32":
+    import msvcrt
+
+    def _try_lock(descriptor: int) -> bool:
+        try:
+            os.lseek(descriptor, 0, os.SEEK_SET)
+            msvcrt.locking(descriptor, msvcrt.LK_NBLCK, 1)
+        except PermissionError:
+            return False
+        return True
+
+else:
+    import fcntl
+
+    def _try_lock(descriptor: int) -> bool:
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+        return True
