@@ -1,9 +1,16 @@
-"""Bytes to text, and text to Python's syntax tree. A program is read and never run."""
+"""Bytes to text, and what Python's own parser says of a text. A program is read and never run.
+
+libcst reads programs (`statements.py`). Python's parser says first whether a text is Python, in its own words if not,
+and where its statements are. What is nested so deeply or has so many terms that a walk over its tree could fail is
+refused here.
+"""
 
 from __future__ import annotations
 
 import ast
+import io
 import re
+import tokenize
 import warnings
 from collections.abc import Callable, Iterator
 
@@ -14,7 +21,7 @@ _SPLIT = "split it into several rungs"
 MAX_DEPTH = 100
 """How deep the syntax tree may be: far beyond any rung, and safe for every recursive walk."""
 _TERMS_MAX = 1000
-"""Terms of one ``and`` or ``or``: level for Python, and far beyond any rung."""
+"""Terms of one ``and`` or ``or``, and pieces of one string: level for Python and nested for libcst."""
 _BITS_MAX = 64
 """CLICK's largest integers have 32 bits. Past some thousand digits Python cannot even print one."""
 _LARGEST = "DD holds -2147483648..2147483647; DF holds larger numbers, written 1.0E+12"
@@ -59,16 +66,14 @@ def parse_tree(source: SourceFile, problems: Diagnostics) -> ast.Module | None:
         problems.add("CG101", span, "the file holds a NUL character", "save the file as plain UTF-8 text")
         return None
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            tree = ast.parse(source.text)
+        tree = _parsed(source.text)
     except SyntaxError as error:
         _syntax_problem(source, error, problems)
         return None
     except (RecursionError, MemoryError):
         problems.add("CG118", source.span(1, 1, 1, 2), "the program is nested too deeply to be read", _SPLIT)
         return None
-    deep = _too_deep(tree)
+    deep = _too_deep(tree, source.lines)
     if deep is not None:
         line = getattr(deep, "lineno", 1)
         col = source.column(line, getattr(deep, "col_offset", 0))
@@ -85,7 +90,23 @@ def parse_tree(source: SourceFile, problems: Diagnostics) -> ast.Module | None:
 def soundness(source: SourceFile) -> Callable[[ast.Module], bool]:
     """Tells of a part of the file whether every walk can go down its tree, and every number in it can be shown."""
     may_be_endless = _LONG_NUMBER.search(source.text) is not None
-    return lambda tree: _too_deep(tree) is None and not (may_be_endless and any(_endless_numbers(tree)))
+    return lambda tree: _too_deep(tree, source.lines) is None and not (may_be_endless and any(_endless_numbers(tree)))
+
+
+def is_statement(text: str) -> bool:
+    """True for the text of one statement that libcst may read."""
+    try:
+        tree = _parsed(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return len(tree.body) == 1 and _too_deep(tree, text.split("\n")) is None
+
+
+def _parsed(text: str) -> ast.Module:
+    with warnings.catch_warnings():
+        # Of escapes in strings, for one.
+        warnings.simplefilter("ignore")
+        return ast.parse(text)
 
 
 def _report_huge(source: SourceFile, tree: ast.Module, problems: Diagnostics) -> bool:
@@ -133,25 +154,55 @@ def _syntax_problem(source: SourceFile, error: SyntaxError, problems: Diagnostic
     problems.add("CG101", source.span(line, col, end_line, end_col), *(said_otherwise(error.msg) or general))
 
 
-def _too_deep(tree: ast.Module) -> ast.AST | None:
-    """The first node below the depth limit, found without recursion.
+def _too_deep(tree: ast.Module, lines: list[str]) -> ast.AST | None:
+    """The first node below the depth limit, or with too much on one level, found without recursion.
 
     Each level of an expression takes at least one character, so short ones need no walk.
     """
     waiting: list[tuple[ast.AST, int]] = [(tree, 0)]
     while waiting:
         node, depth = waiting.pop()
-        if depth > MAX_DEPTH or (isinstance(node, ast.BoolOp) and len(node.values) > _TERMS_MAX):
+        if depth > MAX_DEPTH or (isinstance(node, _LONG) and _is_long(node, lines)):
             return node
         if isinstance(node, ast.expr) and _is_short(node, MAX_DEPTH - depth):
             continue
         for value in node.__dict__.values():
             if value.__class__ is list:
                 waiting += [(item, depth + 1) for item in value if isinstance(item, ast.AST)]
-            elif isinstance(value, ast.expr | ast.arguments):
+            elif isinstance(value, ast.expr | ast.arguments | ast.pattern):
                 waiting.append((value, depth + 1))
     return None
 
 
 def _is_short(node: ast.expr, characters: int) -> bool:
     return node.lineno == node.end_lineno and (node.end_col_offset or 0) - node.col_offset < characters
+
+
+_COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
+_LONG = (ast.BoolOp, ast.Constant, ast.JoinedStr, ast.Import, ast.ImportFrom, *_COMPREHENSIONS)
+
+
+def _is_long(node: ast.AST, lines: list[str]) -> bool:
+    """True for what is level for Python, nested for libcst, and longer than anybody writes it."""
+    if isinstance(node, ast.BoolOp):
+        return len(node.values) > _TERMS_MAX
+    if isinstance(node, _COMPREHENSIONS):
+        return len(node.generators) > MAX_DEPTH
+    if isinstance(node, ast.Import | ast.ImportFrom):
+        dots = [getattr(node, "module", None) or "", *(alias.name for alias in node.names)]
+        return any(name.count(".") > MAX_DEPTH for name in dots)
+    if isinstance(node, ast.JoinedStr) or (isinstance(node, ast.Constant) and isinstance(node.value, str | bytes)):
+        text = "\n".join(lines[node.lineno - 1 : node.end_lineno])
+        return min(len(text), text.count('"') + text.count("'")) > 2 * _TERMS_MAX and _strings(text) > _TERMS_MAX
+    return False
+
+
+def _strings(text: str) -> int:
+    """How many strings stand on these lines, which may begin and end inside brackets."""
+    count = 0
+    try:
+        for token in tokenize.generate_tokens(io.StringIO(text).readline):
+            count += token.type == tokenize.STRING or tokenize.tok_name[token.type] == "FSTRING_START"
+    except (tokenize.TokenError, SyntaxError):
+        pass
+    return count

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import ast
 import re
-import warnings
 from collections.abc import Callable, Sequence
+
+import libcst as cst
 
 from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
 from clickgen.dialects.if_rungs.read.context import Context, Located
+from clickgen.dialects.if_rungs.read.nodes import ADDRESSES, Node, every, keyword_name, name_of, word
 from clickgen.dialects.if_rungs.trade import ARGUMENTS, MEMBERS, Advice, advice, bank_hint
 from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
 from clickgen.problems.diagnostics import Edit, Fix
@@ -25,24 +26,7 @@ _SURE_MEMBERS = frozenset(("done", "dn", "q", "acc", "accum", "accumulator", "et
 """Members of a timer or counter that mean one thing only."""
 
 
-def expression_of(text: str) -> ast.expr | None:
-    """The syntax tree of an expression; None where Python cannot read it."""
-    node = statement_of(text)
-    return node.value if isinstance(node, ast.Expr) else None
-
-
-def statement_of(text: str) -> ast.stmt | None:
-    """The syntax tree of a single statement; None where Python cannot read it."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            body = ast.parse(text).body
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
-            return None
-    return body[0] if len(body) == 1 else None
-
-
-def own(context: Context, node: ast.expr) -> str:
+def own(context: Context, node: Located) -> str:
     """A node as it is written, on one line; "" where a message cannot repeat it."""
     text = context.text(node)
     text = "" if "#" in text and "\n" in text else " ".join(text.split())
@@ -52,9 +36,9 @@ def own(context: Context, node: ast.expr) -> str:
 def own_advice(
     context: Context,
     found: Advice | None,
-    arguments: Sequence[ast.expr],
+    arguments: Sequence[Node],
     fits: Fits,
-    keywords: Sequence[ast.keyword] = (),
+    keywords: Sequence[cst.Arg] = (),
 ) -> str:
     """What a word of the trade is here, with the person's own arguments where that gives code that is right."""
     if found is None:
@@ -66,16 +50,18 @@ def own_advice(
 def own_code(
     context: Context,
     found: Advice,
-    arguments: Sequence[ast.expr],
+    arguments: Sequence[Node],
     fits: Fits,
-    keywords: Sequence[ast.keyword] = (),
+    keywords: Sequence[cst.Arg] = (),
 ) -> str:
     """The person's own arguments as they are written here; "" where that gives nothing that is right."""
     texts = [own(context, argument) for argument in arguments]
     if keywords:
-        if "$*" not in found.own or not all(keyword.arg for keyword in keywords):
+        if "$*" not in found.own or not all(keyword.keyword for keyword in keywords):
             return ""
-        texts += [f"{ARGUMENTS.get(word.arg or '', word.arg or '')}={own(context, word.value)}" for word in keywords]
+        names = [keyword_name(keyword) for keyword in keywords]
+        given = [own(context, keyword.value) for keyword in keywords]
+        texts += [f"{ARGUMENTS.get(name, name)}={text}" for name, text in zip(names, given, strict=True)]
     # In a formula an argument that calculates would need parentheses of its own.
     if '"' in found.own and not all(_is_operand(one, "math_hex" in found.own) for one in arguments):
         return ""
@@ -83,12 +69,12 @@ def own_code(
     return written if written and fits(written) else ""
 
 
-def _is_operand(node: ast.expr, is_hex: bool) -> bool:
+def _is_operand(node: Node, is_hex: bool) -> bool:
     """True for a number or an address that a formula of this kind takes."""
-    if isinstance(node, ast.Constant):
-        return type(node.value) in (int, float) and not is_hex
-    holder = node.value if isinstance(node, ast.Attribute | ast.Subscript) else None
-    bank = BANK_NAMES.get(holder.id) if isinstance(holder, ast.Name) else None
+    if isinstance(node, cst.Integer | cst.Float):
+        return not is_hex
+    holder = node.value if isinstance(node, cst.Attribute | cst.Subscript) else None
+    bank = BANK_NAMES.get(name_of(holder))
     wanted = ("DH",) if is_hex else ("DS", "DD", "DF", "TD", "CTD", "SD")
     return bank is not None and bank.name in wanted
 
@@ -97,9 +83,9 @@ def trade_advice(
     context: Context,
     name: str,
     table: dict[str, Advice],
-    arguments: Sequence[ast.expr],
+    arguments: Sequence[Node],
     fits: Fits,
-    keywords: Sequence[ast.keyword] = (),
+    keywords: Sequence[cst.Arg] = (),
 ) -> str:
     """``own_advice`` for a word; "" for one that is not in the table."""
     return own_advice(context, advice(name, table), arguments, fits, keywords)
@@ -174,27 +160,26 @@ def bit_of_word(word: str, bank: Bank, index: int | None) -> str:
     return f"copy the bits out in a rung before, {unpacked}, and bit {number} is c[{1001 + number}]"
 
 
-def bank_of(node: ast.expr) -> Bank | None:
+def bank_of(node: Located) -> Bank | None:
     """The bank of an address, be it a name, a number or a range; None for anything else."""
     inner = node
-    while isinstance(inner, ast.Attribute | ast.Subscript):
+    while isinstance(inner, cst.Attribute | cst.Subscript):
         inner = inner.value
-    is_address = isinstance(node, ast.Attribute | ast.Subscript) and isinstance(inner, ast.Name)
-    return BANK_NAMES.get(inner.id) if is_address and isinstance(inner, ast.Name) else None
+    return None if inner is node else BANK_NAMES.get(name_of(inner))
 
 
-def has_bits(node: ast.expr) -> bool:
+def has_bits(node: Node) -> bool:
     """True for an expression with a bit in it, of which no formula takes any."""
-    banks = (bank_of(part) for part in ast.walk(node) if isinstance(part, ast.Attribute | ast.Subscript))
+    banks = (bank_of(part) for part in every(node) if part.__class__ in ADDRESSES)
     return any(bank is not None and bank.is_bit for bank in banks)
 
 
 # -- members ----------------------------------------------------------------------------------------------------------
 
 
-def member_hint(context: Context, node: ast.Attribute, bank: Bank, rest: str) -> tuple[str, Fix | None]:
+def member_hint(context: Context, node: cst.Attribute, bank: Bank, rest: str) -> tuple[str, Fix | None]:
     """The way out for ``t.A.done`` and the like; ``rest`` is what stands behind the bank: ``.A``."""
-    base, kind = f"{bank.dsl}{rest}", MEMBERS.get(node.attr.lower(), "")
+    base, kind = f"{bank.dsl}{rest}", MEMBERS.get(word(node.attr).lower(), "")
     value = VALUE_BANK.get(bank.name, "").lower()
     fix: Fix | None = None
     if not kind:
@@ -218,7 +203,7 @@ def member_hint(context: Context, node: ast.Attribute, bank: Bank, rest: str) ->
         return reset_hint(bank.name, base), None
     else:
         return "", None
-    if value and node.attr.lower() in _SURE_MEMBERS:
+    if value and word(node.attr).lower() in _SURE_MEMBERS:
         fix = replaced(context, node, text, is_safe=True)
     return f"write {text}", fix
 

@@ -2,14 +2,30 @@
 
 from __future__ import annotations
 
-import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+import libcst as cst
+
 from clickgen.device.banks import BANKS
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import (
+    ADDRESSES,
+    Node,
+    called,
+    comparison,
+    elements,
+    index_of,
+    is_literal,
+    literal,
+    name_of,
+    text_value,
+    values,
+    whole_number,
+    word,
+)
 from clickgen.dialects.if_rungs.read.operands import address_hint
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, advice
 from clickgen.dialects.if_rungs.ways_out.hints import Fits, bank_of, has_bits, own, own_advice, replaced, trade_advice
@@ -21,66 +37,67 @@ _FUNCTIONS = ("all", "any", "nc", "re", "fe")
 _ALWAYS = frozenset(("true", "on", "always"))
 _NEVER = frozenset(("false", "off", "never"))
 _SIGNS = {"==": True, "!=": False, "is": True, "is not": False}
-_COMPARED: dict[type[ast.cmpop], str] = {
-    ast.Eq: "==",
-    ast.NotEq: "!=",
-    ast.Is: "is",
-    ast.IsNot: "is not",
-    ast.Lt: "<",
-    ast.LtE: "<=",
-    ast.Gt: ">",
-    ast.GtE: ">=",
+_COMPARED: dict[type[Node], str] = {
+    cst.Equal: "==",
+    cst.NotEqual: "!=",
+    cst.Is: "is",
+    cst.IsNot: "is not",
+    cst.LessThan: "<",
+    cst.LessThanEqual: "<=",
+    cst.GreaterThan: ">",
+    cst.GreaterThanEqual: ">=",
 }
 _RANGE_MAX = 8
 """Of a longer range a message does not name each address."""
 
 
-def way_out(context: Context, node: ast.expr, fits: Fits) -> tuple[str, Fix | None]:
+def way_out(context: Context, node: Node, fits: Fits) -> tuple[str, Fix | None]:
     """The way out for an expression that is no condition, and a fix where the meaning is certain."""
     if context.is_trial:
         return "", None
-    if isinstance(node, ast.Call):
+    if isinstance(node, cst.Call):
         return _called(context, node, fits)
-    word = node.id.lower() if isinstance(node, ast.Name) else ""
-    if isinstance(node, ast.Constant) and node.value in (0, 1, False):
-        word = "true" if node.value == 1 else "false"
-    if word in _ALWAYS or word in _NEVER:
-        return CONDITIONS["always" if word in _ALWAYS else "never"].shown, None
-    if isinstance(node, ast.Tuple | ast.List):
-        texts = [own(context, element) for element in node.elts]
+    name, value = name_of(node), literal(node)
+    meant = name.lower()
+    if value in (0, 1, False):
+        meant = "true" if value == 1 else "false"
+    if meant in _ALWAYS or meant in _NEVER:
+        return CONDITIONS["always" if meant in _ALWAYS else "never"].shown, None
+    if isinstance(node, cst.Tuple | cst.List):
+        texts = [own(context, element) for element in elements(node)]
         series, parallel = (f"{function}({', '.join(texts)})" for function in ("all", "any"))
         return (
             (f"in series write {series}, in parallel {parallel}", None) if all(texts) and fits(series) else ("", None)
         )
-    if isinstance(node, ast.Lambda):
+    if isinstance(node, cst.Lambda):
         text = own(context, node.body)
         return (f"lambda: is for the inputs of a box; write {text} alone" if fits(text) else ""), None
-    if isinstance(node, ast.BinOp):
-        if isinstance(node.op, ast.BitXor):
+    if isinstance(node, cst.BinaryOperation):
+        if isinstance(node.operator, cst.BitXor):
             return own_advice(context, CONDITIONS["xor"], (node.left, node.right), fits), None
         return _calculation(context, node, fits)
-    known = advice(node.id, CONDITIONS) if isinstance(node, ast.Name) else None
+    known = advice(name, CONDITIONS) if name else None
     if known is not None:
         return known.shown, None
-    if isinstance(node, ast.Name) and not address_hint(node):
-        return f"a nickname follows its bank: x.{node.id}, y.{node.id} or c.{node.id}", None
+    if name and not address_hint(node):
+        return f"a nickname follows its bank: x.{name}, y.{name} or c.{name}", None
     return address_hint(node), None
 
 
-def _called(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | None]:
-    if isinstance(node.func, ast.Attribute | ast.Subscript):
-        text = own(context, node.func)
-        if not node.args and text and fits(text):
+def _called(context: Context, node: cst.Call, fits: Fits) -> tuple[str, Fix | None]:
+    func, given = node.func, values(node)
+    if isinstance(func, cst.Attribute | cst.Subscript):
+        text = own(context, func)
+        if not given and text and fits(text):
             return f"an address is not called: write {text}", None
-        if isinstance(node.func, ast.Attribute):
-            holder = node.func.value
-            return trade_advice(context, node.func.attr, CONDITIONS, (holder, *node.args), fits), None
+        if isinstance(func, cst.Attribute):
+            return trade_advice(context, word(func.attr), CONDITIONS, (func.value, *given), fits), None
         return "", None
-    name = node.func.id if isinstance(node.func, ast.Name) else ""
+    name = called(node)
     lower = name.lower()
     if lower in _FUNCTIONS:
-        return f"it is written in small letters: {lower}(...)", replaced(context, node.func, lower, is_safe=True)
-    told = trade_advice(context, name, CONDITIONS, node.args, fits)
+        return f"it is written in small letters: {lower}(...)", replaced(context, func, lower, is_safe=True)
+    told = trade_advice(context, name, CONDITIONS, given, fits)
     if told:
         return told, None
     if lower in INSTRUCTIONS or lower in ACTIONS:
@@ -91,11 +108,11 @@ def _called(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | No
     return address_hint(node) or did_you_mean(name, _FUNCTIONS), None
 
 
-def _calculation(context: Context, node: ast.BinOp, fits: Fits) -> tuple[str, Fix | None]:
+def _calculation(context: Context, node: cst.BinaryOperation, fits: Fits) -> tuple[str, Fix | None]:
     """A sum in the place of a condition: most often a name with a sign in it."""
-    left = node.left
-    if isinstance(node.op, ast.Sub) and isinstance(left, ast.Attribute) and isinstance(node.right, ast.Name):
-        return f"CLICK takes no - in a nickname: write {own(context, left)}_{node.right.id}", None
+    left, right = node.left, name_of(node.right)
+    if isinstance(node.operator, cst.Subtract) and isinstance(left, cst.Attribute) and right:
+        return f"CLICK takes no - in a nickname: write {own(context, left)}_{right}", None
     if has_bits(node):
         return _algebra(context, node, fits), None
     text = own(context, node)
@@ -105,22 +122,25 @@ def _calculation(context: Context, node: ast.BinOp, fits: Fits) -> tuple[str, Fi
     return f"calculate it in a rung before, calc({quote}{text}{quote}, ds.Result), and test ds.Result != 0", None
 
 
-def _algebra(context: Context, node: ast.BinOp, fits: Fits) -> str:
+def _algebra(context: Context, node: cst.BinaryOperation, fits: Fits) -> str:
     """``c.A + c.B`` and ``c.A * c.B``, as boolean algebra writes or and and."""
-    function = {ast.Add: "any", ast.Mult: "all"}.get(type(node.op))
+    function = _ALGEBRA.get(node.operator.__class__)
     text = f"{function}({own(context, node.left)}, {own(context, node.right)})"
     return f"bits do not calculate; write {text}" if function and fits(text) else ""
+
+
+_ALGEBRA: dict[type[Node], str] = {cst.Add: "any", cst.Multiply: "all"}
 
 
 # -- comparisons ------------------------------------------------------------------------------------------------------
 
 
-def unchained(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, Fix | None]:
+def unchained(context: Context, node: cst.Comparison, fits: Fits) -> tuple[str, Fix | None]:
     """``0 < ds[1] < 10`` as ``all(0 < ds[1], ds[1] < 10)``, and the edits that write it; every comment stays."""
     if context.is_trial:
         return "", None
-    signs = [_COMPARED.get(type(op), "") for op in node.ops]
-    operands = [node.left, *node.comparators]
+    operators, operands = comparison(node)
+    signs = [_COMPARED.get(operator.__class__, "") for operator in operators]
     texts = [own(context, operand) for operand in operands]
     general = "write each comparison by itself: all(1 < ds.A, ds.A < 5)"
     if not all(texts) or any(sign not in ("==", "!=", "<", "<=", ">", ">=") for sign in signs):
@@ -140,7 +160,7 @@ def unchained(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, Fix
     return f"write {text}", Fix(tuple(edits))
 
 
-def _between(context: Context, operands: list[ast.expr]) -> str:
+def _between(context: Context, operands: Sequence[Node]) -> str:
     """What stands between the operands of a comparison, comments left out: its signs, and parentheses."""
     gaps: list[str] = []
     spans = [context.span(operand) for operand in operands]
@@ -158,18 +178,19 @@ class ComparedBit(NamedTuple):
 
     help: str
     fix: Fix | None = None
-    turned: ast.expr | None = None
+    turned: Node | None = None
 
 
-def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> ComparedBit | None:
+def compared_bit(context: Context, node: cst.Comparison, fits: Fits) -> ComparedBit | None:
     """The way out for a bit that is compared: with True, 0, "ON", another bit; None where no bit is."""
-    left, right, sign = node.left, node.comparators[0], _COMPARED.get(type(node.ops[0]), "")
+    target = node.comparisons[0]
+    left, right, sign = node.left, target.comparator, _COMPARED.get(target.operator.__class__, "")
     if bank_of(right) is not None and _is_bit(right) and not _is_bit(left):
         left, right = right, left
-    text, bank = own(context, left), bank_of(left)
-    is_terminal = isinstance(left, ast.Attribute) and left.attr == "immediate" and _is_bit(left.value)
-    if bank is not None and not bank.is_bit and isinstance(right, ast.Constant) and isinstance(right.value, bool):
-        return ComparedBit(f"write {text} {'!=' if right.value is _SIGNS.get(sign, True) else '=='} 0")
+    text, bank, state = own(context, left), bank_of(left), literal(right)
+    is_terminal = isinstance(left, cst.Attribute) and word(left.attr) == "immediate" and _is_bit(left.value)
+    if bank is not None and not bank.is_bit and isinstance(state, bool):
+        return ComparedBit(f"write {text} {'!=' if state is _SIGNS.get(sign, True) else '=='} 0")
     if bank is None or not (_is_bit(left) or (is_terminal and _truth(right) is not None)) or not fits(text):
         return None
     if _is_bit(right):
@@ -192,7 +213,7 @@ def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> ComparedBit
                 return ComparedBit(f"{text} is the bit; its current value is compared with {written}")
         return ComparedBit(bit_help(text))
     wanted = text if value is _SIGNS[sign] else f"nc({text})"
-    is_sure = isinstance(left, ast.Subscript) and isinstance(left.slice, ast.Constant) and type(left.slice.value) is int
+    is_sure = isinstance(left, cst.Subscript) and whole_number(index_of(left)) is not None
     fix = replaced(context, node, wanted, is_safe=is_sure) if fits(wanted) else None
     return ComparedBit(f"write {wanted}", fix, None if wanted == text else left)
 
@@ -201,47 +222,48 @@ def bit_help(text: str) -> str:
     return f"write {text or 'c.A'} where it is to be on, nc({text or 'c.A'}) where it is to be off"
 
 
-def _truth(node: ast.expr) -> bool | None:
+def _truth(node: Node) -> bool | None:
     """What a value means for a bit: True, 1, on; None for anything else."""
-    if isinstance(node, ast.Constant) and node.value in (0, 1) and not isinstance(node.value, float):
-        return bool(node.value)
-    word = node.id if isinstance(node, ast.Name) else node.value if isinstance(node, ast.Constant) else None
-    lower = word.lower() if isinstance(word, str) else ""
+    value = literal(node)
+    if isinstance(value, int) and value in (0, 1):
+        return bool(value)
+    lower = value.lower() if isinstance(value, str) else name_of(node).lower()
     return True if lower in _ALWAYS else False if lower in _NEVER else None
 
 
-def _is_bit(node: ast.expr) -> bool:
+def _is_bit(node: Node) -> bool:
     """True for a single bit by its name or number."""
-    if isinstance(node, ast.Subscript) and not isinstance(node.slice, ast.Constant):
+    if isinstance(node, cst.Subscript) and not is_literal(index_of(node)):
         return False
-    bank = bank_of(node) if isinstance(node, ast.Attribute | ast.Subscript) else None
-    return bank is not None and bank.is_bit and isinstance(getattr(node, "value", None), ast.Name)
+    bank = bank_of(node) if node.__class__ in ADDRESSES else None
+    return bank is not None and bank.is_bit and bool(name_of(getattr(node, "value", None)))
 
 
-def listed_values(context: Context, node: ast.Compare, fits: Fits) -> str:
+def listed_values(context: Context, node: cst.Comparison, fits: Fits) -> str:
     """``ds.A in (1, 2)`` as ``any(ds.A == 1, ds.A == 2)``; "" for any other comparison."""
-    op, values = node.ops[0], node.comparators[0]
-    if isinstance(op, ast.Is | ast.IsNot):
-        sign = "==" if isinstance(op, ast.Is) else "!="
-        text = f"{own(context, node.left)} {sign} {own(context, values)}"
-        return f"write {text}" if fits(text) else ""
-    if not isinstance(op, ast.In | ast.NotIn) or not isinstance(values, ast.Tuple | ast.List | ast.Set):
-        return ""
-    sign, function = ("==", "any") if isinstance(op, ast.In) else ("!=", "all")
+    operator, listed = node.comparisons[0].operator, node.comparisons[0].comparator
     left = own(context, node.left)
-    text = f"{function}({', '.join(f'{left} {sign} {own(context, value)}' for value in values.elts)})"
+    if isinstance(operator, cst.Is | cst.IsNot):
+        sign = "==" if isinstance(operator, cst.Is) else "!="
+        text = f"{left} {sign} {own(context, listed)}"
+        return f"write {text}" if fits(text) else ""
+    if not isinstance(operator, cst.In | cst.NotIn) or not isinstance(listed, cst.Tuple | cst.List | cst.Set):
+        return ""
+    sign, function = ("==", "any") if isinstance(operator, cst.In) else ("!=", "all")
+    text = f"{function}({', '.join(f'{left} {sign} {own(context, value)}' for value in elements(listed))})"
     return f"write {text}" if len(text) < 200 and fits(text) else ""
 
 
-def compared_range(context: Context, node: ast.Compare, side: Operand, fits: Fits) -> str:
+def compared_range(context: Context, node: cst.Comparison, side: Operand, fits: Fits) -> str:
     """The way out for a range that is compared: a search for a text, each register by itself for numbers."""
     if isinstance(side, Immediate) or not isinstance(side, Range):
         return ""
-    left, right, sign = node.left, node.comparators[0], _COMPARED.get(type(node.ops[0]), "")
+    target = node.comparisons[0]
+    left, right, sign = node.left, target.comparator, _COMPARED.get(target.operator.__class__, "")
     value = right if context.span(left) == side.span else left
     ranged = left if value is right else right
     text, shown = own(context, value), own(context, ranged)
-    if side.bank == "TXT" and isinstance(value, ast.Constant) and isinstance(value.value, str) and sign in ("==", "!="):
+    if side.bank == "TXT" and text_value(value) is not None and sign in ("==", "!="):
         found = "c.Found" if sign == "==" else "nc(c.Found)"
         return (
             f"a search compares a text: search({shown} == {text}, result=ds.FoundAt, found=c.Found) in a rung before, "

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import keyword
 import re
 from collections.abc import Callable
@@ -10,16 +9,17 @@ from fractions import Fraction
 from itertools import accumulate
 from typing import NamedTuple
 
+import libcst as cst
+
 from clickgen.dialects.if_rungs.read.calls import fits_action
 from clickgen.dialects.if_rungs.read.conditions import as_condition, condition_fault
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import elements
 from clickgen.dialects.if_rungs.trade import ACTIONS, UNITS, advice, bank_hint
-from clickgen.dialects.if_rungs.ways_out.hints import BANK_NAMES, bit_of_word, expression_of, statement_of
+from clickgen.dialects.if_rungs.ways_out.hints import BANK_NAMES, bit_of_word
 from clickgen.dialects.if_rungs.ways_out.misplaced import way_out
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.durations import in_units
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.text.source import SourceFile
 
 _LINE_MAX = 2000
 """A longer line is left to Python's own message."""
@@ -55,10 +55,10 @@ _HEAD = re.compile(r"\s*(?:if|elif|while)\b\s*", re.IGNORECASE)
 def _condition(line: Line, text: str) -> str:
     """``write if all(...):`` for the text of an if without its slip; what is wrong with it then, or ""."""
     expression = text.strip().rstrip(":;").strip()
-    node = expression_of(expression)
+    context = line.context.of_text(expression, is_trial=False)
+    node = context.expression()
     if node is None:
         return ""
-    context = Context(SourceFile(line.context.source.path, expression), Diagnostics())
     written = as_condition(context, node)
     if written:
         return f"write if {written}:"
@@ -190,15 +190,14 @@ def no_colon(line: Line, match: re.Match[str]) -> Told | None:
 
 def comma(line: Line, match: re.Match[str]) -> Told | None:
     """``if c.A, c.B:``"""
-    node = expression_of(_after_head(line.text).strip().rstrip(":"))
-    if node is None:
-        return None
-    if not isinstance(node, ast.Tuple):
+    context = line.context.of_text(_after_head(line.text).strip().rstrip(":"))
+    node = context.expression()
+    if not isinstance(node, cst.Tuple):
         return None
     decimal = re.search(r"\b(\d+),(\d+)\b", line.code)
     if decimal:
         return Told("decimals are written with a point", f"write {decimal[1]}.{decimal[2]}", decimal.span())
-    text = f"all({', '.join(ast.unparse(one) for one in node.elts)})"
+    text = f"all({', '.join(context.text(one) for one in elements(node))})"
     help = _condition(line, text) or "in series write all(c.A, c.B), in parallel any(c.A, c.B)"
     return Told("a comma joins no conditions", help, match.span("sign"))
 
@@ -300,10 +299,11 @@ def assigned(line: Line, match: re.Match[str]) -> Told | None:
     if _HEAD.match(line.text):
         return _equals_sign(line, match)
     text = f"{line.text[: match.start()].strip()} = {line.text[match.end() :].strip().rstrip(';')}"
-    node = statement_of(text)
+    context = line.context.of_text(text, is_trial=False)
+    node = context.statement()
     if node is None:
         return Told(":= is not part of the language", "to store a value write copy(5, ds.A)", match.span())
-    help = way_out(Context(SourceFile(line.context.source.path, text), Diagnostics()), node).help
+    help = way_out(context, node).help
     return Told(":= is not part of the language", help, match.span(), ((*match.span(), "="),))
 
 
