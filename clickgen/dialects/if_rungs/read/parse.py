@@ -87,6 +87,15 @@ def parse_tree(source: SourceFile, problems: Diagnostics) -> ast.Module | None:
     return None if _report_huge(source, tree, problems) else tree
 
 
+def sound_tree(source: SourceFile) -> ast.Module | None:
+    """Python's tree of a file that libcst may read; None for any other."""
+    try:
+        tree = _parsed(source.text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None
+    return tree if _too_deep(tree, source.lines) is None else None
+
+
 def soundness(source: SourceFile) -> Callable[[ast.Module], bool]:
     """Tells of a part of the file whether every walk can go down its tree, and every number in it can be shown."""
     may_be_endless = _LONG_NUMBER.search(source.text) is not None

@@ -25,8 +25,8 @@ class Places:
 
     def __init__(self) -> None:
         self._table: dict[int, tuple[int, int]] = {}
-        self._roots: Sequence[Node] = ()
-        """Kept, so that no other node can have the identity of one of theirs."""
+        self.roots: Sequence[Node] = ()
+        """The statements of these nodes. Kept, so that no other node can have the identity of one of theirs."""
         self._indents: list[str] = []
         self._default_indent = ""
 
@@ -36,7 +36,7 @@ class Places:
         ``indent`` is the indentation of their block, ``default_indent`` that of blocks for which libcst notes none.
         """
         self._table = {}
-        self._roots = nodes
+        self.roots = nodes
         self._indents = [indent] if indent else []
         self._default_indent = default_indent
         for node in nodes:
@@ -62,12 +62,12 @@ class Places:
             self._table[id(node)] = at, end
             return end
         for opening in node.lpar:
-            start, at = at, at + 1 + self.blank(opening.whitespace_after)
+            start, at = at, self.blank(opening.whitespace_after, at + 1)
             self._table[id(opening)] = start, at
         end = inner(self, node, at)
         self._table[id(node)] = at, end
         for closing in node.rpar:
-            start, end = end, end + 1 + self.blank(closing.whitespace_before)
+            start, end = end, self.blank(closing.whitespace_before, end) + 1
             self._table[id(closing)] = start, end
         return end
 
@@ -76,12 +76,13 @@ class Places:
         inner = _OTHERS.get(node.__class__)
         return self.written_out(node, at) if inner is None else inner(self, node, at)
 
-    def blank(self, node: Node) -> int:
-        """The length of what is between two tokens: blanks, line breaks, comments."""
-        if node.__class__ is cst.SimpleWhitespace:
-            assert isinstance(node, cst.SimpleWhitespace)
-            return len(node.value)
-        return self.written_out(node, 0)
+    def blank(self, node: Node, at: int) -> int:
+        """Pass what is between two tokens, blanks, line breaks and comments; returns where it ends."""
+        return at + len(node.value) if isinstance(node, cst.SimpleWhitespace) else self.written_out(node, at)
+
+    def around(self, node: Any, at: int) -> int:
+        """Pass a token of one character with blanks before and behind it: a dot, a comma, a colon."""
+        return self.blank(node.whitespace_after, self.blank(node.whitespace_before, at) + 1)
 
     @property
     def indent_width(self) -> int:
@@ -145,15 +146,14 @@ def _token(_: Places, node: cst.Name | cst.Integer | cst.Float | cst.SimpleStrin
 
 
 def _attribute(places: Places, node: cst.Attribute, at: int) -> int:
-    dot, attr = node.dot, node.attr
-    at = places.expression(node.value, at)
-    at += places.blank(dot.whitespace_before) + 1 + places.blank(dot.whitespace_after)
+    attr = node.attr
+    at = places.around(node.dot, places.expression(node.value, at))
     return places.note(attr, at, at + len(attr.value))
 
 
 def _subscript(places: Places, node: cst.Subscript, at: int) -> int:
-    at = places.expression(node.value, at) + places.blank(node.whitespace_after_value)
-    at += 1 + places.blank(node.lbracket.whitespace_after)
+    at = places.blank(node.whitespace_after_value, places.expression(node.value, at))
+    at = places.blank(node.lbracket.whitespace_after, at + 1)
     start = end = at
     for element in node.slice:
         inner, comma = element.slice, element.comma
@@ -163,33 +163,29 @@ def _subscript(places: Places, node: cst.Subscript, at: int) -> int:
             end = places.other(inner, at)
         at = places.note(element, at, end)
         if isinstance(comma, cst.Comma):
-            end = at + places.blank(comma.whitespace_before) + 1
-            at = end + places.blank(comma.whitespace_after)
+            end = places.blank(comma.whitespace_before, at) + 1
+            at = places.blank(comma.whitespace_after, end)
     places.note(node.slice, start, end)
-    return at + places.blank(node.rbracket.whitespace_before) + 1
+    return places.blank(node.rbracket.whitespace_before, at) + 1
 
 
 def _call(places: Places, node: cst.Call, at: int) -> int:
-    at = places.expression(node.func, at) + places.blank(node.whitespace_after_func)
-    at += 1 + places.blank(node.whitespace_before_args)
+    at = places.blank(node.whitespace_after_func, places.expression(node.func, at))
+    at = places.blank(node.whitespace_before_args, at + 1)
     for arg in node.args:
         start = at
         keyword, equal, comma = arg.keyword, arg.equal, arg.comma
         if arg.star:
-            at += len(arg.star) + places.blank(arg.whitespace_after_star)
+            at = places.blank(arg.whitespace_after_star, at + len(arg.star))
         if keyword is not None:
             at = places.note(keyword, at, at + len(keyword.value))
         if isinstance(equal, cst.AssignEqual):
-            at += places.blank(equal.whitespace_before) + 1 + places.blank(equal.whitespace_after)
+            at = places.around(equal, at)
         at = places.note(arg, start, places.expression(arg.value, at))
         if comma.__class__ is cst.Comma:
-            at = _comma(places, comma, at)
-        at += places.blank(arg.whitespace_after_arg)
+            at = places.around(comma, at)
+        at = places.blank(arg.whitespace_after_arg, at)
     return at + 1
-
-
-def _comma(places: Places, node: Any, at: int) -> int:
-    return at + places.blank(node.whitespace_before) + 1 + places.blank(node.whitespace_after)
 
 
 def _elements(places: Places, elements: Sequence[cst.BaseElement], at: int) -> int:
@@ -199,7 +195,7 @@ def _elements(places: Places, elements: Sequence[cst.BaseElement], at: int) -> i
             continue
         at = places.note(element, at, places.expression(element.value, at))
         if element.comma.__class__ is cst.Comma:
-            at = _comma(places, element.comma, at)
+            at = places.around(element.comma, at)
     return at
 
 
@@ -208,8 +204,8 @@ def _tuple(places: Places, node: cst.Tuple, at: int) -> int:
 
 
 def _list(places: Places, node: cst.List, at: int) -> int:
-    at = _elements(places, node.elements, at + 1 + places.blank(node.lbracket.whitespace_after))
-    return at + places.blank(node.rbracket.whitespace_before) + 1
+    at = _elements(places, node.elements, places.blank(node.lbracket.whitespace_after, at + 1))
+    return places.blank(node.rbracket.whitespace_before, at) + 1
 
 
 def _operator(places: Places, node: Any, at: int) -> int:
@@ -217,8 +213,8 @@ def _operator(places: Places, node: Any, at: int) -> int:
     token = _TOKENS.get(node.__class__)
     if token is None:
         return places.written_out(node, at)
-    start = at + places.blank(node.whitespace_before)
-    return places.note(node, start, start + token) + places.blank(node.whitespace_after)
+    start = places.blank(node.whitespace_before, at)
+    return places.blank(node.whitespace_after, places.note(node, start, start + token))
 
 
 _TOKENS: dict[type[Node], int] = {
@@ -257,17 +253,15 @@ def _boolean(places: Places, node: cst.BooleanOperation, at: int) -> int:
 def _unary(places: Places, node: cst.UnaryOperation, at: int) -> int:
     operator = node.operator
     width = 3 if operator.__class__ is cst.Not else 1
-    return places.expression(node.expression, at + width + places.blank(operator.whitespace_after))
+    return places.expression(node.expression, places.blank(operator.whitespace_after, at + width))
 
 
 def _lambda(places: Places, node: cst.Lambda, at: int) -> int:
     at += 6
     if isinstance(node.whitespace_after_lambda, cst.BaseParenthesizableWhitespace):
-        at += places.blank(node.whitespace_after_lambda)
+        at = places.blank(node.whitespace_after_lambda, at)
     at = places.written_out(node.params, at) if has_parameters(node.params) else places.note(node.params, at, at)
-    colon = node.colon
-    at += places.blank(colon.whitespace_before) + 1 + places.blank(colon.whitespace_after)
-    return places.expression(node.body, at)
+    return places.expression(node.body, places.around(node.colon, at))
 
 
 def has_parameters(node: cst.Parameters) -> bool:
@@ -287,7 +281,7 @@ def _strings(places: Places, node: cst.ConcatenatedString, at: int) -> int:
     last: cst.BaseExpression = node
     while isinstance(last, cst.ConcatenatedString) and not (above and last.lpar):
         above.append((last, at))
-        at = places.expression(last.left, at) + places.blank(last.whitespace_between)
+        at = places.blank(last.whitespace_between, places.expression(last.left, at))
         last = last.right
     end = places.expression(last, at)
     for one, start in above:
@@ -348,7 +342,7 @@ def _smalls(places: Places, nodes: Sequence[cst.BaseSmallStatement], at: int) ->
             at = places.written_out(node, at)
             continue
         if isinstance(node.semicolon, cst.Semicolon):
-            at += places.blank(node.semicolon.whitespace_before) + 1 + places.blank(node.semicolon.whitespace_after)
+            at = places.around(node.semicolon, at)
     return at
 
 
@@ -373,8 +367,8 @@ def _block(places: Places, node: cst.IndentedBlock, at: int) -> int:
 def _if(places: Places, node: cst.If, at: int, word: int = 2) -> int:
     """An ``if``, or an ``elif`` with a word of four letters."""
     at = start = _lines(places, node.leading_lines, at) + places.indent_width
-    at = places.expression(node.test, at + word + places.blank(node.whitespace_before_test))
-    at = places.other(node.body, at + places.blank(node.whitespace_after_test) + 1)
+    at = places.expression(node.test, places.blank(node.whitespace_before_test, at + word))
+    at = places.other(node.body, places.blank(node.whitespace_after_test, at) + 1)
     last: Node = node.body
     if node.orelse is not None:
         last = node.orelse
@@ -385,7 +379,7 @@ def _if(places: Places, node: cst.If, at: int, word: int = 2) -> int:
 
 def _else(places: Places, node: cst.Else, at: int) -> int:
     at = start = _lines(places, node.leading_lines, at) + places.indent_width
-    at = places.other(node.body, at + 4 + places.blank(node.whitespace_before_colon) + 1)
+    at = places.other(node.body, places.blank(node.whitespace_before_colon, at + 4) + 1)
     places.note(node, start, places.of(node.body)[1])
     return at
 

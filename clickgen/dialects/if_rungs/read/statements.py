@@ -8,7 +8,9 @@ twice the time, and a hundred times the memory of the text.
 from __future__ import annotations
 
 import ast
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from itertools import chain
 from typing import NamedTuple
 
@@ -16,7 +18,7 @@ import libcst as cst
 
 from clickgen.dialects.if_rungs.read import nodes, pieces
 from clickgen.dialects.if_rungs.read.nodes import Node
-from clickgen.dialects.if_rungs.read.parse import is_statement, soundness
+from clickgen.dialects.if_rungs.read.parse import is_statement, sound_tree, soundness
 from clickgen.dialects.if_rungs.read.pieces import RoutineNode
 from clickgen.dialects.if_rungs.read.places import Places
 from clickgen.text.source import SourceFile, Span
@@ -48,47 +50,126 @@ def read_statements(source: SourceFile, tree: ast.Module, places: Places) -> Ite
 
     Raises Refused.
     """
-    return _Reader(source, places).statements(pieces.statements_of(tree))
+    return Reader(source, places).statements(pieces.statements_of(tree))
 
 
 def read_in_pieces(source: SourceFile, places: Places) -> Iterator[Statement]:
     """The statements of a long file; raises Refused, and ``pieces.Broken`` where a piece cannot be read by itself."""
-    return _Reader(source, places).statements(pieces.statements_in_pieces(source, soundness(source)))
+    return Reader(source, places).statements(pieces.statements_in_pieces(source, soundness(source)))
 
 
-class _Lines(NamedTuple):
-    """The lines of a statement, or of several that share a line: from the end of what comes before it."""
+class Part(NamedTuple):
+    """Lines that libcst reads at once: a statement, or several that share a line, from the end of what comes before.
+
+    For a routine it is the head; its body has parts of its own.
+    """
 
     start: int
-    first: int
+    """The line before the first, from 1."""
     last: int
-    """``start`` and ``first`` count from 0, and ``last`` from 1: it is the first of the next."""
+    ending: str = ""
+    """Put below: ``pass``, for a head without its body."""
+    indent: str = ""
+    """The indentation of the block that it is in; "" at the top level."""
     before: str = ""
-    """The indentation of the last block of the statement before this one; "" for none."""
+    """The indentation of the last block of the statement before it; "" for none."""
+    has_block: bool = False
+    """True for a statement of the top level with a block in it."""
 
 
-class _Reader:
+class Reader:
+    """The statements of a file. ``places`` has the places of the one that came last."""
+
     def __init__(self, source: SourceFile, places: Places) -> None:
         self._source = source
         self._lines = source.lines
         self._places = places
         self._end = 0
-        """The last line that was read, from 1."""
+        """The last line of the parts that were found."""
 
     def statements(self, found: Iterable[pieces.Statement]) -> Iterator[Statement]:
         """The statements of the top level."""
+        for part, body in self._parts(found):
+            for node in self.read(part):
+                inner = chain.from_iterable(map(self.read, body))
+                if part.ending == "" and isinstance(node, cst.FunctionDef):
+                    inner = chain(nodes.statements(node.body))
+                yield Statement(node, inner)
+
+    def parts(self, found: Iterable[pieces.Statement]) -> Iterator[Part]:
+        """All parts of a file; the last has what is below its last statement."""
+        for part, body in self._parts(found):
+            yield part
+            yield from body
+        yield Part(self._end, len(self._lines), "pass\n")
+
+    def read(self, part: Part) -> list[nodes.Statement]:
+        """The statements of a part, whose places are noted. Raises Refused."""
+        starts = self._source.starts
+        text = "\n".join([*self._lines[part.start : part.last], part.ending])
+        if not part.indent:
+            tree = self._parsed(text, part)
+            default_indent = part.ending.removesuffix("pass\n")
+            if part.has_block:
+                default_indent = cst.parse_module(text).default_indent
+            self._note([tree], part, starts[part.start], "", default_indent)
+            return nodes.in_lines([tree])
+        above = ""
+        if part.before and self._has_inner_comment(part):
+            # A comment may belong to the block of the statement before: that one is needed, in a word.
+            above = f"{part.indent}if 1:\n{part.before}pass\n"
+        block = self._parsed(f"{_BLOCK}{above}{text}", part)
+        assert isinstance(block, cst.If)
+        assert isinstance(block.body, cst.IndentedBlock)
+        lines = block.body.body
+        self._note(lines, part, starts[part.start] - len(above), part.indent, part.indent)
+        return nodes.in_lines(lines[1:] if above else lines)
+
+    # -- parts --------------------------------------------------------------------------------------------------------
+
+    def _parts(self, found: Iterable[pieces.Statement]) -> Iterator[tuple[Part, Iterator[Part]]]:
+        """The parts of the top level, each with those of a routine's body, to be used up before the next one."""
         waiting: list[ast.stmt] = []
         """Those that may share a line with the next one."""
         for node, body in found:
             if waiting and not self._shares_line(node):
-                yield from map(Statement, self._top(waiting))
+                yield self._top(waiting), iter(())
                 waiting = []
             if isinstance(node, RoutineNode):
-                yield self._routine(node, body)
+                yield self._routine(node, iter(body))
             else:
                 waiting.append(node)
         if waiting:
-            yield from map(Statement, self._top(waiting))
+            yield self._top(waiting), iter(())
+
+    def _top(self, found: Sequence[ast.stmt]) -> Part:
+        start, self._end = self._end, self._last_line(found[-1])
+        return Part(start, self._end, has_block=not isinstance(found[0], _SIMPLE))
+
+    def _routine(self, node: RoutineNode, body: Iterator[ast.stmt]) -> tuple[Part, Iterator[Part]]:
+        first, start = next(body), self._end
+        if self._shares_line(first):
+            self._end = self._last_line(node)
+            return Part(start, self._end), iter(())
+        head = _first_line(first) - 1
+        indent = _indent_of(self._lines[head])
+        while head > node.lineno and self._is_blank(head):
+            head -= 1
+        self._end = head
+        return Part(start, head, f"{indent}pass\n"), self._body(indent, chain([first], body))
+
+    def _body(self, indent: str, found: Iterable[ast.stmt]) -> Iterator[Part]:
+        """The parts of a routine's body."""
+        before = inner = ""
+        last = 0
+        for node in found:
+            if last and not self._shares_line(node):
+                start, self._end = self._end, last
+                yield Part(start, last, "", indent, before)
+                before = inner
+            last, inner = self._last_line(node), self._inner_indent(node)
+        start, self._end = self._end, last
+        yield Part(start, last, "", indent, before)
 
     def _shares_line(self, node: ast.stmt) -> bool:
         """True for a statement that follows another one on its line."""
@@ -99,79 +180,10 @@ class _Reader:
             return True
         return node.lineno > 1 and _is_joined(self._lines[node.lineno - 2])
 
-    def _top(self, found: Sequence[ast.stmt]) -> list[nodes.Statement]:
-        """The trees of a statement of the top level, or of several that share a line."""
-        start = self._end
-        end = self._end = self._last_line(found[-1])
-        text = self._text(start, end)
-        tree = self._parsed(text, start)
-        default_indent = cst.parse_module(text).default_indent if _has_block(found[0]) else ""
-        self._placed([tree], self._source.starts[start], end, "", default_indent)
-        return nodes.in_lines([tree])
-
-    # -- routines -----------------------------------------------------------------------------------------------------
-
-    def _routine(self, node: RoutineNode, body: Iterable[ast.stmt]) -> Statement:
-        """A routine with its head alone in the tree; the statements of its body follow one by one."""
-        own = iter(body)
-        first, start = next(own), self._end
-        if self._shares_line(first):
-            end = self._end = self._last_line(node)
-            tree = self._parsed(self._text(start, end), start)
-            self._placed([tree], self._source.starts[start], end)
-            assert isinstance(tree, cst.FunctionDef)
-            return Statement(tree, nodes.statements(tree.body))
-        at = _first_line(first) - 1
-        indent = _indent_of(self._lines[at])
-        head = at
-        while head > node.lineno and self._is_blank(head - 1):
-            head -= 1
-        tree = self._parsed(f"{self._text(start, head)}{indent}pass\n", start)
-        assert isinstance(tree, cst.FunctionDef)
-        self._places.read([tree], self._source.starts[start], "", indent)
-        return Statement(tree, self._body(head, indent, chain([first], own)))
-
     def _is_blank(self, number: int) -> bool:
-        text = self._lines[number].strip()
+        """True for a line without code."""
+        text = self._lines[number - 1].strip()
         return not text or text.startswith("#")
-
-    def _body(self, start: int, indent: str, found: Iterable[ast.stmt]) -> Iterator[nodes.Statement]:
-        for lines in self._lines_of(start, found):
-            self._end = lines.last
-            yield from self._in_block(lines, indent)
-
-    def _lines_of(self, start: int, found: Iterable[ast.stmt]) -> Iterator[_Lines]:
-        """The lines of each statement of a block, with what is between it and the one before."""
-        inner = next_inner = ""
-        first = last = start
-        is_open = False
-        for node in found:
-            if is_open and self._shares_line(node):
-                last = self._last_line(node)
-                continue
-            if is_open:
-                yield _Lines(start, first, last, inner)
-                start, inner = last, next_inner
-            first, last, is_open = _first_line(node) - 1, self._last_line(node), True
-            next_inner = self._inner_indent(node)
-        if is_open:
-            yield _Lines(start, first, last, inner)
-
-    def _in_block(self, lines: _Lines, indent: str) -> list[nodes.Statement]:
-        """The statements on these lines of a block with this indentation."""
-        above = ""
-        if lines.before and any(
-            line.lstrip().startswith("#") and line.startswith(lines.before)
-            for line in self._lines[lines.start : lines.first]
-        ):
-            # A comment may belong to the block of the statement before: that one is needed, in a word.
-            above = f"{indent}if 1:\n{lines.before}pass\n"
-        tree = self._parsed(f"{_BLOCK}{above}{self._text(lines.start, lines.last)}", lines.start)
-        assert isinstance(tree, cst.If)
-        assert isinstance(tree.body, cst.IndentedBlock)
-        start = self._source.starts[lines.start] - len(above)
-        self._placed(tree.body.body, start, lines.last, indent, indent)
-        return nodes.in_lines(tree.body.body[1:] if above else tree.body.body)
 
     def _last_line(self, node: ast.stmt) -> int:
         """The line with which a statement ends; the one after it where a backslash joins a blank one to it."""
@@ -185,33 +197,59 @@ class _Reader:
             return ""
         return _indent_of(self._lines[_first_line(block[0]) - 1])
 
+    def _has_inner_comment(self, part: Part) -> bool:
+        """True where a comment above a part is indented like the block before it."""
+        for line in self._lines[part.start : part.last]:
+            text = line.lstrip()
+            if text and not text.startswith("#"):
+                return False
+            if text and line.startswith(part.before):
+                return True
+        return False
+
     # -- libcst -------------------------------------------------------------------------------------------------------
 
-    def _text(self, start: int, end: int) -> str:
-        """Whole lines, each with its end: from ``start``, counted from 0, to ``end``, counted from 1."""
-        return "\n".join([*self._lines[start:end], ""])
-
-    def _parsed(self, text: str, start: int) -> cst.SimpleStatementLine | cst.BaseCompoundStatement:
+    def _parsed(self, text: str, part: Part) -> cst.SimpleStatementLine | cst.BaseCompoundStatement:
         try:
             return cst.parse_statement(text)
         except (cst.ParserSyntaxError, cst.CSTValidationError) as error:
+            span = self._span(part.start + 1)
             if "\t" in text:
                 help = "indent with four spaces; an editor can turn tabs into spaces"
-                raise Refused(self._line(start + 1), "tabs and spaces are mixed", help=help) from None
+                raise Refused(span, "tabs and spaces are mixed", help=help) from None
             message = error.message if isinstance(error, cst.ParserSyntaxError) else str(error)
-            raise Refused(self._line(start + 1), message.removeprefix("tokenizer error: ")) from None
+            raise Refused(span, message.removeprefix("tokenizer error: ")) from None
 
-    def _placed(self, found: Sequence[Node], at: int, end: int, indent: str = "", default: str = "") -> None:
-        """Note the places of statements that begin at this character and end with this line."""
+    def _note(self, found: Sequence[Node], part: Part, at: int, indent: str, default_indent: str) -> None:
+        """Note the places of statements that begin at this character."""
         try:
-            is_right = self._places.read(found, at, indent, default) == self._source.starts[end]
+            end = self._places.read(found, at, indent, default_indent)
         except RecursionError:
-            raise Refused(self._line(end), "it is nested too deeply", "CG118") from None
-        if not is_right:
-            raise Refused(self._line(end), "it is laid out in an unusual way")
+            raise Refused(self._span(part.last), "it is nested too deeply", "CG118") from None
+        if end != self._source.starts[part.last] + len(part.ending):
+            raise Refused(self._span(part.last), "it is laid out in an unusual way")
 
-    def _line(self, number: int) -> Span:
-        return self._source.span(number, 1, number, 2)
+    def _span(self, line: int) -> Span:
+        return self._source.span(line, 1, line, 2)
+
+
+_SIMPLE = (
+    ast.Expr,
+    ast.Import,
+    ast.ImportFrom,
+    ast.Assign,
+    ast.AugAssign,
+    ast.AnnAssign,
+    ast.Return,
+    ast.Delete,
+    ast.Raise,
+    ast.Assert,
+    ast.Global,
+    ast.Nonlocal,
+    ast.Pass,
+    ast.Break,
+    ast.Continue,
+)
 
 
 def _is_joined(line: str) -> bool:
@@ -223,10 +261,6 @@ def _first_line(node: ast.stmt) -> int:
     """The line on which a statement begins, its decorators included."""
     decorators: list[ast.expr] = getattr(node, "decorator_list", [])
     return min([node.lineno, *(one.lineno for one in decorators)])
-
-
-def _has_block(node: ast.stmt) -> bool:
-    return isinstance(getattr(node, "body", None) or getattr(node, "cases", None), list)
 
 
 def _indent_of(line: str) -> str:
@@ -256,3 +290,58 @@ def read_expression(source: SourceFile, places: Places) -> cst.BaseExpression | 
     """The expression that a text is; None where it is none."""
     statement = read_statement(source, places)
     return statement.value if isinstance(statement, cst.Expr) else None
+
+
+# -- comments ---------------------------------------------------------------------------------------------------------
+
+
+class CommentAt(NamedTuple):
+    """A comment, and where its # is."""
+
+    line: int
+    col: int
+    text: str
+    stands_alone: bool
+    """True for one without code before it on its line."""
+
+
+class Layout:
+    """The parts of a file that is Python, to be read one by one, in any order."""
+
+    def __init__(self, source: SourceFile, tree: ast.Module) -> None:
+        self.tree = tree
+        """Where Python says that statements begin and end."""
+        self.places = Places()
+        self._source = source
+        self._reader = Reader(source, self.places)
+        self.parts = list(self._reader.parts(pieces.statements_of(tree)))
+
+    def text(self, part: Part) -> str:
+        """The lines of a part."""
+        starts = self._source.starts
+        return self._source.text[starts[part.start] : starts[part.last]]
+
+    def nodes(self, part: Part) -> Iterator[Node]:
+        """Every node of a part, blanks and comments included; none of what libcst does not read."""
+        with suppress(Refused):
+            self._reader.read(part)
+            for root in self.places.roots:
+                yield from nodes.every(root)
+
+    def comments(self, part: Part) -> list[CommentAt]:
+        """The comments of a part, in the order of the text."""
+        starts = sorted(
+            (self.places.of(node)[0], node.value) for node in self.nodes(part) if isinstance(node, cst.Comment)
+        )
+        return [self._comment(start, text) for start, text in starts]
+
+    def _comment(self, start: int, text: str) -> CommentAt:
+        line = bisect_right(self._source.starts, start)
+        before = self._source.text[self._source.starts[line - 1] : start]
+        return CommentAt(line, len(before) + 1, text, not before.strip())
+
+
+def layout_of(source: SourceFile) -> Layout | None:
+    """The parts of a file; None where it is not Python."""
+    tree = sound_tree(source)
+    return None if tree is None else Layout(source, tree)
