@@ -190,12 +190,19 @@ class Reader:
         last = node.end_lineno or node.lineno
         return last + _is_joined(self._lines[last - 1])
 
-    def _inner_indent(self, node: ast.stmt) -> str:
+    def _inner_indent(self, node: ast.AST) -> str:
         """The indentation of a statement's last block; "" for one without a block, or with it on its own line."""
-        block = getattr(node, "orelse", None) or getattr(node, "body", None)
-        if not isinstance(block, list) or not isinstance(block[0], ast.stmt) or self._shares_line(block[0]):
+        names = ("finalbody", "orelse", "handlers", "cases", "body")
+        block: Sequence[ast.AST] = next((found for name in names if (found := getattr(node, name, None))), [])
+        first = block[0] if block else None
+        if isinstance(first, ast.ExceptHandler | ast.match_case):
+            return self._inner_indent(block[-1])
+        if not isinstance(first, ast.stmt) or self._shares_line(first):
             return ""
-        return _indent_of(self._lines[_first_line(block[0]) - 1])
+        line = self._lines[_first_line(first) - 1]
+        if isinstance(first, ast.If) and line.lstrip().startswith("elif"):
+            return self._inner_indent(first)
+        return _indent_of(line)
 
     def _has_inner_comment(self, part: Part) -> bool:
         """True where a comment above a part is indented like the block before it."""
