@@ -1,4 +1,5 @@
-"""Where CLICK's bytes and laddercodec's differ and the instruction is the same all the same, each with the reason.
+"""Where CLICK's bytes and laddercodec's differ and the instruction is the same all the same, each with the reason
+(click-facts [click-file.harmless]).
 
 Found in the captures and program files that laddercodec 0.2.2 carries as fixtures: 192 captures and 41 program files
 of CLICK, 1889 and 1558 instructions. A difference that is not here is told, and its rung refused.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .scenario import Scenario, scans, scenario
 
-EVERY_SCAN = "it counts in every scan, the vendor once for each change from off to on (trap 6)"
+EVERY_SCAN = "it counts in every scan, the vendor once for each change from off to on (click-facts [counter.edges])"
 FROM_ZERO = "it counts from zero down to minus the preset, the vendor from a preloaded value down to the preset"
 
 COUNTERS: tuple[Scenario, ...] = (

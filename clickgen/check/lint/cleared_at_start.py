@@ -19,6 +19,7 @@ from clickgen.ir.operands import Cell
 from clickgen.ir.reach import touches
 from clickgen.source import Span
 
+# click-facts [scan.power-up]
 CODE = "CG557"
 
 

@@ -12,6 +12,7 @@ from clickgen.device.banks import Address
 from clickgen.diagnostics import Diagnostics, Label
 from clickgen.instructions.coils import OUT
 
+# click-facts [coil.two-outs]
 CODE = "CG501"
 
 _COILS_MAX = 100

@@ -19,6 +19,7 @@ from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine
 from clickgen.ir.walk import condition_operands
 
+# click-facts [scan.skipped]
 CODE = "CG545"
 
 _LABELS_MAX = 5

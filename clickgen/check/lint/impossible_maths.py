@@ -17,6 +17,7 @@ from clickgen.ir.conditions import Compare, Condition
 from clickgen.ir.logic import are_exclusive, can_hold
 from clickgen.ir.operands import Cell, Integer, Real
 
+# click-facts [math.no-value]
 CODE = "CG553"
 
 

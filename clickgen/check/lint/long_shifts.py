@@ -9,6 +9,7 @@ from clickgen.diagnostics import Diagnostics
 from clickgen.formula.nodes import Binary, walk
 from clickgen.formula.values import value_of
 
+# click-facts [math.shift-counts]
 CODE = "CG558"
 
 _BITS = 16

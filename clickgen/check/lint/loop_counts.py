@@ -14,6 +14,7 @@ from clickgen.ir.conditions import MIRRORED, Compare, Condition
 from clickgen.ir.logic import are_exclusive
 from clickgen.ir.operands import Cell, Integer
 
+# click-facts [control.for-count]
 CODE = "CG528"
 
 

@@ -12,10 +12,11 @@ from clickgen.ir.logic import implies
 from clickgen.ir.operands import Cell
 from clickgen.ir.walk import leaves
 
+# click-facts [scan.edges]
 CODE = "CG514"
 
 _CLOCKS = frozenset(Address("SC", number) for number in range(3, 10))
-"""CLICK's clocks: a tick that nobody saw is not missed."""
+"""CLICK's clocks: a tick that nobody saw is not missed (click-facts [system.clocks])."""
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:

@@ -10,6 +10,7 @@ from clickgen.diagnostics import Diagnostics, did_you_mean
 from clickgen.instructions.drums import TIME_DRUM
 from clickgen.ir.operands import Operand, form_of
 
+# click-facts [timer.unowned]
 CODE = "CG521"
 
 _INSTRUCTIONS = {"T": "ton, tof, rton or rtof", "CT": "ctu, ctd or ctud"}

@@ -1,4 +1,7 @@
-"""Loops are closed, are in no other loop, and close in a rung of their own (C0103, C0009)."""
+"""Loops are closed, are in no other loop, and close in a rung of their own (C0103, C0009).
+
+click-facts [control.loops, control.next, timer.in-loop]
+"""
 
 from __future__ import annotations
 
