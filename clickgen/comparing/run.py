@@ -100,7 +100,10 @@ class Run:
         return looks
 
     def _arrives(self, contact: Contact | Compare) -> bool:
-        """True for what CLICK or another device changes in its own time; terminals aside."""
+        """True for what CLICK or another device changes in its own time; terminals aside.
+
+        click-facts [message.later, scan.system-points]
+        """
         return not _is_immediate(contact) and is_volatile(contact, self.surroundings.received)
 
     def powers(self, logic: Logic) -> list[list[int]]:

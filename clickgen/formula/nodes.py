@@ -46,7 +46,7 @@ class HexNumber:
 
 @dataclass(frozen=True, slots=True)
 class Pi:
-    """CLICK's ``PI``, 3.1415927."""
+    """CLICK's ``PI``, 3.1415927 (click-facts [math.functions])."""
 
     start: int
     end: int

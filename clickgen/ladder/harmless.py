@@ -93,7 +93,8 @@ HARMLESS = (
 )
 
 DRAWN_TALLER = ("Email", "Home", "Position", "Velocity")
-"""Boxes that CLICK draws three rows tall and laddercodec writes as one; nothing else stands in their rows."""
+"""Boxes that CLICK draws three rows tall and laddercodec writes as one; nothing else stands in their rows
+(click-facts [grid.heights])."""
 
 WIRED_LATER = ("Cnt", "Drum", "SR")
 """Boxes whose wire into the first row CLICK keeps apart: it is off where a row was put in above the wired one."""

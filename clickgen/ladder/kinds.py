@@ -10,6 +10,7 @@ from clickgen.emit.ladder_csv import HEADER
 from clickgen.resolve.rows import COLUMNS as NICKNAME_COLUMNS
 from clickgen.resolve.table_form import without_marks
 
+# click-facts [click-file.captures, click-file.program]
 PROGRAM_MAGIC = b"SC-SCR  "
 CLIPBOARD_MAGIC = b"CLICK   "
 HEAD_BYTES = 4096

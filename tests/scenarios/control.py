@@ -1,4 +1,7 @@
-"""Loops, subroutines, the end of the scan, and what outlasts a power failure."""
+"""Loops, subroutines, the end of the scan, and what outlasts a power failure.
+
+click-facts [control.call, control.for, control.for-off, scan.power-up, scan.skipped]
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Counters: the vendor counts edges, others say every scan; an edge in the program makes both the same."""
+"""Counters: the vendor counts edges, others say every scan; an edge in the program makes both the same.
+
+click-facts [counter.count-down, counter.edges, counter.limits]
+"""
 
 from __future__ import annotations
 

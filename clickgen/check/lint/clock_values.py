@@ -17,6 +17,7 @@ from clickgen.ir.operands import Cell, Integer, Real
 from clickgen.ir.program import FormulaText
 from clickgen.ir.reach import touches
 
+# click-facts [system.clock, system.clock-set]
 CODE = "CG552"
 
 _COPIES_MAX = 8

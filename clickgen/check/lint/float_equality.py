@@ -15,6 +15,7 @@ from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Integer, Pointer, Real, Single
 from clickgen.ir.program import FormulaText
 
+# click-facts [value.floats]
 CODE = "CG520"
 
 _WHOLE = (Kind.INT16, Kind.INT32, Kind.HEX)

@@ -213,9 +213,9 @@ def _replaces(action: Action) -> bool:
         )
     source, target = action.args["source"], form_of(action.args["destination"])
     if action.spec is COPY_PACK and isinstance(source, Range) and form_of(source) in BITS:
-        # What becomes of the bits above those that are packed, no source says (click-facts [copy.pack-high-bits]).
+        # What becomes of the bits above those that are packed is not certain (click-facts [copy.pack-high-bits]).
         return len(source) == (32 if target in ("DD", "DF") else 16)
-    # A text that is no number leaves the target as it is.
+    # A text that is no number leaves the target as it is (click-facts [copy.no-number]).
     return not _becomes_text(action) and (form_of(source) != "TXT" or target == "TXT")
 
 

@@ -13,6 +13,7 @@ from clickgen.instructions.spec import BITS
 from clickgen.ir.operands import Range
 from clickgen.source import Span
 
+# click-facts [copy.pack-bits, copy.pack-high-bits]
 CODE = "CG519"
 
 _SHORT = (15, 31)

@@ -28,6 +28,7 @@ from clickgen.ir.program import FormulaText
 from clickgen.ir.walk import condition_operands
 from clickgen.source import Span
 
+# click-facts [scan.conditions]
 CODE = "CG544"
 
 _BARRIERS = (END, RETURN, FOR, NEXT, RAW, NOT_IMPORTED)

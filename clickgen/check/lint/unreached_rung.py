@@ -14,6 +14,7 @@ from clickgen.ir.conditions import All, Always, Any, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Loop, Rung, actions_in, loops_in, rungs_in
 
+# click-facts [scan.skipped]
 CODE = "CG516"
 
 _EXITS = (END, RETURN)

@@ -12,6 +12,7 @@ from clickgen.ir.logic import can_hold, implies
 from clickgen.ir.operands import Cell, Pointer
 from clickgen.ir.reach import touches
 
+# click-facts [copy.wild-pointer, scan.power-up]
 CODE = "CG554"
 
 

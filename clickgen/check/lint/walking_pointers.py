@@ -17,6 +17,7 @@ from clickgen.ir.operands import Cell, Integer, Pointer
 from clickgen.ir.reach import touches
 from clickgen.source import Span
 
+# click-facts [copy.pointers]
 CODE = "CG555"
 
 
