@@ -12,7 +12,7 @@ ROWS_AND_RUNGS_MAX = 2047
 (click-facts [limit.rows])."""
 SUBROUTINES_MAX = 986
 SUBROUTINE_NAME_MAX = 24
-"""click-facts [limit.subroutine-names, limit.subroutines]"""
+"""Characters (click-facts [limit.subroutine-names, limit.subroutines])."""
 COMMENT_BYTES_MAX = 1400
 """Bytes of a rung comment after RTF encoding (click-facts [limit.comment])."""
 
