@@ -504,7 +504,8 @@ def _divide(state: _Build) -> None:
                 f"main has {len(routine.rungs)} CLICK rungs and goes into {len(parts)} ladder files",
                 "paste them one behind the other, in the order of their names",
             )
-        # ClickNick pastes main's parts sorted by name (click-facts, section 7): all numbers have as many digits.
+        # ClickNick pastes main's parts sorted by name (click-facts [ladder-file.guided]): all numbers have as many
+        # digits.
         digits = len(str(len(parts)))
         for number, part in enumerate(parts, 1):
             stem = "main" if routine.is_main else f"subroutines/{routine.name}"
@@ -512,7 +513,7 @@ def _divide(state: _Build) -> None:
 
 
 def _within_limits(rungs: tuple[ClickRung, ...]) -> Iterator[tuple[ClickRung, ...]]:
-    """Stretches of rungs that one clipboard buffer takes (click-facts, trap 1)."""
+    """Stretches of rungs that one clipboard buffer takes (click-facts [limit.file, limit.rows])."""
     start = size = 0
     for index, rung in enumerate(rungs):
         cost = len(rung.grid) + 1

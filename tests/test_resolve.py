@@ -1,4 +1,4 @@
-"""Where an address comes from (decisions.md, "Addresses" and "Where an address comes from"), through whole builds."""
+"""Where an address comes from (docs/language.md, "Addresses"), through whole builds."""
 
 from __future__ import annotations
 

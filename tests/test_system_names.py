@@ -151,7 +151,8 @@ def test_what_click_lets_a_master_write_is_writable() -> None:
     """The export says of each address with a name whether Modbus writes it."""
     written = {row["Address"] for row in _exported() if row["Function Code"] in ("FC=01,05,15", "FC=03,06,16")}
     ours = {f"SC{number}" for number in WRITABLE_SC} | {f"SD{number}" for number in WRITABLE_SD}
-    # Slots of communication modules: another list from an export has them as writable (click-facts, section 1).
+    # Slots of communication modules: another list from an export has them as writable (click-facts
+    # [bank.writable-sc, bank.writable-sc-disputed]).
     assert ours - written == {f"SC{number}" for number in (303, 304, 305, 306, 323, 324, 325, 326)}
     assert written <= ours
     assert {f"SC{number}" for number in DISPUTED_SC} < ours - written

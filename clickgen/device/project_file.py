@@ -1,4 +1,5 @@
-"""CLICK's own project file, ``.ckp``: how it is known. Only CLICK reads what is in it."""
+"""CLICK's own project file, ``.ckp``: how it is known. Only CLICK reads what is in it
+(click-facts [click-file.project])."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """CLICK's own points: the names of its system relays and registers, and which of them a program may write.
 
-The names are those that CLICK PLUS 3.41 shows. Spellings of other lists are known as well, so that a program that was
-written with them still builds (scripts/make_system_nicknames.py says where each comes from).
+The names are those that CLICK PLUS 3.41 shows (click-facts [system.names]). Spellings of other lists are known as well,
+so that a program that was written with them still builds (click-facts [system.moved, system.spellings]);
+scripts/make_system_nicknames.py says where each comes from.
 """
 
 from __future__ import annotations
@@ -17,23 +18,24 @@ from clickgen.device.banks import Address
 ALWAYS_ON = Address("SC", 1)
 
 WRITABLE_SC = frozenset((50, 51, 53, 55, 60, 61, 65, 66, 67, 75, 76, 120, 121, 303, 304, 305, 306, 323, 324, 325, 326))
-"""The numbers of the SC bits that a coil may drive (click-facts, section 3); the disputed ones included."""
+"""The numbers of the SC bits that a coil may drive (click-facts [bank.writable-sc]); the disputed ones included."""
 
 DISPUTED_SC = frozenset((305, 306, 325, 326))
-"""SC bits that one list, taken from an export, has as writable and CLICK PLUS 3.41 has not (click-facts, section 1)."""
+"""SC bits that one list, taken from an export, has as writable and CLICK PLUS 3.41 has not
+(click-facts [bank.writable-sc-disputed])."""
 
 WRITABLE_SD = frozenset(
     (29, 31, 32, 34, 35, 36, 40, 41, 42, 50, 51, 60, 61, 106, 107, 108, 112, 113, 114, *range(140, 148), 214, 215)
 )
-"""The numbers of the SD registers that an instruction may write (click-facts, section 3); CLICK 3.41 agrees."""
+"""The numbers of the SD registers that an instruction may write (click-facts [bank.writable-sd]); CLICK 3.41 agrees."""
 
 _STEADY = {"SC": frozenset((1, 2, 3, 40, 43, 44, 202)), "SD": frozenset((5, 6, 7, 8, 9, 13, *range(188, 200)))}
 """The system points that stay as they are until the next scan, unless an instruction of the program changes them.
 
-SC1 to SC3 and SD9 count scans. SC40, SC43 and SC44 are results of instructions (click-facts, sections 4 and 8). SC202,
+SC1 to SC3 and SD9 count scans. SC40, SC43 and SC44 are results of instructions (click-facts [scan.flags]). SC202,
 SD13, the firmware's versions (SD5 to SD8) and the MAC addresses (SD188 to SD199) are settings. So their names say in
-CLICK's own export (click-facts, section 1, E341). No source says when CLICK changes the others, such as its clocks and
-what a port reports.
+CLICK's own export (click-facts [scan.system-points]). No source says when CLICK changes the others, such as its clocks
+and what a port reports.
 """
 
 _DATA = Path(__file__).with_name("system_nicknames.csv")

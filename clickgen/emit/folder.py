@@ -1,4 +1,4 @@
-"""The output folder: what an earlier build left in it, and what must not be there.
+"""The output folder: what an earlier build left in it, and what must not be there (click-facts [ladder-file.bundle]).
 
 The source map of the last build says what it made. Anybody can write a source map, so a file counts as made by a build
 only where it also looks as a build makes it: with the head of its kind, and as many rungs as the map has for it.
@@ -30,7 +30,7 @@ def stale_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     """Files of an earlier build that this one does not make.
 
     Raises ForeignFiles when an output would replace a file that is not an earlier output, and when other CSV files
-    are there: ClickNick's guided paste takes every CSV file of the folder as ladder (click-facts, section 7).
+    are there: ClickNick's guided paste takes every CSV file of the folder as ladder (click-facts [ladder-file.guided]).
     """
     away = folder / "subroutines"
     if leads_elsewhere(away):

@@ -2,7 +2,7 @@
 
 The order of operators, the loosest first: ``OR``, ``XOR``, ``AND``, ``+ -``, ``* / MOD`` and infix shifts, the signs
 ``-`` and ``NOT``, ``^``. All group from the left but ``^``: ``2 ^ 3 ^ 2`` is ``2 ^ (3 ^ 2)``, and ``-x ^ 2`` is
-``-(x ^ 2)``. Where click-facts does not say that CLICK does the same, the printer writes parentheses.
+``-(x ^ 2)``. Where nobody says that CLICK does the same, the printer writes parentheses (click-facts [math.grouping]).
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from clickgen.formula.build import Builder
 
-# click-facts, section 4.
+# click-facts [math.nesting, math.operands]
 MAX_NESTING = 8
 MAX_OPERANDS = 68
 

@@ -119,7 +119,7 @@ class _RungSplit:
 
     def run(self) -> None:
         steps = list(self._steps(self._rung.items, Node(self._rung.condition)))
-        # One NOP keeps a rung legal; a second one, or one beside an output, does not (click-facts, section 3, NOP).
+        # One NOP keeps a rung legal; a second one, or one beside an output, does not (click-facts [grid.nop]).
         parts = apart([step for step in steps if step.action.spec is not NOP] or steps[:1])
         rung = self._rung_of(parts[0])
         if len(parts) == 1 and _draws(rung) and not is_special(parts[0][0]):

@@ -91,9 +91,10 @@ def run_by(part: Part) -> Iterator[Action]:
 
 
 def apart(steps: list[Step]) -> list[Part]:
-    """Instructions with pins, and those that stand alone, get a part of their own (click-facts, trap 3).
+    """Instructions with pins, and those that stand alone, get a part of their own (click-facts [grid.one-branch]).
 
-    So does a return with outputs below it: whether CLICK still runs these within one rung, no source says.
+    So does a return with outputs below it: whether CLICK still runs these within one rung, no source says (click-facts
+    [control.return-below]).
     """
     parts: list[Part] = []
     joins = False

@@ -80,7 +80,7 @@ class _Declarations:
                 self.declared.misdeclared.add(lower)
 
     def warn_of_words(self) -> None:
-        """Nicknames in the table that ClickNick's importer loses (click-facts, section 1)."""
+        """Nicknames in the table that ClickNick's importer loses (click-facts [nickname-file.lost])."""
         for row in self.table.rows:
             if row.nickname:
                 self._warn_of_word(row.address, row.nickname, self.table.span(row))
@@ -181,7 +181,8 @@ class _Declarations:
     def _declared_row(self, declaration: Declaration) -> Row:
         address = declaration.cell.address
         stands = self.table.by_address.get(address) or default_row(address, "")
-        # A table that spells the name in another case keeps its spelling: for CLICK it is the same name.
+        # A table that spells the name in another case keeps its spelling: for CLICK it is the same name
+        # (click-facts [name.unique]).
         row = replace(stands, nickname=stands.nickname or declaration.named.name, line=0, raw="")
         if declaration.comment is not None:
             mark = mark_in(stands.comment)

@@ -213,7 +213,8 @@ def _warn_of_marks(marks: Marks, declared: set[str], table: AddressTable, proble
         if mark.name.lower() not in declared:
             problems.add("CG606", table.span(row), *_half(row.address, mark))
     for block, other in marks.doubles:
-        # The rows of T and TD stand in turn in CLICK: a block over both is marked in both.
+        # The rows of T and TD stand in turn in CLICK: a block over both is marked in both
+        # (click-facts [nickname-file.interleaved]).
         if block.name.lower() not in declared and CURRENT_VALUE_OF.get(block.bank) != other.bank:
             message = f"a second block {block.name}, {block}, is marked: {other} is it in {other.said_by}, and counts"
             problems.add("CG606", block.span, message, "give one of the two another name in both of its marks")

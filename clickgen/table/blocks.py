@@ -58,13 +58,16 @@ class Mark(NamedTuple):
 
 
 _MARK_MAX = 200
-"""The longest mark that is looked for: a comment has room for 128 characters (click-facts, section 2)."""
+"""The longest mark that is looked for: a comment has room for 128 characters (click-facts [name.length])."""
 _MARK = re.compile(rf"(?=<(?P<word>[^>]{{0,{_MARK_MAX}}})>)")
 _COLOR = re.compile(r"""(?<!\s)\s+bg=["']([^"']{1,200})["']""")
 
 
 def mark_in(comment: str) -> Mark | None:
-    """The first mark in a comment, as ClickNick finds it (pyclickplc, blocks.py); a name has a letter in it."""
+    """The first mark in a comment, as ClickNick finds it; a name has a letter in it.
+
+    click-facts [nickname-file.blocks]
+    """
     if "<" in comment:
         for match in _MARK.finditer(comment):
             mark = _read_mark(match["word"])

@@ -1,7 +1,8 @@
 """CLICK's own files to drawn rungs, by laddercodec: captures of the clipboard, and program files (``Scr*.tmp``).
 
-laddercodec takes codes that it does not know for others: a port for ``cpu2``, a unit for milliseconds. So every rung is
-held against its bytes, and one that is read otherwise than they say is refused (capture.py, program_file.py).
+laddercodec takes codes that it does not know for others: a port for ``cpu2`` (click-facts [message.ports]), a unit
+for milliseconds. So every rung is held against its bytes, and one that is read otherwise than they say is refused
+(capture.py, program_file.py).
 """
 
 from __future__ import annotations
@@ -126,7 +127,7 @@ def _difference(said: CutRung, rung: Rung) -> str:
     from clickgen.click.read.capture import cut, differences
 
     try:
-        # Each alone: a file of them has limits, and laddercodec does not tell of all (click-facts, section 0).
+        # Each alone: a file of them has limits, and laddercodec does not tell of all (click-facts [limit.rows]).
         written = cut(encode(replace(rung, comment=None, comment_rtf=None)))
     except Exception as error:
         return _unproven(_words(error))
@@ -194,7 +195,8 @@ def _guarded_proof(proof: Callable[[int, Rung], str], number: int, rung: Rung) -
 def _named(token: AfToken) -> AfToken:
     """A pack or unpack by the word that its banks have.
 
-    The bytes do not say bits or words; laddercodec goes by the letter C, and takes X001 to X016 for words.
+    The bytes do not say bits or words; laddercodec goes by the letter C, and takes X001 to X016 for words
+    (click-facts [copy.pack-names]).
     """
     from laddercodec.instructions import Pack, Unpack
 

@@ -10,6 +10,7 @@ from clickgen.device.project_file import is_click_project
 from clickgen.table.form import without_marks
 from clickgen.table.rows import COLUMNS as NICKNAME_COLUMNS
 
+# click-facts [click-file.captures, click-file.program]
 PROGRAM_MAGIC = b"SC-SCR  "
 CLIPBOARD_MAGIC = b"CLICK   "
 HEAD_BYTES = 4096

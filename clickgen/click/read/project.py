@@ -28,7 +28,8 @@ _PROGRAM_ENDINGS = (".tmp", ".scr")
 _CAPTURE = ".clipboard"
 """The ending of a copy that laddercodec's tools make of a routine: ``Heat.clipboard.csv``, ``Heat.clipboard.bin``."""
 _MAIN_INDEX = 1
-"""The highest prog_idx of main: 1 in every native program file; laddercodec's manual says 0."""
+"""The highest prog_idx of main: 1 in every native program file (click-facts [click-file.program]); laddercodec's manual
+says 0."""
 _BYTES_MAX = 1 << 27
 """128 MiB: far more than the ladder of any project, and little enough to read at once."""
 _READS = "a folder with main.csv, or with the Scr*.tmp files of a project"
@@ -141,7 +142,7 @@ def _program(header: ProgramHeader, path: Path, ladder: Ladder) -> DrawnRoutine:
 
 
 def _usable(stem: str) -> str:
-    """A name that CLICK takes for a subroutine (click-facts, section 5)."""
+    """A name that CLICK takes for a subroutine (click-facts [limit.subroutine-names])."""
     return re.sub(r"[^A-Za-z0-9_ -]", "_", stem)[:SUBROUTINE_NAME_MAX].strip() or "subroutine"
 
 

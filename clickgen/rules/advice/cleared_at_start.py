@@ -19,6 +19,7 @@ from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
 from clickgen.text.source import Span
 
+# click-facts [scan.power-up]
 CODE = "CG557"
 
 

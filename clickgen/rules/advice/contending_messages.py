@@ -1,4 +1,5 @@
-"""Two messages that may want one port at the same time: the second is not sent, or fails."""
+"""Two messages that may want one port at the same time: the second is not sent, or fails
+(click-facts [message.busy])."""
 
 from __future__ import annotations
 
@@ -26,7 +27,7 @@ CODE = "CG546"
 _MANY = 50
 """A message is compared with so many others on its port before it."""
 _READY = frozenset(Address("SC", number) for number in (90, 100, 102))
-"""_Port_1_Ready_Flag to _Port_3_Ready_Flag: who asks one of them waits for the port (E341)."""
+"""_Port_1_Ready_Flag to _Port_3_Ready_Flag: who asks one of them waits for the port (click-facts [system.ready])."""
 _OWN_FLAGS = ("sending", "receiving", "success", "error")
 
 

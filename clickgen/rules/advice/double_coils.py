@@ -12,6 +12,7 @@ from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.rules.advice.unreached_rung import unreached
 from clickgen.rules.rule import Rule, Wrong
 
+# click-facts [coil.two-outs]
 CODE = "CG501"
 
 _COILS_MAX = 100

@@ -19,6 +19,7 @@ from clickgen.logic.conditions import implies
 from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.rules.rule import Rule, Wrong
 
+# click-facts [scan.skipped]
 CODE = "CG545"
 
 _LABELS_MAX = 5

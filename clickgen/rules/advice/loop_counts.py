@@ -14,6 +14,7 @@ from clickgen.logic.conditions import are_exclusive
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
 
+# click-facts [control.for-count]
 CODE = "CG528"
 
 

@@ -28,6 +28,7 @@ from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.rules.rule import Rule, Wrong
 from clickgen.text.source import Span
 
+# click-facts [scan.conditions]
 CODE = "CG544"
 
 _BARRIERS = (END, RETURN, FOR, NEXT, RAW, NOT_IMPORTED)

@@ -14,6 +14,7 @@ from clickgen.ir.program import Action, Branch, Item, Loop, Rung, actions_in, lo
 from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.rules.rule import Rule, Wrong
 
+# click-facts [scan.skipped]
 CODE = "CG516"
 
 _EXITS = (END, RETURN)

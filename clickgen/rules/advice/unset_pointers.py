@@ -12,6 +12,7 @@ from clickgen.logic.conditions import can_hold, implies
 from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.rules.rule import Rule, Wrong
 
+# click-facts [copy.wild-pointer, scan.power-up]
 CODE = "CG554"
 
 

@@ -17,6 +17,7 @@ from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.rules.rule import Rule, Wrong
 from clickgen.text.source import Span
 
+# click-facts [copy.pointers]
 CODE = "CG555"
 
 

@@ -1,4 +1,4 @@
-"""Compared values are of one class: decimal, hexadecimal or text (click-facts, section 3)."""
+"""Compared values are of one class: decimal, hexadecimal or text (click-facts [compare.classes])."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Copies go only between banks that CLICK copies between, with ranges that match (click-facts, section 6)."""
+"""Copies go only between banks that CLICK copies between, with ranges that match.
+
+click-facts [copy.block, copy.convert, copy.single]
+"""
 
 from __future__ import annotations
 
@@ -66,7 +69,8 @@ def _judge_options(action: Action, options: Options, problems: Diagnostics) -> N
             "CG314", options.span, "exponential text is for floating-point numbers (DF)", "leave out exponential=True"
         )
     elif options.exponential and not options.suppress_zero:
-        # laddercodec gives this pair the code of to_value: CLICK would run another instruction.
+        # laddercodec gives this pair the code of to_value: CLICK would run another instruction (click-facts
+        # [copy.exponential]).
         problems.add(
             "CG314",
             options.span,

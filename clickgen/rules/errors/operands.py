@@ -134,7 +134,7 @@ _BLOCK = re.compile(r"[a-z]+(\.\w+|\[\"[^\"]*\"\])")
 
 
 def _is_read_only(facts: Facts, placed: Placed, operand: Operand, slot: Slot, problems: Diagnostics) -> bool:
-    """Report a target that nothing can write (click-facts, sections 3 and 6)."""
+    """Report a target that nothing can write (click-facts [bank.read-only])."""
     target = operand.target if isinstance(operand, Immediate) else operand
     reason = READ_ONLY.get(target.bank) if isinstance(target, Named | Cell | Range | Pointer) else None
     if reason and not (isinstance(target, Pointer) and target.bank in slot.pointers and target.bank != "XD"):

@@ -1,4 +1,5 @@
-"""Copies that write further than the address they name: texts past the end of TXT, and over what follows."""
+"""Copies that write further than the address they name: texts past the end of TXT, and over what follows
+(click-facts [text.cell])."""
 
 from __future__ import annotations
 

@@ -16,7 +16,8 @@ MAX_DEPTH = 100
 _TERMS_MAX = 1000
 """Terms of one ``and`` or ``or``: level for Python, and far beyond any rung."""
 _BITS_MAX = 64
-"""CLICK's largest integers have 32 bits. Past some thousand digits Python cannot even print one."""
+"""CLICK's largest integers have 32 bits (click-facts [value.integers]). Past some thousand digits Python cannot even
+print one."""
 _LARGEST = "DD holds -2147483648..2147483647; DF holds larger numbers, written 1.0E+12"
 _LONG_NUMBER = re.compile(r"[0-9A-Fa-f_]{17,}")
 """No literal of more than 64 bits is shorter than this in hexadecimal, the densest notation."""

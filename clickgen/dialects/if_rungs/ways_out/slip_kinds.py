@@ -226,6 +226,7 @@ def bit_of(line: Line, match: re.Match[str]) -> Told | None:
     word = line.text[match.start("bank") : match.end("index")]
     if bank.is_bit:
         return Told("an address has no bits", f"write {word}", match.span())
+    # click-facts [contact.forms]
     return Told("CLICK has no bits of words", bit_of_word(word, bank, int(match["number"])), match.span())
 
 
