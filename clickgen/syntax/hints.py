@@ -8,6 +8,7 @@ import warnings
 from collections.abc import Callable, Sequence
 
 from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
+from clickgen.device.nicknames import nickname_fault
 from clickgen.diagnostics import Edit, Fix
 from clickgen.syntax.context import Context, Located
 from clickgen.trade import ARGUMENTS, MEMBERS, Advice, advice, bank_hint
@@ -143,8 +144,11 @@ def text_hint(value: str, bank: str = "c") -> str:
     exact = flat_address(value)
     if exact:
         return f"write {exact}, without quotes"
+    inner = expression_of(value) if "." in value or "[" in value else None
+    if inner is not None and bank_of(inner) is not None:
+        return f"write {value.strip()}, without quotes"
     shown = f".{value}" if value.isidentifier() else f'["{value}"]'
-    if not value or len(value) > 24 or not value.isprintable() or '"' in value or "\\" in value:
+    if nickname_fault(value) is not None or '"' in value:
         return "an address is written ds[5] or ds.Name, without quotes around it"
     return f"a nickname follows its bank, without quotes around it all: {bank}{shown}"
 
