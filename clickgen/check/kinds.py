@@ -9,7 +9,6 @@ from clickgen.check.values import range_fault
 from clickgen.device.banks import BANKS, Kind
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import CharCode, Constant, Hex, Integer, Real, Single, Text
-from clickgen.resolve.constants import kind_of
 from clickgen.source import Span
 
 _WHOLE = (Kind.INT16, Kind.INT32)

@@ -282,11 +282,16 @@ def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
             return None
         context.problem("CG106", node, "comparisons do not chain", help, fix)
         return None
+    sides = (node.left, node.comparators[0])
+    if any(is_condition(side) and not looks_like_address(side) for side in sides):
+        fault = "a condition is on or off, and is not compared"
+        if not _said_otherwise(context, node, "CG303", fault):
+            context.problem("CG303", node, fault, no_condition.compared_condition(context, node, fits))
+        return None
     bit = no_condition.compared_bit(context, node, fits)
     if bit is not None:
         _refuse_compared(context, node, bit)
         return None
-    sides = (node.left, node.comparators[0])
     operator = COMPARISONS.get(type(node.ops[0]))
     if operator is None:
         fault = "CLICK has no such comparison"
@@ -294,17 +299,11 @@ def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
             help = no_condition.searched(context, node, fits) or "the comparisons: == != < <= > >="
             context.problem("CG107", node, fault, help)
         return None
-    if not all(isinstance(side, ast.Attribute | ast.Subscript | ast.Constant) for side in sides):
-        wrong = next(side for side in sides if not isinstance(side, ast.Attribute | ast.Subscript | ast.Constant))
-        code, fault = "CG113", f"{shorten(context.text(wrong))} is not an address or a constant"
-        if is_condition(wrong):
-            code, fault = "CG303", "a condition is on or off, and is not compared"
-        if not isinstance(wrong, ast.UnaryOp) or not isinstance(wrong.operand, ast.Constant):
-            if _said_otherwise(context, node, code, fault):
-                return None
-            if is_condition(wrong):
-                context.problem(code, node, fault, no_condition.compared_condition(context, node, fits))
-                return None
+    if any(map(_is_calculated, sides)):
+        wrong = next(side for side in sides if _is_calculated(side))
+        fault = f"{shorten(context.text(wrong))} is not an address or a constant"
+        if _said_otherwise(context, node, "CG113", fault):
+            return None
     left = read_operand(context, node.left)
     right = read_operand(context, node.comparators[0])
     if left is None or right is None:
@@ -325,6 +324,12 @@ def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
     assert not isinstance(left, Range | Immediate)
     assert not isinstance(right, Range | Immediate)
     return Compare(operator, left, right, context.span(node))
+
+
+def _is_calculated(node: ast.expr) -> bool:
+    """True for what is neither an address nor a constant, which may have a sign."""
+    value = node.operand if isinstance(node, ast.UnaryOp) else node
+    return not isinstance(value, ast.Constant) and not (looks_like_address(value) and value is node)
 
 
 def _refuse_compared(context: Context, node: ast.Compare, bit: no_condition.ComparedBit) -> None:

@@ -81,6 +81,19 @@ def calculated(context: Context, node: ast.expr, count: int = 0) -> Calculation 
     return Calculation((*writer.copies, f"if True: {action}"), result)
 
 
+def bit_under_mask(context: Context, node: ast.expr) -> Calculation | None:
+    """``dd.A & 0x0001``: a double word has no place in math_hex, and its bits are copied out."""
+    if not isinstance(node, ast.BinOp) or not isinstance(node.op, ast.BitAnd):
+        return None
+    word, mask = (node.right, node.left) if isinstance(node.left, ast.Constant) else (node.left, node.right)
+    bank, text = bank_of(word), own(context, word)
+    value = mask.value if isinstance(mask, ast.Constant) and type(mask.value) is int else 0
+    if bank is None or bank.name != "DD" or not text or not 0 < value < 1 << 32 or value & (value - 1):
+        return None
+    rung = f"if True: copy_unpack({text}, c[1001:1033])"
+    return Calculation((rung,), f"c[{1001 + value.bit_length() - 1}]")
+
+
 def _is_real(node: ast.expr) -> bool:
     return any(
         (isinstance(part, ast.Constant) and isinstance(part.value, float))

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 from clickgen.ir.conditions import OPPOSITE
 from clickgen.syntax.context import Context
-from clickgen.syntax.formulas import Calculation, calculated
-from clickgen.syntax.hints import Fits, bank_of, flat_address, own, own_code
+from clickgen.syntax.formulas import bit_under_mask, calculated
+from clickgen.syntax.hints import Fits, bank_of, flat_address, member_hint, own, own_code
 from clickgen.syntax.rewrite import opposite_text, python_logic
 from clickgen.trade import CONDITIONS, advice
 
@@ -108,6 +108,7 @@ class _Reader:
         self._left = _STEPS
         self.turned: list[ast.expr] = []
         self.before: list[str] = []
+        self._results: dict[str, str] = {}
 
     def said(self, node: ast.expr, wanted: bool) -> _Part | None:
         """An expression in the language, or its opposite; None where that is not certain."""
@@ -149,12 +150,20 @@ class _Reader:
         """A single condition of the language, or its opposite."""
         text = own(self._context, node)
         if not text or not self._fits(text):
-            return None
+            return self._of_text(node, self._member(node), wanted)
         if wanted:
             return _single(text)
         turned = opposite_text(self._context, node)
         self.turned.append(node)
         return _single(" ".join(turned.split())) if turned else None
+
+    def _member(self, node: ast.expr) -> str:
+        """The bit that ``t.A.done`` is; "" for anything else."""
+        bank = bank_of(node)
+        if not isinstance(node, ast.Attribute) or bank is None or not own(self._context, node.value):
+            return ""
+        help, _ = member_hint(self._context, node, bank, own(self._context, node.value).removeprefix(bank.dsl))
+        return help.removeprefix("write ") if help.startswith("write ") else ""
 
     def _of_text(self, node: ast.expr, text: str, wanted: bool) -> _Part | None:
         """A bit that is written otherwise than the node has it."""
@@ -281,19 +290,27 @@ class _Reader:
             return own(self._context, node)
         if isinstance(node, ast.UnaryOp) and isinstance(node.operand, ast.Constant):
             return own(self._context, node)
-        found = calculated(self._context, node, len(self.before))
-        return self._kept(found) if found is not None else ""
+        return self._result(node)
 
-    def _kept(self, found: Calculation) -> str:
-        self.before += found.rungs
-        return found.result
+    def _result(self, node: ast.expr) -> str:
+        """The register with the result of a calculation, which a rung before makes; "" for what CLICK has not."""
+        shown = ast.unparse(node)
+        if shown not in self._results:
+            found = calculated(self._context, node, len(self._results))
+            if found is None:
+                return ""
+            self.before += found.rungs
+            self._results[shown] = found.result
+        return self._results[shown]
 
     def _calculated(self, node: ast.expr, wanted: bool) -> _Part | None:
         """A calculation alone: it is not zero."""
-        found = calculated(self._context, node, len(self.before))
-        if found is None:
-            return None
-        return self._of_register(node, "!=" if wanted else "==", "0", wanted, self._kept(found))
+        bit = bit_under_mask(self._context, node)
+        if bit is not None:
+            self.before += bit.rungs
+            return _single(bit.result if wanted else f"nc({bit.result})")
+        result = self._result(node)
+        return self._of_register(node, "!=" if wanted else "==", "0", wanted, result) if result else None
 
     # -- lists --------------------------------------------------------------------------------------------------------
 

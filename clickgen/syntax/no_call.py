@@ -44,7 +44,7 @@ def no_instruction(context: Context, node: ast.Call, fits: Fits) -> tuple[str, F
         text = _renamed(context, node, lower)
         fix = replaced(context, func, lower, is_safe=True)
         return f"it is written in small letters: {text or INSTRUCTIONS[lower].signature}", fix
-    routine = _routine(context, name)
+    routine = routine_named(context, name)
     if routine and not (node.args and lower in ACTIONS):
         fix = replaced(context, node, f"call({routine})", is_safe=routine == name and not (node.args or node.keywords))
         return f"a subroutine is called with call({routine})", fix
@@ -104,7 +104,7 @@ def _of_address(context: Context, node: ast.Call, func: ast.Attribute, fits: Fit
     return told or f"an instruction is called by its name alone: {INSTRUCTIONS['out'].example}; {_LIST}"
 
 
-def _routine(context: Context, name: str) -> str:
+def routine_named(context: Context, name: str) -> str:
     """The function of this file, or one that it imports, which a call means; "" for none."""
     word = re.escape(name)
     text = context.source.text

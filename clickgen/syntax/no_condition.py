@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -27,6 +27,7 @@ from clickgen.syntax.hints import (
     trade_advice,
 )
 from clickgen.syntax.meant import SIGNS, Meant, is_condition, meant, truth_of
+from clickgen.syntax.no_call import routine_named
 from clickgen.syntax.operands import address_hint
 from clickgen.trade import ACTIONS, CONDITIONS, advice
 
@@ -42,6 +43,10 @@ _COMPARED: dict[type[ast.cmpop], str] = {
     ast.Gt: ">",
     ast.GtE: ">=",
 }
+_NO_CALCULATION = (
+    'a condition does not calculate: put a rung before it, if True: calc("ds.A * 2", dd.Result), '
+    "and write dd.Result > 5"
+)
 _RANGE_MAX = 8
 """Of a longer range a message does not name each address."""
 
@@ -60,6 +65,8 @@ def way_out(context: Context, node: ast.expr, fits: Fits) -> tuple[str, Fix | No
         return f"in series write {readings[0].text}, in parallel {readings[1].text}", None
     if readings and isinstance(node, ast.Constant):
         return f"a condition stands without quotes: {readings[0].way_out}", None
+    if isinstance(node, ast.Constant) and node.value is None:
+        return "a rung that always runs stands under if True:", None
     if isinstance(node, ast.Lambda):
         text = own(context, node.body)
         return (f"lambda: is for the inputs of a box; write {text} alone" if fits(text) else ""), None
@@ -70,6 +77,9 @@ def way_out(context: Context, node: ast.expr, fits: Fits) -> tuple[str, Fix | No
     known = advice(node.id, CONDITIONS) if isinstance(node, ast.Name) else None
     if known is not None:
         return known.shown, None
+    routine = routine_named(context, node.id) if isinstance(node, ast.Name) else ""
+    if routine:
+        return f"a subroutine is called under the if: call({routine})", None
     if isinstance(node, ast.Name) and not address_hint(node):
         return f"a nickname follows its bank: x.{node.id}, y.{node.id} or c.{node.id}", None
     return address_hint(node), None
@@ -110,22 +120,36 @@ def _called(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | No
         if not node.args and text and fits(text):
             return f"an address is not called: write {text}", None
         if isinstance(node.func, ast.Attribute):
-            holder = node.func.value
-            return trade_advice(context, node.func.attr, CONDITIONS, (holder, *node.args), fits), None
+            arguments = _limits(node.func.attr, (node.func.value, *node.args))
+            return trade_advice(context, node.func.attr, CONDITIONS, arguments, fits), None
         return "", None
     name = node.func.id if isinstance(node.func, ast.Name) else ""
     lower = name.lower()
     if lower in _FUNCTIONS:
         return f"it is written in small letters: {lower}(...)", replaced(context, node.func, lower, is_safe=True)
-    told = trade_advice(context, name, CONDITIONS, node.args, fits)
+    told = trade_advice(context, name, CONDITIONS, _limits(name, node.args), fits)
     if told:
         return told, None
+    routine = routine_named(context, name)
+    if routine:
+        return f"a subroutine is called under the if: call({routine})", None
     if lower in INSTRUCTIONS or lower in ACTIONS:
         spec = INSTRUCTIONS.get(lower)
         found = advice(lower, ACTIONS)
         shown = spec.example if spec else found.code[0] if found and found.code else ""
+        shown = own(context, node) if name in INSTRUCTIONS and node.args and own(context, node) else shown
         return f"an action stands under the if, not in it: {shown}", None
     return address_hint(node) or did_you_mean(name, _FUNCTIONS), None
+
+
+def _limits(word: str, arguments: Sequence[ast.expr]) -> Sequence[ast.expr]:
+    """The limits of LIM around its value, which other functions, such as ``between``, take first."""
+    if len(arguments) != 3 or advice(word, CONDITIONS) is not CONDITIONS["lim"]:
+        return arguments
+    registers = [argument for argument in arguments if isinstance(argument, ast.Attribute | ast.Subscript)]
+    value = registers[0] if len(registers) == 1 else arguments[word.lower() == "lim"]
+    low, high = [argument for argument in arguments if argument is not value]
+    return low, value, high
 
 
 def _calculation(context: Context, node: ast.BinOp, fits: Fits) -> tuple[str, Fix | None]:
@@ -134,19 +158,9 @@ def _calculation(context: Context, node: ast.BinOp, fits: Fits) -> tuple[str, Fi
     if isinstance(node.op, ast.Sub) and isinstance(left, ast.Attribute) and isinstance(node.right, ast.Name):
         return f"CLICK takes no - in a nickname: write {own(context, left)}_{node.right.id}", None
     if has_bits(node):
-        return _algebra(context, node, fits), None
-    text = own(context, node)
-    if not text or "'" in text:
-        return "", None
-    quote = "'" if '"' in text else '"'
-    return f"calculate it in a rung before, calc({quote}{text}{quote}, ds.Result), and test ds.Result != 0", None
-
-
-def _algebra(context: Context, node: ast.BinOp, fits: Fits) -> str:
-    """``c.A + c.B`` and ``c.A * c.B``, as boolean algebra writes or and and."""
-    function = {ast.Add: "any", ast.Mult: "all"}.get(type(node.op))
-    text = f"{function}({own(context, node.left)}, {own(context, node.right)})"
-    return f"bits do not calculate; write {text}" if function and fits(text) else ""
+        series, parallel = (f"{name}({own(context, left)}, {own(context, node.right)})" for name in ("all", "any"))
+        return f"bits do not calculate; in series write {series}, in parallel {parallel}" if fits(series) else "", None
+    return _NO_CALCULATION, None
 
 
 # -- comparisons ------------------------------------------------------------------------------------------------------

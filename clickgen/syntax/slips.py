@@ -15,6 +15,7 @@ from clickgen.diagnostics import Diagnostics, Edit, Fix
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.source import SourceFile, Span
 from clickgen.syntax import slip_kinds as kinds
+from clickgen.syntax import slip_words as words
 from clickgen.syntax.context import Context
 from clickgen.syntax.slip_kinds import Line, Told
 
@@ -86,6 +87,13 @@ SLIPS: tuple[Slip, ...] = (
         kinds.says("this is the mark of a merge conflict", "keep one of the two versions, and take the marks away"),
         ("<<<<<<< HEAD", "=======", ">>>>>>> branch"),
     ),
+    Slip(words.ACTED, words.acted, ("out(y[1]) if x[1]", "if x[1] then out(y[1])", "x[1] -> out(y[1])")),
+    Slip(words.BETWEEN, words.between, ("if ds.A between 1 and 5:", "if ds.A not between 1 and 5 and x[1]:")),
+    Slip(words.COMPARED, words.compared, ("if ds.A greater than 5:", "if ds.A is at least 5:", "if ds.A equals 5:")),
+    Slip(words.STATE, words.state, ("if x[1] on:", "if x[1] is off and x[2] on:")),
+    Slip(words.HALF, words.half, ("if ds.A > 5 and < 10:",)),
+    Slip(words.LISTED, words.listed, ("if ds.A in 1, 2, 3:",)),
+    Slip(words.HEAD, words.missing_word, ("if x[1] x[2]:", "if nc(x[1]) c.A:", "if c.A c.B:")),
     Slip(
         _re(r"(?:^|\s|;)(?P<sign>//)|(?P<other>/\*|\(\*|^\s*\*/)"),
         lambda line, match: (
@@ -166,7 +174,7 @@ SLIPS: tuple[Slip, ...] = (
         ("if c.1st:", "if c.if:"),
     ),
     Slip(
-        _re(rf"{kinds.BANK}\.(?P<name>[A-Za-z_]\w{{0,30}} [A-Za-z0-9_]\w{{0,30}})\b(?!\s*[(=])"),
+        _re(rf"{kinds.BANK}\.(?P<name>[A-Za-z_]\w{{0,30}} [A-Za-z0-9_]\w{{0,30}})\b(?!\s*[(=.\[])"),
         kinds.quoted_name,
         ("if c.My Name:",),
     ),
