@@ -28,6 +28,7 @@ from clickgen.resolve.members import proposal_without_members, without_members
 from clickgen.resolve.rows import Row, is_scratch, looks_like_scratch
 from clickgen.resolve.table import AddressTable
 from clickgen.source import Span
+from clickgen.trade import CONDITIONS, advice
 from clickgen.wording import counted
 
 
@@ -358,6 +359,9 @@ def _own_name_help(use: Named) -> str:
     if near:
         return f"did you mean {near if near.isidentifier() else _reference(Address(use.bank, 0), near)}?"
     bank = BANKS[use.bank].dsl
+    word = advice(use.name, CONDITIONS)
+    if word is not None and word.code and word.code[0].startswith(("sc", "nc(sc")) and use.bank == "SC":
+        return word.shown
     return f"write its number in brackets, {bank}[number], or one of CLICK's own names as CLICK shows it"
 
 

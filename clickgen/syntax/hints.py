@@ -11,7 +11,7 @@ from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_
 from clickgen.device.nicknames import nickname_fault
 from clickgen.diagnostics import Edit, Fix
 from clickgen.syntax.context import Context, Located
-from clickgen.trade import ARGUMENTS, MEMBERS, Advice, advice, bank_hint
+from clickgen.trade import ARGUMENTS, CONDITIONS, MEMBERS, Advice, advice, bank_hint
 from clickgen.trade import BANKS as FOREIGN_BANKS
 
 Fits = Callable[[str], bool]
@@ -82,6 +82,16 @@ def own_code(
         return ""
     written = found.written(texts) if all(texts) else ""
     return written if written and fits(written) else ""
+
+
+def around_value(word: str, arguments: Sequence[ast.expr]) -> Sequence[ast.expr]:
+    """The limits of LIM around its value, which other functions, such as ``between``, take first."""
+    if len(arguments) != 3 or advice(word, CONDITIONS) != CONDITIONS["lim"]:
+        return arguments
+    registers = [argument for argument in arguments if isinstance(argument, ast.Attribute | ast.Subscript)]
+    value = registers[0] if len(registers) == 1 else arguments[word.lower() == "lim"]
+    low, high = [argument for argument in arguments if argument is not value]
+    return low, value, high
 
 
 def _is_operand(node: ast.expr, is_hex: bool) -> bool:
@@ -207,8 +217,10 @@ def member_hint(context: Context, node: ast.Attribute, bank: Bank, rest: str) ->
         text = base
     elif kind == "current":
         text = f"{value}{rest}"
-    elif kind == "timing" and bank.name == "T":
-        text = f"all({value}{rest} > 0, nc({base}))"
+    elif kind in ("timing", "expired") and bank.name == "T":
+        return _while_timing(context, base, f"{value}{rest}", kind), None
+    elif kind == "expired":
+        text = base
     elif bank.is_bit and kind in ("off", "rising", "falling"):
         text = {"off": "nc", "rising": "re", "falling": "fe"}[kind] + f"({base})"
     elif kind == "immediate" and bank.name in ("X", "Y"):
@@ -219,7 +231,7 @@ def member_hint(context: Context, node: ast.Attribute, bank: Bank, rest: str) ->
     elif kind == "enabled" and value:
         return "CLICK has no such bit: test what the rung of the instruction tests", None
     elif kind == "reset" and value:
-        return reset_hint(bank.name, base), None
+        return reset_hint(bank.name, base, timers_of(context, base)), None
     else:
         return "", None
     if value and node.attr.lower() in _SURE_MEMBERS:
@@ -227,13 +239,43 @@ def member_hint(context: Context, node: ast.Attribute, bank: Bank, rest: str) ->
     return f"write {text}", fix
 
 
+def timers_of(context: Context, bit: str) -> frozenset[str]:
+    """The instructions of this file that own a timer, as its text has them: ``ton``, ``tof``, ``rton``, ``rtof``."""
+    pattern = rf"\b(r?to[nf])\s*\(\s*(?:timer\s*=\s*)?{re.escape(bit)}\s*[,)]"
+    text = context.source.text
+    return frozenset(
+        found[1].lower()
+        for found in re.finditer(pattern, text, re.IGNORECASE)
+        if "#" not in text[text.rfind("\n", 0, found.start()) + 1 : found.start()]
+    )
+
+
+def _while_timing(context: Context, bit: str, current: str, kind: str) -> str:
+    """How ``t.A.tt`` and ``t.A.expired`` are written, which depends on the instruction that owns the timer.
+
+    The bit of an off-delay is on while it counts and goes off at its end (click-facts, section 8).
+    """
+    running = {"ton": f"all({current} > 0, nc({bit}))", "tof": f"all({current} > 0, {bit})"}
+    kept = "a retentive timer keeps its value while its rung is off, so add the condition of that rung"
+    running["rton"] = f"{running['ton']}; {kept}"
+    ended = {"ton": bit, "rton": bit, "tof": f"nc({bit})"}
+    table = running if kind == "timing" else ended
+    owners = {owner.replace("rtof", "tof") for owner in timers_of(context, bit)}
+    if len(owners) == 1:
+        return f"write {table[owners.pop()]}"
+    return f"of an on-delay (ton) write {table['ton']}, of an off-delay (tof) {table['tof']}"
+
+
 def _counter(name: str, setpoint: str) -> str:
     return f"ctu({name}, setpoint={setpoint}, reset=lambda: c.Clear)"
 
 
-def reset_hint(bank: str, shown: str) -> str:
-    """How a timer or a counter is reset: ``reset(t.A)`` does not do it."""
+def reset_hint(bank: str, shown: str, owners: frozenset[str] = frozenset()) -> str:
+    """How a timer or a counter is reset: ``reset(t.A)`` does not do it. ``owners`` are its instructions, if known."""
     if bank in ("CT", "CTD"):
         return f"a counter has an input for its reset: {_counter(shown, '10')}"
     retentive = f"rton({shown}, setpoint=5, unit=Ts, reset=lambda: c.Clear)"
-    return f"a ton is reset when its rung goes off; a retentive timer has an input for it: {retentive}"
+    if owners == {"tof"}:
+        return f"a tof is reset when its rung comes on; a retentive timer has an input for it: {retentive}"
+    plain = "" if owners <= {"ton", "rton"} and owners else ", a tof when it comes on"
+    return f"a ton is reset when its rung goes off{plain}; a retentive timer has an input for it: {retentive}"

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from clickgen.ir.conditions import OPPOSITE
 from clickgen.syntax.context import Context
 from clickgen.syntax.formulas import bit_under_mask, calculated
-from clickgen.syntax.hints import Fits, bank_of, flat_address, member_hint, own, own_code
+from clickgen.syntax.hints import Fits, around_value, bank_of, flat_address, member_hint, own, own_code
 from clickgen.syntax.rewrite import opposite_text, python_logic
 from clickgen.trade import CONDITIONS, advice
 
@@ -191,7 +191,8 @@ class _Reader:
         if self._fits(own(self._context, node) or "-"):
             return self._leaf(node, wanted)
         found = advice(name, CONDITIONS)
-        return self._of_text(node, own_code(self._context, found, node.args, self._fits), wanted) if found else None
+        text = own_code(self._context, found, around_value(name, node.args), self._fits) if found else ""
+        return self._of_text(node, text, wanted)
 
     def _chosen(self, node: ast.IfExp, wanted: bool) -> _Part | None:
         """``x[1] if x[2] else x[3]``: two ways in parallel."""

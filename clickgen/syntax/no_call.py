@@ -11,7 +11,7 @@ from clickgen.diagnostics import Edit, Fix, did_you_mean
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.spec import ParamKind, Spec
 from clickgen.syntax.context import Context
-from clickgen.syntax.hints import BANK_NAMES, Fits, own, own_code, replaced, reset_hint, trade_advice
+from clickgen.syntax.hints import BANK_NAMES, Fits, own, own_code, replaced, reset_hint, timers_of, trade_advice
 from clickgen.trade import ACTIONS, ARGUMENTS, CONDITIONS, advice
 
 _FUNCTIONS = ("all", "any", "nc", "re", "fe")
@@ -56,7 +56,8 @@ def no_instruction(context: Context, node: ast.Call, fits: Fits) -> tuple[str, F
         return f"{lower}(...) is a condition: write if {own(context, node) or f'{lower}(c.A)'}:", None
     bank = _bank_of(context, node.args[0]) if node.args else None
     if lower in _RESETS and bank is not None and bank.name in ("T", "CT"):
-        return reset_hint(bank.name, own(context, node.args[0])), None
+        shown = own(context, node.args[0])
+        return reset_hint(bank.name, shown, timers_of(context, shown)), None
     told = trade_advice(context, name, ACTIONS, node.args, fits, node.keywords)
     if told:
         return told, _rename(context, node, name, fits)
@@ -99,7 +100,7 @@ def _of_address(context: Context, node: ast.Call, func: ast.Attribute, fits: Fit
             return f"an instruction is called, and the address is its argument: {text}"
         bank = _bank_of(context, holder)
         if name == "reset" and bank is not None and bank.name in ("T", "CT"):
-            return reset_hint(bank.name, own(context, holder))
+            return reset_hint(bank.name, own(context, holder), timers_of(context, own(context, holder)))
     told = trade_advice(context, func.attr, ACTIONS, (), fits)
     return told or f"an instruction is called by its name alone: {INSTRUCTIONS['out'].example}; {_LIST}"
 

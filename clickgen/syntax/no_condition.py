@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -17,6 +17,7 @@ from clickgen.source import SourceFile
 from clickgen.syntax.context import Context
 from clickgen.syntax.hints import (
     Fits,
+    around_value,
     bank_of,
     expression_of,
     flat_address,
@@ -120,14 +121,14 @@ def _called(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | No
         if not node.args and text and fits(text):
             return f"an address is not called: write {text}", None
         if isinstance(node.func, ast.Attribute):
-            arguments = _limits(node.func.attr, (node.func.value, *node.args))
+            arguments = around_value(node.func.attr, (node.func.value, *node.args))
             return trade_advice(context, node.func.attr, CONDITIONS, arguments, fits), None
         return "", None
     name = node.func.id if isinstance(node.func, ast.Name) else ""
     lower = name.lower()
     if lower in _FUNCTIONS:
         return f"it is written in small letters: {lower}(...)", replaced(context, node.func, lower, is_safe=True)
-    told = trade_advice(context, name, CONDITIONS, _limits(name, node.args), fits)
+    told = trade_advice(context, name, CONDITIONS, around_value(name, node.args), fits)
     if told:
         return told, None
     routine = routine_named(context, name)
@@ -140,16 +141,6 @@ def _called(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | No
         shown = own(context, node) if name in INSTRUCTIONS and node.args and own(context, node) else shown
         return f"an action stands under the if, not in it: {shown}", None
     return address_hint(node) or did_you_mean(name, _FUNCTIONS), None
-
-
-def _limits(word: str, arguments: Sequence[ast.expr]) -> Sequence[ast.expr]:
-    """The limits of LIM around its value, which other functions, such as ``between``, take first."""
-    if len(arguments) != 3 or advice(word, CONDITIONS) is not CONDITIONS["lim"]:
-        return arguments
-    registers = [argument for argument in arguments if isinstance(argument, ast.Attribute | ast.Subscript)]
-    value = registers[0] if len(registers) == 1 else arguments[word.lower() == "lim"]
-    low, high = [argument for argument in arguments if argument is not value]
-    return low, value, high
 
 
 def _calculation(context: Context, node: ast.BinOp, fits: Fits) -> tuple[str, Fix | None]:

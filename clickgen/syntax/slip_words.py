@@ -24,7 +24,9 @@ COMPARED = re.compile(
     rf"(?P<or>\s+or\s+equals?(?:\s+to)?)?\s+(?P<other>{_OPERAND})",
     re.IGNORECASE,
 )
-STATE = re.compile(rf"(?P<value>{_ADDRESS})\s+(?:is\s+)?(?P<state>on|off|true|false)\b(?!\s*[(.\[])", re.IGNORECASE)
+STATE = re.compile(
+    rf"(?P<value>{_ADDRESS})\s+(?:is\s+)?(?P<not>not\s+)?(?P<state>on|off|true|false)\b(?!\s*[(.\[])", re.IGNORECASE
+)
 HALF = re.compile(
     rf"(?P<value>{_ADDRESS})\s*(?:[<>]=?|==|!=)\s*{_OPERAND}\s+(?:and|or)\s+(?P<place>)(?=[<>]=?|==|!=)", re.IGNORECASE
 )
@@ -58,7 +60,7 @@ def compared(line: Line, match: re.Match[str]) -> Told | None:
 def state(line: Line, match: re.Match[str]) -> Told | None:
     """``x[1] on``, ``x[1] is off``"""
     edits = [
-        (found.end("value"), found.end(), " == True" if found["state"].lower() in ("on", "true") else " == False")
+        (found.end("value"), found.end(), f" == {(found['state'].lower() in ('on', 'true')) is not bool(found['not'])}")
         for found in STATE.finditer(line.code)
     ]
     return _told(line, "a bit is a condition by itself", match.span(), edits)
@@ -93,15 +95,15 @@ def missing_word(line: Line, _: re.Match[str]) -> Told | None:
             places.append(found.span("gap"))
     if not places:
         return None
-    ways = [
-        condition_of(line, after_head(without(line, [(*at, f" {word} ") for at in places]))) for word in ("and", "or")
-    ]
+    ways = []
+    for word in ("and", "or"):
+        text = without(line, [(*at, f" {word} ") for at in places])
+        ways.append(condition_of(line, after_head(text)))
     if not all(way.startswith("write if ") for way in ways):
         return None
     series, parallel = (way.removeprefix("write ") for way in ways)
-    return Told(
-        "a word is missing between two conditions", f"in series write {series} in parallel {parallel}", places[0]
-    )
+    help = f"write {series} for both in series, {parallel} for one of them in parallel"
+    return Told("a word is missing between two conditions", help, places[0])
 
 
 # -- actions beside their condition -----------------------------------------------------------------------------------
@@ -122,8 +124,5 @@ def acted(line: Line, match: re.Match[str]) -> Told | None:
     if not fits_action(line.context, action):
         return None
     way = condition_of(line, test)
-    return (
-        Told("an action stands under its condition", f"{way} {action}", spans[0])
-        if way.startswith("write if")
-        else None
-    )
+    is_right = way.startswith("write if ")
+    return Told("an action stands under its condition", f"{way} {action}", spans[0]) if is_right else None

@@ -67,9 +67,9 @@ CONDITIONS = table(
     ("abs", "a condition does not calculate; of a size, test both signs: {}", ("any(ds.A > 3, ds.A < -3)",), ""),
     ("sum", BEFORE, ('calc("SUM(ds[1:11])", ds.Total)', "ds.Total > 5"), ""),
     ("max min limit", "compare each by itself: {} or {}", ("any(ds.A > 5, ds.B > 5)", "all(ds.A > 5, ds.B > 5)"), ""),
-    ("afi false never", "sc[1] is always on, so that a rung under {} never runs", ("nc(sc[1])",), ""),
+    ("afi false never alwaysoff always_off alwaysfalse always_false", "sc[1] is always on, so that a rung under {} never runs", ("nc(sc[1])",), ""),
     (
-        "always true",
+        "always true alwayson always_on alwaystrue always_true",
         "a rung that always runs stands under if True:, and a contact that is always on is {}",
         ("sc[1]",),
         "",
