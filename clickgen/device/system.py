@@ -178,7 +178,7 @@ _SAME_WORDS = {
         ("1st initial", "first"),
         ("s secs second seconds", "sec"),
         ("msec msecs millisecond milliseconds", "ms"),
-        ("mins minute minutes", "min"),
+        ("minute minutes", "min"),
         ("h hr hrs hours", "hour"),
         ("days", "day"),
         ("months", "month"),
@@ -195,12 +195,13 @@ _WORD = re.compile(r"1st|\d+|[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+", re.ASCII
 
 
 def _meaning(name: str) -> tuple[str, ...]:
-    """The words of a name in one order and spelling: ``First_Scan`` is ``_1st_SCAN``, ``Clock_1s`` ``_1sec_Clock``."""
+    """The words of a name in one spelling: ``First_Scan`` is ``_1st_SCAN``, and ``Clock_1s`` is ``_1sec_Clock``.
+
+    They stay in order: nobody knows whether ``_RTC_Hour_New`` is ``_RTC_New_Hour``.
+    """
     words = [_SAME_WORDS.get(word.lower(), word.lower()) for word in _WORD.findall(name)]
     telling = [word for word in words if word not in _SILENT_WORDS]
-    kept = telling if len(telling) > 1 else words
-    # Of two numbers each belongs to the word beside it.
-    return tuple(kept if sum(word.isdigit() for word in kept) > 1 else sorted(kept))
+    return tuple(telling if len(telling) > 1 else words)
 
 
 # -- slips of the pen -------------------------------------------------------------------------------------------------

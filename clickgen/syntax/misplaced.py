@@ -18,7 +18,7 @@ from clickgen.syntax.hints import bank_of, has_bits, own, replaced
 from clickgen.syntax.meant import meant
 from clickgen.syntax.no_call import routine_named
 from clickgen.syntax.rewrite import python_logic
-from clickgen.trade import ACTIONS, advice
+from clickgen.trade import ACTIONS, CONDITIONS, advice
 
 
 class WayOut(NamedTuple):
@@ -295,6 +295,9 @@ def _word(name: str) -> WayOut:
     if lower in ENDINGS:
         return WayOut("an if ends where its lines stop being indented: leave this out")
     found = advice(lower, ACTIONS)
+    asked = None if found else advice(lower, CONDITIONS)
+    if asked is not None:
+        return WayOut(f"a condition stands in the if: {asked.shown}")
     return WayOut(found.shown if found else did_you_mean(name, (*INSTRUCTIONS, "return", "pass")))
 
 

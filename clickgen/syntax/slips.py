@@ -290,7 +290,8 @@ SLIPS: tuple[Slip, ...] = (
     ),
     Slip(
         _re(
-            r"^\s*(?P<word>LD[NIPF]?|STR[N]?|ANDN?|ORN?|ANI|ORI|ANB|ORB|MPS|MRD|MPP|OUT|SET|RST|TON|CTU|ST)\s+[%A-Za-z_]"
+            r"^\s*(?P<word>LD[NIPF]?|LDNOT|STR(?:N|PD|ND)?|AND(?:N|P|F|PD|ND|NOT)?|OR(?:N|P|F|PD|ND|NOT)?|ANI|ORI|ANB|ORB"
+            r"|X?NOR|XORN?|MPS|MRD|MPP|OUT|SET|RST|TON|CTU|ST|A|AN|O|ON|X|XN|FP|FN|S|R)\s+[%A-Za-z_]"
         ),
         kinds.says(
             "an instruction list is no program here",

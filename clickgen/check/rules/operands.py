@@ -177,7 +177,9 @@ def _instead(facts: Facts, placed: Placed, target: object) -> str:
         what = "timer" if bank == "T" else "counter"
         return f"its {what} alone turns it on; turn on a bit of the program, {placed.spec.name}(c.Name)"
     if bank in ("T", "CT"):
-        owners = (one.spec.name for one in facts.actions if one.action.args.get("timer") is not None and _owns(one, target))
+        owners = (
+            one.spec.name for one in facts.actions if one.action.args.get("timer") is not None and _owns(one, target)
+        )
         return reset_hint(bank, shown, frozenset(owners))
     if bank == "X":
         return "an input follows its terminal; write an output, y.Name, or a bit of the program, c.Name"
