@@ -21,9 +21,10 @@ _NOWHERE = Span("", 0, 0, 0, 0)
 def same_kind(facts: Facts, compare: Compare) -> str:
     """The comparison as it is right, or with the rung that copies one of its sides before."""
     left, right = compare.left, compare.right
-    if isinstance(left, Constant) or isinstance(right, Constant):
-        constant, register = (left, right) if isinstance(left, Constant) else (right, left)
-        return _with_constant(facts, compare, constant, register)
+    if isinstance(left, Constant):
+        return _with_constant(facts, compare, left, right)
+    if isinstance(right, Constant):
+        return _with_constant(facts, compare, right, left)
     # The decimal side stays: of the other a copy is compared.
     ranks = {Kind.TEXT: 2, Kind.HEX: 1}
     copied, kept = sorted((left, right), key=lambda side: -ranks.get(_kind(side), 0))

@@ -141,7 +141,7 @@ def _spellings() -> Iterator[tuple[str, Address]]:
 def _grouped(pairs: Iterator[tuple[_Key, Address]]) -> dict[_Key, tuple[Address, ...]]:
     groups: dict[_Key, tuple[Address, ...]] = {}
     for key, address in pairs:
-        known = groups.get(key, ())
+        known: tuple[Address, ...] = groups.get(key, ())
         groups[key] = known if address in known else (*known, address)
     return groups
 

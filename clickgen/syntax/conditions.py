@@ -13,9 +13,10 @@ from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, 
 from clickgen.ir.proposals import Proposal
 from clickgen.source import SourceFile, Span
 from clickgen.syntax import no_condition
+from clickgen.syntax.binding import binds_otherwise
 from clickgen.syntax.context import Context
-from clickgen.syntax.hints import bank_of, own
-from clickgen.syntax.meant import Meant, binds_otherwise, is_condition, meant
+from clickgen.syntax.hints import bank_of, is_condition, own
+from clickgen.syntax.meant import Meant, meant
 from clickgen.syntax.operands import looks_like_address, read_address, read_operand, shorten
 from clickgen.syntax.rewrite import Rewritten, has_opposite, in_language, python_logic, terms_in
 from clickgen.wording import no_opposite
@@ -134,7 +135,7 @@ def _rewritten(context: Context, node: ast.expr) -> Rewritten | None:
     if rewritten and fits_condition(context, rewritten.text):
         return rewritten
     said = None if "#" in context.text(node) else _meant(context, node)
-    if said is None or said.before:
+    if said is None or said.before or not said.is_exact:
         return None
     return Rewritten(said.text, Edit(context.span(node), said.text), said.turned)
 
@@ -166,7 +167,12 @@ def as_condition(context: Context, node: ast.expr) -> str:
     if fits_condition(context, text):
         return text
     rewritten = _rewritten(context, node)
-    return rewritten.text if rewritten is not None and _has_plain_opposites(context, rewritten) else ""
+    if rewritten is None:
+        said = _meant(context, node)
+        if said is None or said.before:
+            return ""
+        rewritten = Rewritten(said.text, Edit(context.span(node), said.text), said.turned)
+    return rewritten.text if _has_plain_opposites(context, rewritten) else ""
 
 
 def rewrites(context: Context, node: ast.expr) -> bool:
@@ -411,7 +417,7 @@ def _each_of(name: str, span: Range) -> str:
     """``any(re(c[1]), re(c[2]))`` for a range."""
     dsl = BANKS[span.bank].dsl
     if len(span) > _RANGE_MAX:
-        return f"write {name}(...) of each bit: {name}({dsl}[{span.start}])"
+        return f"write {name}(...) of each bit: {name}({dsl}[{span.first}])"
     return f"write any({', '.join(f'{name}({dsl}[{address.number}])' for address in span.addresses())})"
 
 
@@ -426,8 +432,9 @@ def _without_function(context: Context, node: ast.Call, name: str, argument: ast
             written = rewritten._replace(edit=Edit(context.span(node), rewritten.text))
             context.proposals.append(_proposal(context, "CG107", context.span(argument), written))
             return _WAY_OUT, None
-    said = None if "#" in text else _meant(context, node if name in _EDGES else argument)
-    if said is not None and name in _EDGES:
+    said = None if "#" in text else _meant(context, node)
+    if said is not None:
+        propose_turned(context, "CG107", argument, said)
         return said.way_out, None
     asked = text if fits_condition(context, f"all({text})") else as_condition(context, argument)
     if asked and "#" not in asked:

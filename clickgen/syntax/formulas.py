@@ -124,8 +124,9 @@ class _Writer:
             inners = [own(self._context, argument) for argument in node.args]
             return f"{name}({', '.join(inners)})" if name in ALL_FUNCTIONS and all(inners) and not node.keywords else ""
         if isinstance(node, ast.Constant):
-            is_whole = type(node.value) is int
-            return f"0x{node.value:04X}" if self._is_hex and is_whole else own(self._context, node)
+            number = node.value
+            is_hex = self._is_hex and isinstance(number, int) and not isinstance(number, bool)
+            return f"0x{number:04X}" if is_hex and isinstance(number, int) else own(self._context, node)
         bank, text = bank_of(node), own(self._context, node)
         if bank is None or not self._is_hex or bank.kind is Kind.HEX:
             return text if bank is not None else ""

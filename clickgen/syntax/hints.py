@@ -203,6 +203,50 @@ def has_bits(node: ast.expr) -> bool:
     return any(bank is not None and bank.is_bit for bank in banks)
 
 
+# -- conditions -------------------------------------------------------------------------------------------------------
+
+_ALWAYS = frozenset(("true", "on", "always"))
+_NEVER = frozenset(("false", "off", "never"))
+
+
+def truth_of(node: ast.expr) -> bool | None:
+    """What a value means for a bit: True, 1, on; None for anything else."""
+    if isinstance(node, ast.Constant) and node.value in (0, 1) and not isinstance(node.value, float):
+        return bool(node.value)
+    word = node.id if isinstance(node, ast.Name) else node.value if isinstance(node, ast.Constant) else None
+    lower = word.lower() if isinstance(word, str) else ""
+    return True if lower in _ALWAYS else False if lower in _NEVER else None
+
+
+def is_condition(node: ast.expr) -> bool:
+    """True for what is on or off: a bit, a comparison, a function of conditions, and what joins such."""
+    if isinstance(node, ast.Attribute | ast.Subscript):
+        bank = bank_of(node)
+        return bank is not None and bank.is_bit
+    if isinstance(node, ast.Compare):
+        return True
+    if isinstance(node, ast.Call):
+        name = node.func.id if isinstance(node.func, ast.Name) else ""
+        found = advice(name, CONDITIONS)
+        return name in ("all", "any", "nc", "re", "fe") or (found is not None and bool(found.own))
+    if isinstance(node, ast.BoolOp):
+        return any(is_condition(value) for value in node.values)
+    if isinstance(node, ast.UnaryOp):
+        return isinstance(node.op, ast.Not | ast.Invert) and is_condition(node.operand)
+    if isinstance(node, ast.BinOp):
+        is_joined = isinstance(node.op, ast.BitAnd | ast.BitOr | ast.BitXor | ast.Add | ast.Mult)
+        return is_joined and is_condition(node.left) and is_condition(node.right)
+    return isinstance(node, ast.IfExp) and is_condition(node.body)
+
+
+def number_of(node: ast.expr | None) -> int | None:
+    """A whole number with its sign; None for anything else."""
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        inner = number_of(node.operand)
+        return None if inner is None else -inner
+    return node.value if isinstance(node, ast.Constant) and type(node.value) is int else None
+
+
 # -- members ----------------------------------------------------------------------------------------------------------
 
 

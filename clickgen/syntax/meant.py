@@ -11,9 +11,21 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from clickgen.ir.conditions import OPPOSITE
+from clickgen.syntax.binding import compare, is_tight, unbound
 from clickgen.syntax.context import Context
 from clickgen.syntax.formulas import bit_under_mask, calculated
-from clickgen.syntax.hints import Fits, around_value, bank_of, flat_address, member_hint, own, own_code
+from clickgen.syntax.hints import (
+    Fits,
+    around_value,
+    bank_of,
+    flat_address,
+    is_condition,
+    member_hint,
+    number_of,
+    own,
+    own_code,
+    truth_of,
+)
 from clickgen.syntax.rewrite import opposite_text, python_logic
 from clickgen.trade import CONDITIONS, advice
 
@@ -24,8 +36,6 @@ _LISTED = 8
 """So many values of a range are compared one by one."""
 _SWAPPED = {"all": "any", "any": "all"}
 _TURNED_EDGE = {"re": "fe", "fe": "re"}
-_ALWAYS = frozenset(("true", "on", "always"))
-_NEVER = frozenset(("false", "off", "never"))
 SIGNS: dict[type[ast.cmpop], str] = {
     ast.Eq: "==",
     ast.NotEq: "!=",
@@ -46,6 +56,8 @@ class Meant(NamedTuple):
     turned: tuple[ast.expr, ...]
     before: tuple[str, ...]
     """The rungs that have to stand before the one with the condition."""
+    is_exact: bool = True
+    """False where it is what people mean by it, and not what Python would make of it: no fix writes it."""
 
     @property
     def way_out(self) -> str:
@@ -65,16 +77,7 @@ def meant(context: Context, node: ast.expr, fits: Fits, wanted: bool = True) -> 
     text = part.text if part is not None else ""
     if not text or len(text) > _LONGEST or not fits(text):
         return None
-    return Meant(text, tuple(reader.turned), tuple(reader.before))
-
-
-def truth_of(node: ast.expr) -> bool | None:
-    """What a value means for a bit: True, 1, on; None for anything else."""
-    if isinstance(node, ast.Constant) and node.value in (0, 1) and not isinstance(node.value, float):
-        return bool(node.value)
-    word = node.id if isinstance(node, ast.Name) else node.value if isinstance(node, ast.Constant) else None
-    lower = word.lower() if isinstance(word, str) else ""
-    return True if lower in _ALWAYS else False if lower in _NEVER else None
+    return Meant(text, tuple(reader.turned), tuple(reader.before), reader.is_exact)
 
 
 class _Part(NamedTuple):
@@ -109,6 +112,7 @@ class _Reader:
         self.turned: list[ast.expr] = []
         self.before: list[str] = []
         self._results: dict[str, str] = {}
+        self.is_exact = True
 
     def said(self, node: ast.expr, wanted: bool) -> _Part | None:
         """An expression in the language, or its opposite; None where that is not certain."""
@@ -116,6 +120,7 @@ class _Reader:
         if self._left < 0:
             return None
         logic = python_logic(node) or _algebra(node)
+        self.is_exact &= not logic or logic[0] != "+"
         if logic and logic[1] == "nc":
             return self.said(logic[2][0], not wanted)
         if logic:
@@ -132,7 +137,8 @@ class _Reader:
             return self._unlike(node.left, node.right, wanted)
         if isinstance(node, ast.BinOp):
             sides = [node.left, node.right]
-            if _is_tight(node) and any(map(is_condition, sides)):
+            if is_tight(node) and any(map(is_condition, sides)):
+                self.is_exact = False
                 return self._several("all" if isinstance(node.op, ast.BitAnd) else "any", sides, wanted)
             return self._calculated(node, wanted)
         if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Invert | ast.USub):
@@ -167,6 +173,7 @@ class _Reader:
 
     def _of_text(self, node: ast.expr, text: str, wanted: bool) -> _Part | None:
         """A bit that is written otherwise than the node has it."""
+        self.is_exact = False
         if not text or not self._fits(text):
             return None
         if wanted:
@@ -213,8 +220,9 @@ class _Reader:
     # -- comparisons --------------------------------------------------------------------------------------------------
 
     def _compared(self, node: ast.Compare, wanted: bool) -> _Part | None:
-        groups = _unbound(self._context, node)
+        groups = unbound(self._context, node)
         if groups is not None:
+            self.is_exact = False
             return self.said(groups, wanted)
         if len(node.ops) > 1:
             operands = [node.left, *node.comparators]
@@ -237,7 +245,8 @@ class _Reader:
             return self.said(left, wanted is (truth is (sign == "==")))
         bank = bank_of(left)
         if sign in ("==", "!=") and bank is not None and not bank.is_bit and _is_bool(right):
-            is_on = truth is (sign == "==") is wanted or (truth is not (sign == "==")) is not wanted
+            self.is_exact = False
+            is_on = (truth is (sign == "==")) is wanted
             return self._of_register(left, "!=" if is_on else "==", "0", wanted)
         if is_condition(left) and is_condition(right):
             return self._unlike(left, right, wanted is (sign == "!=")) if sign in ("==", "!=") else None
@@ -263,16 +272,16 @@ class _Reader:
         if not all(values) or not limit:
             return None
         if name == "abs":
-            number = _number(other)
+            number = number_of(other)
             if len(values) > 1 or number is None or number < 0:
                 return None
             function = "any" if sign in (">", ">=", "==") else "all"
-            pairs = (f"{values[0]} {sign} {number}", f"{values[0]} {MIRRORED.get(sign, sign)} {-number}")
+            pairs = [f"{values[0]} {sign} {number}", f"{values[0]} {MIRRORED.get(sign, sign)} {-number}"]
         else:
             if sign not in MIRRORED:
                 return None
             function = "any" if (sign[0] == ">") is (name == "max") else "all"
-            pairs = tuple(f"{value} {sign} {limit}" for value in values)
+            pairs = [f"{value} {sign} {limit}" for value in values]
         return self._checked(function, pairs, node, wanted)
 
     def _of_register(self, node: ast.expr, sign: str, value: str, wanted: bool, shown: str = "") -> _Part | None:
@@ -285,6 +294,7 @@ class _Reader:
         """A side of a comparison: a register, a constant, or the register that a rung before calculates."""
         bank = bank_of(node)
         if bank is not None and bank.is_bit:
+            self.is_exact = False
             current = {"T": "td", "CT": "ctd"}.get(bank.name, "")
             return re.sub(rf"^{bank.dsl}(?=[.\[])", current, own(self._context, node)) if current else ""
         if bank is not None or isinstance(node, ast.Constant):
@@ -319,7 +329,7 @@ class _Reader:
         """``ds.A in (1, 2)``, ``ds.A in range(1, 5)``, ``ds.A in ds[1:5]``."""
         texts: list[str] = []
         if isinstance(values, ast.Call) and isinstance(values.func, ast.Name) and values.func.id == "range":
-            bounds = [bound for argument in values.args if (bound := _number(argument)) is not None]
+            bounds = [bound for argument in values.args if (bound := number_of(argument)) is not None]
             is_whole = len(bounds) == len(values.args) in (1, 2, 3) and not values.keywords
             span = range(*bounds) if is_whole and bounds[2:] != [0] else range(0)
             if not span:
@@ -329,24 +339,25 @@ class _Reader:
                 low, high = values.args if len(bounds) > 1 else (ast.Constant(0), values.args[0])
                 first, last = (ast.unparse(bound) for bound in (low, high))
                 signs = (">=", "<") if wanted else ("<", ">=")
-                pairs = (f"{shown} {signs[0]} {first}", f"{shown} {signs[1]} {last}")
+                pairs = [f"{shown} {signs[0]} {first}", f"{shown} {signs[1]} {last}"]
                 return self._checked("all" if wanted else "any", pairs, left, wanted)
             texts = [str(number) for number in span] if len(span) <= _LISTED else []
         elif isinstance(values, ast.Tuple | ast.List | ast.Set):
             texts = [own(self._context, value) for value in values.elts]
         elif isinstance(values, ast.Subscript) and isinstance(values.slice, ast.Slice):
             bank, index = bank_of(values), values.slice
-            first_, last_ = _number(index.lower), _number(index.upper)
+            first_, last_ = number_of(index.lower), number_of(index.upper)
             if bank is None or first_ is None or last_ is None or index.step or last_ - first_ > _LISTED:
                 return None
             texts = [f"{bank.dsl}[{number}]" for number in range(first_, last_)]
         shown = self._value(left)
         sign, function = ("==", "any") if wanted else ("!=", "all")
-        pairs = tuple(f"{shown} {sign} {text}" for text in texts)
+        pairs = [f"{shown} {sign} {text}" for text in texts]
         return self._checked(function, pairs, left, wanted) if shown and all(texts) else None
 
     def _each(self, values: ast.expr, other: ast.expr, sign: str, wanted: bool) -> _Part | None:
         """``ds.A == (1, 2)``, ``ds.A == (1 or 2)``, ``(ds.A or ds.B) == 5``: each compared by itself."""
+        self.is_exact = False
         terms = values.values if isinstance(values, ast.BoolOp) else getattr(values, "elts", [])
         is_all = isinstance(values, ast.BoolOp) and isinstance(values.op, ast.And)
         numbers = all(isinstance(term, ast.Constant) for term in terms)
@@ -356,38 +367,17 @@ class _Reader:
         one, shown = ([self._value(term) for term in terms], self._value(other))
         sides = [(shown, text) if numbers else (text, shown) for text in one]
         sign = sign if wanted else OPPOSITE[sign]
-        pairs = tuple(f"{left} {sign} {right}" for left, right in sides)
+        pairs = [f"{left} {sign} {right}" for left, right in sides]
         function = function if wanted else _SWAPPED[function]
         return self._checked(function, pairs, other, wanted) if shown and all(one) else None
 
-    def _checked(self, function: str, texts: tuple[str, ...], node: ast.expr, wanted: bool) -> _Part | None:
+    def _checked(self, function: str, texts: Sequence[str], node: ast.expr, wanted: bool) -> _Part | None:
         if not wanted:
             self.turned.append(node)
         return _joined(function, map(_single, texts)) if all(map(self._fits, texts)) else None
 
 
 # -- what a part is ---------------------------------------------------------------------------------------------------
-
-
-def is_condition(node: ast.expr) -> bool:
-    """True for what is on or off: a bit, a comparison, a function of conditions, and what joins such."""
-    if isinstance(node, ast.Attribute | ast.Subscript):
-        bank = bank_of(node)
-        return bank is not None and bank.is_bit
-    if isinstance(node, ast.Compare):
-        return True
-    if isinstance(node, ast.Call):
-        name = node.func.id if isinstance(node.func, ast.Name) else ""
-        found = advice(name, CONDITIONS)
-        return name in ("all", "any", "nc", "re", "fe") or (found is not None and bool(found.own))
-    if isinstance(node, ast.BoolOp):
-        return any(is_condition(value) for value in node.values)
-    if isinstance(node, ast.UnaryOp):
-        return isinstance(node.op, ast.Not | ast.Invert) and is_condition(node.operand)
-    if isinstance(node, ast.BinOp):
-        is_joined = isinstance(node.op, ast.BitAnd | ast.BitOr | ast.BitXor | ast.Add | ast.Mult)
-        return is_joined and is_condition(node.left) and is_condition(node.right)
-    return isinstance(node, ast.IfExp) and is_condition(node.body)
 
 
 def _algebra(node: ast.expr) -> tuple[str, str, list[ast.expr]] | None:
@@ -409,93 +399,3 @@ def _is_bool(node: ast.expr) -> bool:
     return (isinstance(node, ast.Constant) and isinstance(node.value, bool)) or (
         isinstance(node, ast.Name) and truth_of(node) is not None
     )
-
-
-def _number(node: ast.expr | None) -> int | None:
-    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
-        inner = _number(node.operand)
-        return None if inner is None else -inner
-    return node.value if isinstance(node, ast.Constant) and type(node.value) is int else None
-
-
-def compare(left: ast.expr, op: ast.cmpop, right: ast.expr) -> ast.Compare:
-    """A comparison that stands from its left side to its right."""
-    return ast.Compare(
-        left,
-        [op],
-        [right],
-        lineno=left.lineno,
-        col_offset=left.col_offset,
-        end_lineno=right.end_lineno,
-        end_col_offset=right.end_col_offset,
-    )
-
-
-def binds_otherwise(context: Context, node: ast.Compare) -> bool:
-    """True for ``ds[1] == 5 & x[1]``: Python takes ``5 & x[1]`` together."""
-    return _unbound(context, node) is not None
-
-
-def _unbound(context: Context, node: ast.Compare) -> ast.expr | None:
-    """``ds[1] == 5 & x[1]`` as it is meant: & and | bind more tightly in Python than the comparisons around them."""
-    operands = [node.left, *node.comparators]
-    whole = context.text(node)
-    if not any(_is_tight(operand) for operand in operands):
-        return None
-    signs: list[ast.cmpop | ast.operator] = []
-    terms: list[ast.expr] = []
-    for index, operand in enumerate(operands):
-        if index:
-            signs.append(node.ops[index - 1])
-        for at, (sign, term) in enumerate(_loose(operand)):
-            if at:
-                signs.append(sign)
-            terms.append(term)
-    if len(context.text(terms[0]) or "") == 0 or _has_brackets(context, whole, terms):
-        return None
-    is_mask = all(_is_word(term) for term in terms) and not (
-        any(_is_tight(operand) for operand in operands[1:-1])
-        or (_is_tight(operands[-1]) and len(operands) == 2 and isinstance(_loose(operands[-1])[0][1], ast.Constant))
-    )
-    return None if is_mask else _grouped(terms, signs)
-
-
-def _grouped(terms: list[ast.expr], signs: list[ast.cmpop | ast.operator]) -> ast.expr | None:
-    for kind, op in ((ast.BitOr, ast.Or()), (ast.BitAnd, ast.And())):
-        places = [at for at, sign in enumerate(signs) if isinstance(sign, kind)]
-        if places:
-            starts, ends = [0, *(at + 1 for at in places)], [*(at + 1 for at in places), len(terms)]
-            values = [_grouped(terms[a:b], signs[a : b - 1]) for a, b in zip(starts, ends, strict=True)]
-            kept = [value for value in values if value is not None]
-            return ast.copy_location(ast.BoolOp(op, kept), terms[0]) if len(kept) == len(values) else None
-    if len(terms) == 1:
-        return terms[0]
-    node = ast.Compare(terms[0], [sign for sign in signs if isinstance(sign, ast.cmpop)], terms[1:])
-    node.lineno, node.col_offset = terms[0].lineno, terms[0].col_offset
-    node.end_lineno, node.end_col_offset = terms[-1].end_lineno, terms[-1].end_col_offset
-    return node
-
-
-def _is_tight(node: ast.expr) -> bool:
-    return isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitAnd | ast.BitOr)
-
-
-def _loose(node: ast.expr) -> list[tuple[ast.operator, ast.expr]]:
-    """The terms of & and |, each with the sign in front of it."""
-    if not isinstance(node, ast.BinOp) or not _is_tight(node):
-        return [(ast.BitAnd(), node)]
-    right = _loose(node.right)
-    return [*_loose(node.left), (node.op, right[0][1]), *right[1:]]
-
-
-def _is_word(node: ast.expr) -> bool:
-    bank = bank_of(node)
-    return isinstance(node, ast.Constant) or (bank is not None and not bank.is_bit)
-
-
-def _has_brackets(context: Context, whole: str, terms: list[ast.expr]) -> bool:
-    """True where parentheses say what belongs together."""
-    rest = whole
-    for term in terms:
-        rest = rest.replace(context.text(term), " ", 1)
-    return "(" in rest or ")" in rest

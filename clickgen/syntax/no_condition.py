@@ -22,12 +22,15 @@ from clickgen.syntax.hints import (
     expression_of,
     flat_address,
     has_bits,
+    is_condition,
+    number_of,
     own,
     own_advice,
     replaced,
     trade_advice,
+    truth_of,
 )
-from clickgen.syntax.meant import SIGNS, Meant, is_condition, meant, truth_of
+from clickgen.syntax.meant import SIGNS, Meant, meant
 from clickgen.syntax.no_call import routine_named
 from clickgen.syntax.operands import address_hint
 from clickgen.trade import ACTIONS, CONDITIONS, advice
@@ -246,10 +249,10 @@ def _compared_bits(node: ast.expr, text: str, is_on: bool) -> str:
     if is_on or not isinstance(node, ast.Subscript) or not isinstance(node.slice, ast.Slice):
         return f"write {text}" if is_on else bit_help(text)
     bank, first, last = bank_of(node), node.slice.lower, node.slice.upper
-    numbers = [bound.value for bound in (first, last) if isinstance(bound, ast.Constant)]
     one = ""
-    if bank is not None and len(numbers) == 2 and all(type(number) is int for number in numbers):
-        cells = [f"nc({bank.dsl}[{number}])" for number in range(*numbers)]
+    start, stop = number_of(first), number_of(last)
+    if bank is not None and start is not None and stop is not None:
+        cells = [f"nc({bank.dsl}[{number}])" for number in range(start, stop)]
         one = f", any({', '.join(cells)}) where one of them is to be off" if 1 < len(cells) <= _RANGE_MAX else ""
     return f"write nc({text}) where all of them are to be off{one}"
 

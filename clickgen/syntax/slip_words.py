@@ -90,8 +90,8 @@ def missing_word(line: Line, _: re.Match[str]) -> Told | None:
     """``x[1] x[2]``: in series or in parallel, which only its writer knows."""
     places = []
     for found in GAP.finditer(line.code):
-        word = re.search(r"\w+$", line.code[: found.start()])
-        if word is None or word[0].lower() not in _JOINS:
+        before = re.search(r"\w+$", line.code[: found.start()])
+        if before is None or before[0].lower() not in _JOINS:
             places.append(found.span("gap"))
     if not places:
         return None
