@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from clickgen.device.banks import Address
 
@@ -38,6 +38,7 @@ CLICK's own export (click-facts [scan.system-points]). No source says when CLICK
 and what a port reports.
 """
 
+_Key = TypeVar("_Key", str, tuple[str, ...])
 _DATA = Path(__file__).with_name("system_nicknames.csv")
 
 
@@ -119,6 +120,8 @@ def near_system_name(name: str, bank: str) -> str:
         words = _words(name)
         points = system_nicknames().values()
         same = {address for shown, address in points if address.bank == bank and _is_slip(words, _words(shown))}
+    if not same:
+        same = {address for address in _by_meaning().get(_meaning(name), ()) if address.bank == bank}
     shown = {_shown().get(address, "") for address in same}
     return shown.pop() if len(shown) == 1 and all(name.lower() in system_nicknames() for name in shown) else ""
 
@@ -137,10 +140,10 @@ def _spellings() -> Iterator[tuple[str, Address]]:
             yield name.lower(), point.address
 
 
-def _grouped(pairs: Iterator[tuple[str, Address]]) -> dict[str, tuple[Address, ...]]:
-    groups: dict[str, tuple[Address, ...]] = {}
+def _grouped(pairs: Iterator[tuple[_Key, Address]]) -> dict[_Key, tuple[Address, ...]]:
+    groups: dict[_Key, tuple[Address, ...]] = {}
     for key, address in pairs:
-        known = groups.get(key, ())
+        known: tuple[Address, ...] = groups.get(key, ())
         groups[key] = known if address in known else (*known, address)
     return groups
 
@@ -160,8 +163,47 @@ def _by_letters() -> dict[str, tuple[Address, ...]]:
     return _grouped((_letters(name), address) for name, address in _spellings())
 
 
+@cache
+def _by_meaning() -> dict[tuple[str, ...], tuple[Address, ...]]:
+    return _grouped((_meaning(name), address) for name, address in _spellings())
+
+
 def _letters(name: str) -> str:
     return re.sub(r"[_ ]", "", name.lower())
+
+
+# -- the same words otherwise -----------------------------------------------------------------------------------------
+
+_SAME_WORDS = {
+    word: meant
+    for words, meant in (
+        ("1st initial", "first"),
+        ("s secs second seconds", "sec"),
+        ("msec msecs millisecond milliseconds", "ms"),
+        ("minute minutes", "min"),
+        ("h hr hrs hours", "hour"),
+        ("days", "day"),
+        ("months", "month"),
+        ("years", "year"),
+        ("err errors", "error"),
+        ("true", "on"),
+        ("cycle", "scan"),
+    )
+    for word in words.split()
+}
+_SILENT_WORDS = frozenset(("clock", "flag", "bit", "the"))
+"""Words that say nothing beside two others: ``_1sec`` can only be ``_1sec_Clock``."""
+_WORD = re.compile(r"1st|\d+|[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+", re.ASCII)
+
+
+def _meaning(name: str) -> tuple[str, ...]:
+    """The words of a name in one spelling: ``First_Scan`` is ``_1st_SCAN``, and ``Clock_1s`` is ``_1sec_Clock``.
+
+    They stay in order: nobody knows whether ``_RTC_Hour_New`` is ``_RTC_New_Hour``.
+    """
+    words = [_SAME_WORDS.get(word.lower(), word.lower()) for word in _WORD.findall(name)]
+    telling = [word for word in words if word not in _SILENT_WORDS]
+    return tuple(telling if len(telling) > 1 else words)
 
 
 # -- slips of the pen -------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import nickname_fault
 from clickgen.device.system import addresses_of_system_name, lookalike_of, near_system_name, system_name_of
+from clickgen.dialects.if_rungs.trade import CONDITIONS, advice
 from clickgen.formula.printer import source_reference
 from clickgen.instructions.spec import Access
 from clickgen.ir.conditions import Compare
@@ -358,6 +359,9 @@ def _own_name_help(use: Named) -> str:
     if near:
         return f"did you mean {near if near.isidentifier() else _reference(Address(use.bank, 0), near)}?"
     bank = BANKS[use.bank].dsl
+    word = advice(use.name, CONDITIONS)
+    if word is not None and word.code and word.code[0].startswith(("sc", "nc(sc")) and use.bank == "SC":
+        return word.shown
     return f"write its number in brackets, {bank}[number], or one of CLICK's own names as CLICK shows it"
 
 

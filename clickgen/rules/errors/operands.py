@@ -177,10 +177,19 @@ def _instead(facts: Facts, placed: Placed, target: object) -> str:
         what = "timer" if bank == "T" else "counter"
         return f"its {what} alone turns it on; turn on a bit of the program, {placed.spec.name}(c.Name)"
     if bank in ("T", "CT"):
-        return reset_hint(bank, shown)
+        owners = (
+            one.spec.name for one in facts.actions if one.action.args.get("timer") is not None and _owns(one, target)
+        )
+        return reset_hint(bank, shown, frozenset(owners))
     if bank == "X":
         return "an input follows its terminal; write an output, y.Name, or a bit of the program, c.Name"
     return "copy it to a DH register, and write that" if bank == "XD" else "write another address"
+
+
+def _owns(placed: Placed, target: object) -> bool:
+    """True for the instruction of this timer."""
+    timer = placed.action.args["timer"]
+    return isinstance(timer, Cell) and isinstance(target, Cell) and timer.address == target.address
 
 
 def _shown(target: object) -> str:

@@ -26,11 +26,28 @@ def python_logic(node: ast.expr) -> tuple[str, str, list[ast.expr]] | None:
     if isinstance(node, ast.BoolOp):
         return ("and", "all", node.values) if isinstance(node.op, ast.And) else ("or", "any", node.values)
     if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not | ast.Invert):
-        return "not" if isinstance(node.op, ast.Not) else "~", "nc", [node.operand]
+        is_word = isinstance(node.op, ast.Invert) and _is_number(node.operand)
+        return None if is_word else ("not" if isinstance(node.op, ast.Not) else "~", "nc", [node.operand])
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitAnd | ast.BitOr):
         terms = [node.left, node.right]
+        # Of two registers one is not zero when any of their bits is on; 1 & 2 is 0, though both are not.
+        taken = ast.Constant if isinstance(node.op, ast.BitOr) else ast.expr
+        if any(isinstance(term, taken) and _is_number(term) for term in terms):
+            return None
         return ("&", "all", terms) if isinstance(node.op, ast.BitAnd) else ("|", "any", terms)
     return None
+
+
+def _is_number(node: ast.expr) -> bool:
+    """True for a word or a number, of which ``&``, ``|`` and ``~`` take the single bits."""
+    if isinstance(node, ast.Attribute | ast.Subscript):
+        bank = BANK_NAMES.get(_bank_of(node))
+        return bank is not None and not bank.is_bit
+    if isinstance(node, ast.BinOp):
+        return _is_number(node.right)
+    if isinstance(node, ast.UnaryOp):
+        return not isinstance(node.op, ast.Not) and _is_number(node.operand)
+    return isinstance(node, ast.Constant) and not isinstance(node.value, bool)
 
 
 class Rewritten(NamedTuple):
@@ -66,6 +83,12 @@ def terms_in(node: ast.expr, function: str = "all", wanted: bool = True) -> Iter
 def has_opposite(context: Context, node: ast.expr) -> bool:
     """True for a single condition whose opposite the language can say."""
     return _Rewriter(context).opposite(node) is not None
+
+
+def opposite_text(context: Context, node: ast.expr) -> str:
+    """The opposite of a single condition; "" where the language has none."""
+    piece = _Rewriter(context).opposite(node)
+    return piece.whole if piece is not None else ""
 
 
 @dataclass(frozen=True)

@@ -5,12 +5,19 @@ from __future__ import annotations
 import ast
 from dataclasses import replace
 
-from clickgen.dialects.if_rungs.read.conditions import FUNCTIONS, as_condition, fits_condition, read_condition
+from clickgen.dialects.if_rungs.read.conditions import (
+    FUNCTIONS,
+    fits_condition,
+    pin_readings,
+    propose_turned,
+    read_condition,
+)
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.modbus import read_remote, read_target
 from clickgen.dialects.if_rungs.read.operands import read_operand, shorten
 from clickgen.dialects.if_rungs.read.options import read_options
 from clickgen.dialects.if_rungs.trade import UNITS as UNIT_WORDS
+from clickgen.dialects.if_rungs.ways_out.formulas import is_formula
 from clickgen.dialects.if_rungs.ways_out.hints import own, replaced
 from clickgen.instructions.maths import MATH_HEX
 from clickgen.instructions.spec import Param, ParamKind, Spec
@@ -18,8 +25,7 @@ from clickgen.instructions.timers import UNITS
 from clickgen.ir.kept import kept_token
 from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Range, Single
 from clickgen.ir.program import FormulaText, Operands, Pattern, Value, Word
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
-from clickgen.text.source import SourceFile
+from clickgen.problems.diagnostics import Edit, Fix
 
 _COMPARISONS = {
     "==": "==",
@@ -120,16 +126,20 @@ def _read_pin(context: Context, spec: Spec, param: Param, node: ast.expr) -> Val
     if isinstance(node, ast.Lambda) and not ast.unparse(node.args):
         return read_condition(context, node.body)
     condition = node.body if isinstance(node, ast.Lambda) else node
-    is_nothing = isinstance(condition, ast.Constant) and condition.value is None
-    shown = "c.Name" if is_nothing else as_condition(context, condition) or shorten(context.text(condition))
     fault = f"{param.name!r} of {spec.name} must be a condition behind lambda:"
     fix = None
-    if not isinstance(node, ast.Lambda) and not is_nothing and fits_condition(context, context.text(node)):
+    if not isinstance(node, ast.Lambda) and fits_condition(context, context.text(node)):
         start = context.span(node)
         fix = Fix((Edit(start._replace(end_line=start.line, end_col=start.col), "lambda: "),))
         # Around a condition on several lines the parentheses belong to it.
         fix = fix if start.line == start.end_line else None
-    context.problem("CG115", node, fault, f"write {param.name}=lambda: {shown} in {spec.signature}", fix)
+    readings = [] if context.is_trial else pin_readings(context, condition)
+    shown = [f"{param.name}=lambda: {reading.text}" for reading in readings] or [f"{param.name}=lambda: c.Name"]
+    before = f"{readings[0].rungs}, and " if readings and readings[0].before else ""
+    ways = f"{shown[0]} for all of them, {shown[1]} for one of them," if len(shown) > 1 else shown[0]
+    context.problem("CG115", node, fault, f"{before}write {ways} in {spec.signature}", fix)
+    if readings and fix is None:
+        propose_turned(context, "CG115", node, readings[0])
     return None
 
 
@@ -138,7 +148,7 @@ def _read_formula(context: Context, spec: Spec, param: Param, node: ast.expr) ->
     if not (isinstance(node, ast.Constant) and isinstance(node.value, str)):
         text = _as_formula(context, node)
         quote = "'" if '"' in text else '"'
-        is_right = bool(text) and not ("'" in text and '"' in text) and _is_formula(text, is_hex)
+        is_right = bool(text) and not ("'" in text and '"' in text) and is_formula(text, is_hex)
         if is_right:
             written = f"{quote}{text}{quote}"
             is_plain = not isinstance(node, ast.JoinedStr) and _is_plain(node)
@@ -165,17 +175,6 @@ def _as_formula(context: Context, node: ast.expr) -> str:
         else:
             return ""
     return "".join(parts)
-
-
-def _is_formula(text: str, is_hex: bool) -> bool:
-    """True for the text of a formula without a fault."""
-    from clickgen.formula import parse_formula
-
-    trial = Context(SourceFile("", f"{text!r}"), Diagnostics())
-    node = ast.parse(trial.source.text, mode="eval").body
-    assert isinstance(node, ast.Constant)
-    parsed = parse_formula(trial.embedded(node), "hex" if is_hex else "decimal", trial.problems)
-    return parsed is not None and not trial.problems.found
 
 
 def _is_plain(node: ast.expr) -> bool:

@@ -7,7 +7,7 @@ from functools import partial
 
 from clickgen.device.banks import READ_ONLY
 from clickgen.dialects.if_rungs.read.arguments import read_argument
-from clickgen.dialects.if_rungs.read.conditions import read_series
+from clickgen.dialects.if_rungs.read.conditions import fits_condition, read_series
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.operands import shorten
 from clickgen.dialects.if_rungs.read.options import modifier_of, read_modifier
@@ -198,7 +198,10 @@ class _Call:
         if not nodes:
             self._fault("CG110", place, f".{method}() needs a condition", f"write .{method}(c.Name) behind")
         elif any(isinstance(node, ast.Lambda | ast.Starred) for node in nodes):
-            self._fault("CG115", nodes[0], f"the conditions of .{method}(...) stand one by one, without lambda")
+            inner = [node.body if isinstance(node, ast.Lambda) else node for node in nodes]
+            shown = ", ".join(self._context.text(node) for node in inner)
+            hint = f"write .{method}({shown}):" if fits_condition(self._context, f"all({shown})") else ""
+            self._fault("CG115", nodes[0], f"the conditions of .{method}(...) stand one by one, without lambda", hint)
         elif own and isinstance(nodes[-1], ast.Constant) and type(nodes[-1].value) is int:
             hint = f"write {next(iter(own))}={nodes[-1].value}:"
             self._fault("CG115", nodes[-1], f"a number is no condition of .{method}(...)", hint)

@@ -48,3 +48,5 @@ EDGE = "a one-shot is a rising edge in the condition, {}, or oneshot=True in the
 BEFORE = "a condition does not calculate: write {} in a rung before, and compare the result: {}"
 SIZE = "copy the number, {}, and turn it round in a rung below where it is negative: {}"
 TWO_RUNGS = "CLICK chooses by conditions, in two rungs: {} and {}"
+LATER = "set and reset are rungs of their own, and the later one in the scan wins;"
+OTHER_WAY = "first {}, then {}"

@@ -8,8 +8,9 @@ import warnings
 from collections.abc import Callable, Sequence
 
 from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
+from clickgen.device.nicknames import nickname_fault
 from clickgen.dialects.if_rungs.read.context import Context, Located
-from clickgen.dialects.if_rungs.trade import ARGUMENTS, MEMBERS, Advice, advice, bank_hint
+from clickgen.dialects.if_rungs.trade import ARGUMENTS, CONDITIONS, MEMBERS, Advice, advice, bank_hint
 from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
 from clickgen.problems.diagnostics import Edit, Fix
 
@@ -83,6 +84,16 @@ def own_code(
     return written if written and fits(written) else ""
 
 
+def around_value(word: str, arguments: Sequence[ast.expr]) -> Sequence[ast.expr]:
+    """The limits of LIM around its value, which other functions, such as ``between``, take first."""
+    if len(arguments) != 3 or advice(word, CONDITIONS) != CONDITIONS["lim"]:
+        return arguments
+    registers = [argument for argument in arguments if isinstance(argument, ast.Attribute | ast.Subscript)]
+    value = registers[0] if len(registers) == 1 else arguments[word.lower() == "lim"]
+    low, high = [argument for argument in arguments if argument is not value]
+    return low, value, high
+
+
 def _is_operand(node: ast.expr, is_hex: bool) -> bool:
     """True for a number or an address that a formula of this kind takes."""
     if isinstance(node, ast.Constant):
@@ -143,8 +154,11 @@ def text_hint(value: str, bank: str = "c") -> str:
     exact = flat_address(value)
     if exact:
         return f"write {exact}, without quotes"
+    inner = expression_of(value) if "." in value or "[" in value else None
+    if inner is not None and bank_of(inner) is not None:
+        return f"write {value.strip()}, without quotes"
     shown = f".{value}" if value.isidentifier() else f'["{value}"]'
-    if not value or len(value) > 24 or not value.isprintable() or '"' in value or "\\" in value:
+    if nickname_fault(value) is not None or '"' in value:
         return "an address is written ds[5] or ds.Name, without quotes around it"
     return f"a nickname follows its bank, without quotes around it all: {bank}{shown}"
 
@@ -189,6 +203,50 @@ def has_bits(node: ast.expr) -> bool:
     return any(bank is not None and bank.is_bit for bank in banks)
 
 
+# -- conditions -------------------------------------------------------------------------------------------------------
+
+_ALWAYS = frozenset(("true", "on", "always"))
+_NEVER = frozenset(("false", "off", "never"))
+
+
+def truth_of(node: ast.expr) -> bool | None:
+    """What a value means for a bit: True, 1, on; None for anything else."""
+    if isinstance(node, ast.Constant) and node.value in (0, 1) and not isinstance(node.value, float):
+        return bool(node.value)
+    word = node.id if isinstance(node, ast.Name) else node.value if isinstance(node, ast.Constant) else None
+    lower = word.lower() if isinstance(word, str) else ""
+    return True if lower in _ALWAYS else False if lower in _NEVER else None
+
+
+def is_condition(node: ast.expr) -> bool:
+    """True for what is on or off: a bit, a comparison, a function of conditions, and what joins such."""
+    if isinstance(node, ast.Attribute | ast.Subscript):
+        bank = bank_of(node)
+        return bank is not None and bank.is_bit
+    if isinstance(node, ast.Compare):
+        return True
+    if isinstance(node, ast.Call):
+        name = node.func.id if isinstance(node.func, ast.Name) else ""
+        found = advice(name, CONDITIONS)
+        return name in ("all", "any", "nc", "re", "fe") or (found is not None and bool(found.own))
+    if isinstance(node, ast.BoolOp):
+        return any(is_condition(value) for value in node.values)
+    if isinstance(node, ast.UnaryOp):
+        return isinstance(node.op, ast.Not | ast.Invert) and is_condition(node.operand)
+    if isinstance(node, ast.BinOp):
+        is_joined = isinstance(node.op, ast.BitAnd | ast.BitOr | ast.BitXor | ast.Add | ast.Mult)
+        return is_joined and is_condition(node.left) and is_condition(node.right)
+    return isinstance(node, ast.IfExp) and is_condition(node.body)
+
+
+def number_of(node: ast.expr | None) -> int | None:
+    """A whole number with its sign; None for anything else."""
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        inner = number_of(node.operand)
+        return None if inner is None else -inner
+    return node.value if isinstance(node, ast.Constant) and type(node.value) is int else None
+
+
 # -- members ----------------------------------------------------------------------------------------------------------
 
 
@@ -203,8 +261,10 @@ def member_hint(context: Context, node: ast.Attribute, bank: Bank, rest: str) ->
         text = base
     elif kind == "current":
         text = f"{value}{rest}"
-    elif kind == "timing" and bank.name == "T":
-        text = f"all({value}{rest} > 0, nc({base}))"
+    elif kind in ("timing", "expired") and bank.name == "T":
+        return _while_timing(context, base, f"{value}{rest}", kind), None
+    elif kind == "expired":
+        text = base
     elif bank.is_bit and kind in ("off", "rising", "falling"):
         text = {"off": "nc", "rising": "re", "falling": "fe"}[kind] + f"({base})"
     elif kind == "immediate" and bank.name in ("X", "Y"):
@@ -215,7 +275,7 @@ def member_hint(context: Context, node: ast.Attribute, bank: Bank, rest: str) ->
     elif kind == "enabled" and value:
         return "CLICK has no such bit: test what the rung of the instruction tests", None
     elif kind == "reset" and value:
-        return reset_hint(bank.name, base), None
+        return reset_hint(bank.name, base, timers_of(context, base)), None
     else:
         return "", None
     if value and node.attr.lower() in _SURE_MEMBERS:
@@ -223,13 +283,43 @@ def member_hint(context: Context, node: ast.Attribute, bank: Bank, rest: str) ->
     return f"write {text}", fix
 
 
+def timers_of(context: Context, bit: str) -> frozenset[str]:
+    """The instructions of this file that own a timer, as its text has them: ``ton``, ``tof``, ``rton``, ``rtof``."""
+    pattern = rf"\b(r?to[nf])\s*\(\s*(?:timer\s*=\s*)?{re.escape(bit)}\s*[,)]"
+    text = context.source.text
+    return frozenset(
+        found[1].lower()
+        for found in re.finditer(pattern, text, re.IGNORECASE)
+        if "#" not in text[text.rfind("\n", 0, found.start()) + 1 : found.start()]
+    )
+
+
+def _while_timing(context: Context, bit: str, current: str, kind: str) -> str:
+    """How ``t.A.tt`` and ``t.A.expired`` are written, which depends on the instruction that owns the timer.
+
+    The bit of an off-delay is on while it counts and goes off at its end (click-facts, section 8).
+    """
+    running = {"ton": f"all({current} > 0, nc({bit}))", "tof": f"all({current} > 0, {bit})"}
+    kept = "a retentive timer keeps its value while its rung is off, so add the condition of that rung"
+    running["rton"] = f"{running['ton']}; {kept}"
+    ended = {"ton": bit, "rton": bit, "tof": f"nc({bit})"}
+    table = running if kind == "timing" else ended
+    owners = {owner.replace("rtof", "tof") for owner in timers_of(context, bit)}
+    if len(owners) == 1:
+        return f"write {table[owners.pop()]}"
+    return f"of an on-delay (ton) write {table['ton']}, of an off-delay (tof) {table['tof']}"
+
+
 def _counter(name: str, setpoint: str) -> str:
     return f"ctu({name}, setpoint={setpoint}, reset=lambda: c.Clear)"
 
 
-def reset_hint(bank: str, shown: str) -> str:
-    """How a timer or a counter is reset: ``reset(t.A)`` does not do it."""
+def reset_hint(bank: str, shown: str, owners: frozenset[str] = frozenset()) -> str:
+    """How a timer or a counter is reset: ``reset(t.A)`` does not do it. ``owners`` are its instructions, if known."""
     if bank in ("CT", "CTD"):
         return f"a counter has an input for its reset: {_counter(shown, '10')}"
     retentive = f"rton({shown}, setpoint=5, unit=Ts, reset=lambda: c.Clear)"
-    return f"a ton is reset when its rung goes off; a retentive timer has an input for it: {retentive}"
+    if owners == {"tof"}:
+        return f"a tof is reset when its rung comes on; a retentive timer has an input for it: {retentive}"
+    plain = "" if owners <= {"ton", "rton"} and owners else ", a tof when it comes on"
+    return f"a ton is reset when its rung goes off{plain}; a retentive timer has an input for it: {retentive}"

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ast
 import re
+from collections.abc import Iterator
+from functools import partial
 from typing import NamedTuple
 
 from clickgen.device.banks import Bank, Kind
@@ -11,8 +13,10 @@ from clickgen.dialects.if_rungs.fix.rewrite import python_logic
 from clickgen.dialects.if_rungs.read.calls import fits_action
 from clickgen.dialects.if_rungs.read.conditions import as_condition, fits_condition, rewrites
 from clickgen.dialects.if_rungs.read.context import Context
-from clickgen.dialects.if_rungs.trade import ACTIONS, advice
+from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, advice
 from clickgen.dialects.if_rungs.ways_out.hints import bank_of, has_bits, own, replaced
+from clickgen.dialects.if_rungs.ways_out.meant import meant
+from clickgen.dialects.if_rungs.ways_out.no_call import routine_named
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.problems.diagnostics import Edit, Fix, did_you_mean
 
@@ -97,6 +101,9 @@ def _assignment(context: Context, node: ast.Assign | ast.AugAssign | ast.AnnAssi
     bank = bank_of(target)
     shown, text = own(context, target), own(context, value) if value is not None else ""
     general = "to set a value write copy(value, address) or calc(formula, address)"
+    if isinstance(node, ast.AnnAssign) and value is None:
+        rung = _rung(context, target, [node.annotation])
+        return WayOut(f"write {rung}", "a condition stands in an if") if rung else WayOut(general)
     if len(targets) > 1 or value is None or not text or not shown:
         return WayOut(general)
     if bank is None:
@@ -194,7 +201,11 @@ def _no_variable(name: str, value: ast.expr, text: str) -> str:
 def _expression(context: Context, node: ast.Expr) -> WayOut:
     value = node.value
     if isinstance(value, ast.Name):
-        return _word(value.id)
+        routine = routine_named(context, value.id)
+        return WayOut(f"write call({routine})") if routine else _word(value.id)
+    acted = driven(context, value)
+    if acted:
+        return WayOut(f"write {acted}", "an action stands under its condition, not behind it")
     if isinstance(value, ast.BinOp) and isinstance(value.op, ast.FloorDiv):
         return _slashes(context, value)
     if isinstance(value, ast.Constant) and isinstance(value.value, str):
@@ -218,6 +229,58 @@ def _expression(context: Context, node: ast.Expr) -> WayOut:
     return WayOut()
 
 
+def driven(context: Context, value: ast.expr) -> str:
+    """``x[1] and out(y[1])`` and ``out(y[1]) if x[1] else None`` as rungs; "" for anything else."""
+    if isinstance(value, ast.IfExp):
+        rungs = [
+            _rung(context, value.test, [action], holds)
+            for holds, action in ((True, value.body), (False, value.orelse))
+            if not isinstance(action, ast.Constant)
+        ]
+        return " and ".join(rungs) if all(rungs) else ""
+    logic = ("", "all", value.elts) if isinstance(value, ast.Tuple) else python_logic(value)
+    if logic is None or logic[1] == "nc":
+        return ""
+    terms = [term for part in logic[2] for term in _flat_terms(part, logic[1])]
+    actions = [term for term in terms if _action(context, term)]
+    asked = [term for term in terms if term not in actions]
+    if not actions:
+        return ""
+    if not asked:
+        return " and on a line of its own ".join(_action(context, action) for action in actions)
+    test = asked[0] if len(asked) == 1 else ast.copy_location(ast.BoolOp(ast.And(), asked), asked[0])
+    if logic[1] == "any" and len(asked) > 1:
+        test = ast.copy_location(ast.BoolOp(ast.Or(), asked), asked[0])
+    # Python goes on behind an or where the condition before it does not hold.
+    return _rung(context, test, actions, logic[1] == "all")
+
+
+def _flat_terms(node: ast.expr, function: str) -> Iterator[ast.expr]:
+    logic = python_logic(node)
+    if logic and logic[1] == function:
+        for term in logic[2]:
+            yield from _flat_terms(term, function)
+    else:
+        yield node
+
+
+def _action(context: Context, node: ast.expr) -> str:
+    """The action that a call is: ``OUT(y[1])`` as ``out(y[1])``, ``fill()`` as ``call(fill)``; "" for none."""
+    if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
+        return ""
+    name, text = node.func.id, own(context, node)
+    routine = "" if node.args or node.keywords else routine_named(context, name)
+    text = f"call({routine})" if routine else name.lower() + text.removeprefix(name) if text else ""
+    return text if text and fits_action(context, text) else ""
+
+
+def _rung(context: Context, test: ast.expr, actions: list[ast.expr], wanted: bool = True) -> str:
+    """``if x[1]: out(y[1])``; "" where one of the parts is none."""
+    said = meant(context, test, partial(fits_condition, context), wanted)
+    texts = [_action(context, action) for action in actions]
+    return f"if {said.text}: {'; '.join(texts)}" if said is not None and not said.before and all(texts) else ""
+
+
 _CONDITIONS = (ast.Attribute, ast.Subscript, ast.Compare, ast.BoolOp, ast.UnaryOp, ast.BinOp)
 
 
@@ -232,6 +295,9 @@ def _word(name: str) -> WayOut:
     if lower in ENDINGS:
         return WayOut("an if ends where its lines stop being indented: leave this out")
     found = advice(lower, ACTIONS)
+    asked = None if found else advice(lower, CONDITIONS)
+    if asked is not None:
+        return WayOut(f"a condition stands in the if: {asked.shown}")
     return WayOut(found.shown if found else did_you_mean(name, (*INSTRUCTIONS, "return", "pass")))
 
 

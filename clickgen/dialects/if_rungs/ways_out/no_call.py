@@ -16,6 +16,7 @@ from clickgen.dialects.if_rungs.ways_out.hints import (
     own_code,
     replaced,
     reset_hint,
+    timers_of,
     trade_advice,
 )
 from clickgen.instructions import INSTRUCTIONS
@@ -52,7 +53,7 @@ def no_instruction(context: Context, node: ast.Call, fits: Fits) -> tuple[str, F
         text = _renamed(context, node, lower)
         fix = replaced(context, func, lower, is_safe=True)
         return f"it is written in small letters: {text or INSTRUCTIONS[lower].signature}", fix
-    routine = _routine(context, name)
+    routine = routine_named(context, name)
     if routine and not (node.args and lower in ACTIONS):
         fix = replaced(context, node, f"call({routine})", is_safe=routine == name and not (node.args or node.keywords))
         return f"a subroutine is called with call({routine})", fix
@@ -64,7 +65,8 @@ def no_instruction(context: Context, node: ast.Call, fits: Fits) -> tuple[str, F
         return f"{lower}(...) is a condition: write if {own(context, node) or f'{lower}(c.A)'}:", None
     bank = _bank_of(context, node.args[0]) if node.args else None
     if lower in _RESETS and bank is not None and bank.name in ("T", "CT"):
-        return reset_hint(bank.name, own(context, node.args[0])), None
+        shown = own(context, node.args[0])
+        return reset_hint(bank.name, shown, timers_of(context, shown)), None
     told = trade_advice(context, name, ACTIONS, node.args, fits, node.keywords)
     if told:
         return told, _rename(context, node, name, fits)
@@ -107,12 +109,12 @@ def _of_address(context: Context, node: ast.Call, func: ast.Attribute, fits: Fit
             return f"an instruction is called, and the address is its argument: {text}"
         bank = _bank_of(context, holder)
         if name == "reset" and bank is not None and bank.name in ("T", "CT"):
-            return reset_hint(bank.name, own(context, holder))
+            return reset_hint(bank.name, own(context, holder), timers_of(context, own(context, holder)))
     told = trade_advice(context, func.attr, ACTIONS, (), fits)
     return told or f"an instruction is called by its name alone: {INSTRUCTIONS['out'].example}; {_LIST}"
 
 
-def _routine(context: Context, name: str) -> str:
+def routine_named(context: Context, name: str) -> str:
     """The function of this file, or one that it imports, which a call means; "" for none."""
     word = re.escape(name)
     text = context.source.text

@@ -9,17 +9,33 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from clickgen.device.banks import BANKS
+from clickgen.device.nicknames import nickname_fault
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.operands import address_hint
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, advice
-from clickgen.dialects.if_rungs.ways_out.hints import Fits, bank_of, has_bits, own, own_advice, replaced, trade_advice
+from clickgen.dialects.if_rungs.ways_out.hints import (
+    Fits,
+    around_value,
+    bank_of,
+    expression_of,
+    flat_address,
+    has_bits,
+    is_condition,
+    number_of,
+    own,
+    own_advice,
+    replaced,
+    trade_advice,
+    truth_of,
+)
+from clickgen.dialects.if_rungs.ways_out.meant import SIGNS, Meant, meant
+from clickgen.dialects.if_rungs.ways_out.no_call import routine_named
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.ir.operands import Immediate, Operand, Range
-from clickgen.problems.diagnostics import Edit, Fix, did_you_mean
+from clickgen.problems.diagnostics import Diagnostics, Edit, Fix, did_you_mean
+from clickgen.text.source import SourceFile
 
 _FUNCTIONS = ("all", "any", "nc", "re", "fe")
-_ALWAYS = frozenset(("true", "on", "always"))
-_NEVER = frozenset(("false", "off", "never"))
 _SIGNS = {"==": True, "!=": False, "is": True, "is not": False}
 _COMPARED: dict[type[ast.cmpop], str] = {
     ast.Eq: "==",
@@ -31,6 +47,10 @@ _COMPARED: dict[type[ast.cmpop], str] = {
     ast.Gt: ">",
     ast.GtE: ">=",
 }
+_NO_CALCULATION = (
+    'a condition does not calculate: put a rung before it, if True: calc("ds.A * 2", dd.Result), '
+    "and write dd.Result > 5"
+)
 _RANGE_MAX = 8
 """Of a longer range a message does not name each address."""
 
@@ -41,17 +61,16 @@ def way_out(context: Context, node: ast.expr, fits: Fits) -> tuple[str, Fix | No
         return "", None
     if isinstance(node, ast.Call):
         return _called(context, node, fits)
-    word = node.id.lower() if isinstance(node, ast.Name) else ""
-    if isinstance(node, ast.Constant) and node.value in (0, 1, False):
-        word = "true" if node.value == 1 else "false"
-    if word in _ALWAYS or word in _NEVER:
-        return CONDITIONS["always" if word in _ALWAYS else "never"].shown, None
-    if isinstance(node, ast.Tuple | ast.List):
-        texts = [own(context, element) for element in node.elts]
-        series, parallel = (f"{function}({', '.join(texts)})" for function in ("all", "any"))
-        return (
-            (f"in series write {series}, in parallel {parallel}", None) if all(texts) and fits(series) else ("", None)
-        )
+    truth = truth_of(node)
+    if truth is not None:
+        return CONDITIONS["always" if truth else "never"].shown, None
+    readings = readings_of(context, node, fits)
+    if len(readings) == 2:
+        return f"in series write {readings[0].text}, in parallel {readings[1].text}", None
+    if readings and isinstance(node, ast.Constant):
+        return f"a condition stands without quotes: {readings[0].way_out}", None
+    if isinstance(node, ast.Constant) and node.value is None:
+        return "a rung that always runs stands under if True:", None
     if isinstance(node, ast.Lambda):
         text = own(context, node.body)
         return (f"lambda: is for the inputs of a box; write {text} alone" if fits(text) else ""), None
@@ -62,9 +81,41 @@ def way_out(context: Context, node: ast.expr, fits: Fits) -> tuple[str, Fix | No
     known = advice(node.id, CONDITIONS) if isinstance(node, ast.Name) else None
     if known is not None:
         return known.shown, None
+    routine = routine_named(context, node.id) if isinstance(node, ast.Name) else ""
+    if routine:
+        return f"a subroutine is called under the if: call({routine})", None
     if isinstance(node, ast.Name) and not address_hint(node):
         return f"a nickname follows its bank: x.{node.id}, y.{node.id} or c.{node.id}", None
     return address_hint(node), None
+
+
+def readings_of(context: Context, node: ast.expr, fits: Fits) -> list[Meant]:
+    """What an expression can mean as a condition: one thing, for a list two; none where nothing is certain."""
+    if isinstance(node, ast.Tuple | ast.List) and len(node.elts) > 1:
+        terms = [meant(context, element, fits) for element in node.elts]
+        kept = [term for term in terms if term is not None and not term.before]
+        texts = ", ".join(term.text for term in kept)
+        turned = tuple(leaf for term in kept for leaf in term.turned)
+        return [Meant(f"{name}({texts})", turned, ()) for name in ("all", "any")] if len(kept) == len(terms) else []
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        text = _unquoted(node.value, fits)
+        return [Meant(text, (), ())] if text else []
+    said = meant(context, node, fits)
+    return [said] if said is not None else []
+
+
+def _unquoted(value: str, fits: Fits) -> str:
+    """The condition that somebody put in quotes: ``"x[2]"``, ``"c.A and c.B"``, ``"Reset"``; "" for another text."""
+    flat, inner = flat_address(value), expression_of(value)
+    if flat:
+        return flat if fits(flat) else ""
+    if isinstance(inner, ast.Name) or nickname_fault(value) is None:
+        cell = f"c.{value}" if value.isidentifier() else f'c["{value}"]'
+        return cell if nickname_fault(value) is None and fits(cell) else ""
+    if inner is None or isinstance(inner, ast.Constant):
+        return ""
+    said = meant(Context(SourceFile("", value), Diagnostics()), inner, fits)
+    return said.text if said is not None and not said.before and not said.turned else ""
 
 
 def _called(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | None]:
@@ -73,20 +124,24 @@ def _called(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | No
         if not node.args and text and fits(text):
             return f"an address is not called: write {text}", None
         if isinstance(node.func, ast.Attribute):
-            holder = node.func.value
-            return trade_advice(context, node.func.attr, CONDITIONS, (holder, *node.args), fits), None
+            arguments = around_value(node.func.attr, (node.func.value, *node.args))
+            return trade_advice(context, node.func.attr, CONDITIONS, arguments, fits), None
         return "", None
     name = node.func.id if isinstance(node.func, ast.Name) else ""
     lower = name.lower()
     if lower in _FUNCTIONS:
         return f"it is written in small letters: {lower}(...)", replaced(context, node.func, lower, is_safe=True)
-    told = trade_advice(context, name, CONDITIONS, node.args, fits)
+    told = trade_advice(context, name, CONDITIONS, around_value(name, node.args), fits)
     if told:
         return told, None
+    routine = routine_named(context, name)
+    if routine:
+        return f"a subroutine is called under the if: call({routine})", None
     if lower in INSTRUCTIONS or lower in ACTIONS:
         spec = INSTRUCTIONS.get(lower)
         found = advice(lower, ACTIONS)
         shown = spec.example if spec else found.code[0] if found and found.code else ""
+        shown = own(context, node) if name in INSTRUCTIONS and node.args and own(context, node) else shown
         return f"an action stands under the if, not in it: {shown}", None
     return address_hint(node) or did_you_mean(name, _FUNCTIONS), None
 
@@ -97,19 +152,9 @@ def _calculation(context: Context, node: ast.BinOp, fits: Fits) -> tuple[str, Fi
     if isinstance(node.op, ast.Sub) and isinstance(left, ast.Attribute) and isinstance(node.right, ast.Name):
         return f"CLICK takes no - in a nickname: write {own(context, left)}_{node.right.id}", None
     if has_bits(node):
-        return _algebra(context, node, fits), None
-    text = own(context, node)
-    if not text or "'" in text:
-        return "", None
-    quote = "'" if '"' in text else '"'
-    return f"calculate it in a rung before, calc({quote}{text}{quote}, ds.Result), and test ds.Result != 0", None
-
-
-def _algebra(context: Context, node: ast.BinOp, fits: Fits) -> str:
-    """``c.A + c.B`` and ``c.A * c.B``, as boolean algebra writes or and and."""
-    function = {ast.Add: "any", ast.Mult: "all"}.get(type(node.op))
-    text = f"{function}({own(context, node.left)}, {own(context, node.right)})"
-    return f"bits do not calculate; write {text}" if function and fits(text) else ""
+        series, parallel = (f"{name}({own(context, left)}, {own(context, node.right)})" for name in ("all", "any"))
+        return f"bits do not calculate; in series write {series}, in parallel {parallel}" if fits(series) else "", None
+    return _NO_CALCULATION, None
 
 
 # -- comparisons ------------------------------------------------------------------------------------------------------
@@ -170,7 +215,9 @@ def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> ComparedBit
     is_terminal = isinstance(left, ast.Attribute) and left.attr == "immediate" and _is_bit(left.value)
     if bank is not None and not bank.is_bit and isinstance(right, ast.Constant) and isinstance(right.value, bool):
         return ComparedBit(f"write {text} {'!=' if right.value is _SIGNS.get(sign, True) else '=='} 0")
-    if bank is None or not (_is_bit(left) or (is_terminal and _truth(right) is not None)) or not fits(text):
+    if bank is not None and bank.is_bit and not _is_bit(left) and truth_of(right) is not None and fits(text):
+        return ComparedBit(_compared_bits(left, text, truth_of(right) is _SIGNS.get(sign, True)))
+    if bank is None or not (_is_bit(left) or (is_terminal and truth_of(right) is not None)) or not fits(text):
         return None
     if _is_bit(right):
         other = own(context, right)
@@ -182,7 +229,7 @@ def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> ComparedBit
         return ComparedBit(
             f"write {written}" if sign in _SIGNS and text and other and fits(written) else bit_help(text)
         )
-    value = _truth(right)
+    value = truth_of(right)
     if value is None or sign not in _SIGNS or not text:
         current = {"T": "td", "CT": "ctd"}.get(bank.name)
         if current and sign and text:
@@ -197,17 +244,21 @@ def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> ComparedBit
     return ComparedBit(f"write {wanted}", fix, None if wanted == text else left)
 
 
+def _compared_bits(node: ast.expr, text: str, is_on: bool) -> str:
+    """The way out for ``c[1:3] == True``; all of them off and not all of them on are two things."""
+    if is_on or not isinstance(node, ast.Subscript) or not isinstance(node.slice, ast.Slice):
+        return f"write {text}" if is_on else bit_help(text)
+    bank, first, last = bank_of(node), node.slice.lower, node.slice.upper
+    one = ""
+    start, stop = number_of(first), number_of(last)
+    if bank is not None and start is not None and stop is not None:
+        cells = [f"nc({bank.dsl}[{number}])" for number in range(start, stop)]
+        one = f", any({', '.join(cells)}) where one of them is to be off" if 1 < len(cells) <= _RANGE_MAX else ""
+    return f"write nc({text}) where all of them are to be off{one}"
+
+
 def bit_help(text: str) -> str:
     return f"write {text or 'c.A'} where it is to be on, nc({text or 'c.A'}) where it is to be off"
-
-
-def _truth(node: ast.expr) -> bool | None:
-    """What a value means for a bit: True, 1, on; None for anything else."""
-    if isinstance(node, ast.Constant) and node.value in (0, 1) and not isinstance(node.value, float):
-        return bool(node.value)
-    word = node.id if isinstance(node, ast.Name) else node.value if isinstance(node, ast.Constant) else None
-    lower = word.lower() if isinstance(word, str) else ""
-    return True if lower in _ALWAYS else False if lower in _NEVER else None
 
 
 def _is_bit(node: ast.expr) -> bool:
@@ -218,19 +269,27 @@ def _is_bit(node: ast.expr) -> bool:
     return bank is not None and bank.is_bit and isinstance(getattr(node, "value", None), ast.Name)
 
 
-def listed_values(context: Context, node: ast.Compare, fits: Fits) -> str:
-    """``ds.A in (1, 2)`` as ``any(ds.A == 1, ds.A == 2)``; "" for any other comparison."""
-    op, values = node.ops[0], node.comparators[0]
-    if isinstance(op, ast.Is | ast.IsNot):
-        sign = "==" if isinstance(op, ast.Is) else "!="
-        text = f"{own(context, node.left)} {sign} {own(context, values)}"
-        return f"write {text}" if fits(text) else ""
-    if not isinstance(op, ast.In | ast.NotIn) or not isinstance(values, ast.Tuple | ast.List | ast.Set):
+def searched(context: Context, node: ast.Compare, fits: Fits) -> str:
+    """``ds.A in ds[1:50]`` by a search; "" for any other comparison."""
+    op, span, left = node.ops[0], node.comparators[0], own(context, node.left)
+    if not isinstance(op, ast.In | ast.NotIn) or not isinstance(span, ast.Subscript | ast.Attribute):
         return ""
-    sign, function = ("==", "any") if isinstance(op, ast.In) else ("!=", "all")
-    left = own(context, node.left)
-    text = f"{function}({', '.join(f'{left} {sign} {own(context, value)}' for value in values.elts)})"
-    return f"write {text}" if len(text) < 200 and fits(text) else ""
+    found = "c.Found" if isinstance(op, ast.In) else "nc(c.Found)"
+    bank = bank_of(span)
+    if bank is None or bank.is_bit or not left or not fits(f"all({left} == 0)"):
+        return ""
+    search = f"search({own(context, span)} == {left}, result=ds.FoundAt, found=c.Found)"
+    return f"put a rung before it, if True: {search}, and write {found}"
+
+
+def compared_condition(context: Context, node: ast.Compare, fits: Fits) -> str:
+    """The way out for ``re(x[1]) == False``, and other conditions of which the language has no opposite."""
+    sides = [side for side in (node.left, node.comparators[0]) if is_condition(side)]
+    other = node.comparators[0] if sides[0] is node.left else node.left
+    said, truth = meant(context, sides[0], fits), truth_of(other)
+    if said is None or said.before or type(node.ops[0]) not in SIGNS or truth is None:
+        return "a condition is written alone; for its opposite put it on a bit: if c.A: out(c.Result), and nc(c.Result)"
+    return f"put it on a bit in a rung before, if {said.text}: out(c.Result), and write nc(c.Result)"
 
 
 def compared_range(context: Context, node: ast.Compare, side: Operand, fits: Fits) -> str:

@@ -52,7 +52,7 @@ class Line(NamedTuple):
 _HEAD = re.compile(r"\s*(?:if|elif|while)\b\s*", re.IGNORECASE)
 
 
-def _condition(line: Line, text: str) -> str:
+def condition_of(line: Line, text: str) -> str:
     """``write if all(...):`` for the text of an if without its slip; what is wrong with it then, or ""."""
     expression = text.strip().rstrip(":;").strip()
     node = expression_of(expression)
@@ -66,7 +66,7 @@ def _condition(line: Line, text: str) -> str:
     return fault.help if fault else ""
 
 
-def _without(line: Line, edits: list[tuple[int, int, str]]) -> str:
+def without(line: Line, edits: list[tuple[int, int, str]]) -> str:
     """The text of the line after these edits."""
     parts, done = [], 0
     for start, end, new in edits:
@@ -75,7 +75,7 @@ def _without(line: Line, edits: list[tuple[int, int, str]]) -> str:
     return "".join([*parts, line.text[done:]])
 
 
-def _after_head(text: str) -> str:
+def after_head(text: str) -> str:
     head = _HEAD.match(text)
     rest = text[head.end() :] if head else ""
     comment = re.search(r":\s*#", rest)
@@ -101,7 +101,7 @@ def logic(line: Line, match: re.Match[str]) -> Told:
     if _binds_otherwise(line.code):
         way = "write what belongs together with all(...) in series, any(...) in parallel and nc(...) for the opposite"
         return Told(f"{match[0]} is not part of the language", way, match.span())
-    help = _condition(line, _after_head(_without(line, edits)))
+    help = condition_of(line, after_head(without(line, edits)))
     general = "in series write all(c.A, c.B), in parallel any(c.A, c.B), for the opposite nc(c.A)"
     return Told(
         f"{match[0]} is not part of the language",
@@ -128,7 +128,7 @@ def comparison(*pairs: tuple[str, str]) -> Callable[[Line, re.Match[str]], Told]
     def tell(line: Line, match: re.Match[str]) -> Told:
         sign = table[match[0]]
         edit = (*match.span(), sign)
-        help = _condition(line, _after_head(_without(line, [edit])))
+        help = condition_of(line, after_head(without(line, [edit])))
         return Told(f"{match[0]} is no comparison here", help or f"write {sign}", match.span(), (edit,))
 
     return tell
@@ -140,14 +140,14 @@ def equals(line: Line, match: re.Match[str]) -> Told | None:
     if _depth(line.code[:start]) > 0 and not re.search(r"\w\[|\(\s*$", line.code[:start]):
         return None
     edit = (start, match.end("sign"), "==")
-    help = _condition(line, _after_head(_without(line, [edit])))
+    help = condition_of(line, after_head(without(line, [edit])))
     return Told("a comparison is written with two equals signs", help or "write ==", edit[:2], (edit,))
 
 
 def then_word(line: Line, match: re.Match[str]) -> Told:
     start = match.start("word")
     edit = (len(line.code[:start].rstrip()), match.end("word"), ":")
-    help = _condition(line, _after_head(line.text[:start]))
+    help = condition_of(line, after_head(line.text[:start]))
     is_last = not line.code[match.end("word") :].strip(" ;")
     edits = (edit,) if is_last and not line.code[:start].rstrip().endswith(":") else ()
     return Told("an if ends with a colon, not with then", help or "write if c.A:", match.span("word"), edits)
@@ -169,7 +169,7 @@ def capitals(line: Line, match: re.Match[str]) -> Told | None:
     if word == word.lower():
         return None
     edit = (*match.span("word"), word.lower())
-    shown = _without(line, [edit]).strip()
+    shown = without(line, [edit]).strip()
     return Told(f"{word.lower()} is written in small letters", f"write {shown}", match.span("word"), (edit,))
 
 
@@ -181,7 +181,7 @@ def no_colon(line: Line, match: re.Match[str]) -> Told | None:
     edit = (len(code) - is_semicolon, len(code), ":")
     shown = line.text[: edit[0]].strip()
     if match["word"] in ("if", "elif", "while"):
-        help = _condition(line, _after_head(line.text[: edit[0]])) or f"write {shown}:"
+        help = condition_of(line, after_head(line.text[: edit[0]])) or f"write {shown}:"
     else:
         help = "write def main():" if match["word"] == "def" and "(" not in code else f"write {shown}:"
     edits = () if match["word"] == "def" and "(" not in code else (edit,)
@@ -190,7 +190,7 @@ def no_colon(line: Line, match: re.Match[str]) -> Told | None:
 
 def comma(line: Line, match: re.Match[str]) -> Told | None:
     """``if c.A, c.B:``"""
-    node = expression_of(_after_head(line.text).strip().rstrip(":"))
+    node = expression_of(after_head(line.text).strip().rstrip(":"))
     if node is None:
         return None
     if not isinstance(node, ast.Tuple):
@@ -199,7 +199,7 @@ def comma(line: Line, match: re.Match[str]) -> Told | None:
     if decimal:
         return Told("decimals are written with a point", f"write {decimal[1]}.{decimal[2]}", decimal.span())
     text = f"all({', '.join(ast.unparse(one) for one in node.elts)})"
-    help = _condition(line, text) or "in series write all(c.A, c.B), in parallel any(c.A, c.B)"
+    help = condition_of(line, text) or "in series write all(c.A, c.B), in parallel any(c.A, c.B)"
     return Told("a comma joins no conditions", help, match.span("sign"))
 
 
@@ -310,7 +310,7 @@ def assigned(line: Line, match: re.Match[str]) -> Told | None:
 
 def _equals_sign(line: Line, match: re.Match[str]) -> Told:
     edit = (*match.span(), "==")
-    help = _condition(line, _after_head(_without(line, [edit])))
+    help = condition_of(line, after_head(without(line, [edit])))
     return Told("a comparison is written with two equals signs", help or "write ==", match.span(), (edit,))
 
 
@@ -383,7 +383,7 @@ def typographic(line: Line, match: re.Match[str]) -> Told:
         return Told("these quotes come from a word processor", help, match.span(), edits)
     if not plain.strip():
         return Told("this blank comes from a word processor", "write a plain blank", match.span(), edits)
-    meant = _condition(line, _after_head(_without(line, list(edits))))
+    meant = condition_of(line, after_head(without(line, list(edits))))
     return Told("this sign is not on a keyboard", meant or f"write {plain}", match.span(), edits)
 
 
@@ -420,7 +420,7 @@ def semicolon(line: Line, _: re.Match[str]) -> Told | None:
     if place is None:
         return None
     edit = (place, place + 1, ",")
-    text = _without(line, [edit]).strip().rstrip(";")
+    text = without(line, [edit]).strip().rstrip(";")
     is_right = fits_action(line.context, text)
     help = f"write {text}" if is_right else "write copy(5, ds.A)"
     return Told("arguments are separated by commas", help, edit[:2], (edit,) if is_right else ())
