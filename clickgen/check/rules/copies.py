@@ -136,7 +136,8 @@ def _check_lengths(action: Action, problems: Diagnostics) -> None:
     param = next(param for param in action.spec.params if param.name == action.spec.matrix[1])
     whole = reached(action, param)
     # How many characters a number becomes is known only when it is copied, so only its most is reserved.
-    if isinstance(target, Cell) and isinstance(whole, Range) and "options" not in action.args:
+    is_sure = isinstance(source, Text) or bool(param.extends_over)
+    if isinstance(target, Cell) and isinstance(whole, Range) and is_sure:
         _check_room(whole, target, problems)
     if not param.extends_over:
         return
