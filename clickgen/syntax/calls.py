@@ -13,11 +13,12 @@ from clickgen.instructions.spec import REQUIRED, Access, Param, ParamKind, Spec
 from clickgen.ir.operands import Cell, Constant, Immediate, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action, Value
 from clickgen.source import SourceFile, Span
-from clickgen.syntax import no_call
+from clickgen.syntax import hints, no_call
 from clickgen.syntax.arguments import read_argument
 from clickgen.syntax.conditions import read_series
 from clickgen.syntax.context import Context
 from clickgen.syntax.hints import expression_of
+from clickgen.syntax.misgiven import misgiven
 from clickgen.syntax.operands import shorten
 from clickgen.syntax.options import modifier_of, read_modifier
 from clickgen.syntax.searches import read_range_comparison
@@ -115,6 +116,10 @@ class _Call:
 
     def read(self) -> dict[str, Value] | None:
         """The arguments; None with problems."""
+        wrong = misgiven(self._context, self._spec, self._node, partial(fits_action, self._context))
+        if wrong is not None:
+            self._context.problem(wrong.code, wrong.node, wrong.message, wrong.help)
+            return None
         self._bind_positional()
         self._bind_keywords()
         chained = {name for link in self._links if (name := self._bind_link(link))}
@@ -233,7 +238,9 @@ class _Call:
         if modifier and param.name == self._spec.matrix[0]:
             self._read_modified(param, *modifier)
             return
-        value = read_argument(self._context, self._spec, param, node)
+        target = self._bound.get("destination")
+        shown = hints.own(self._context, target) if target is not None else ""
+        value = read_argument(self._context, self._spec, param, node, shown)
         if value is None:
             self._faults += 1
         else:
