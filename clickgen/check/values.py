@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from clickgen.device.banks import FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, VALUE_CLASSES, Kind
 from clickgen.diagnostics import Diagnostics
 from clickgen.instructions.spec import Spec
@@ -58,10 +60,10 @@ def range_fault(constant: Operand, kind: Kind | None) -> str:
     return ""
 
 
-def fitting(constant: Operand, kind: Kind | None, text: str, copied: str) -> str:
+def fitting(constant: Operand, kind: Kind | None, text: str, copied: Callable[[str], str]) -> str:
     """A constant that a value of this kind takes, or a register that takes this one.
 
-    ``text`` is the constant as the program writes it, ``copied`` the action with ``{}`` in the place of the constant.
+    ``text`` is the constant as the program writes it, ``copied`` gives the action with another in its place.
     """
     if isinstance(constant, Real):
         if kind in (Kind.INT16, Kind.INT32, Kind.HEX) and abs(constant.value) <= FLOAT_MAX:
@@ -72,13 +74,11 @@ def fitting(constant: Operand, kind: Kind | None, text: str, copied: str) -> str
     value, low, high = constant.value, *INTEGER_RANGES[Kind.INT32]
     bits = 32 if kind is Kind.INT32 else 16
     if kind is Kind.HEX and -(2**15) <= value < 0:
-        return (
-            f"DH holds 0x0000 to 0xFFFF; as a word this is 0x{value + 2**16:04X}: copy(0x{value + 2**16:04X}, {target})"
-        )
+        return f"DH holds 0x0000 to 0xFFFF; these 16 bits are {copied(f'0x{value + 2**16:04X}')}"
     ways = []
     is_hex = text[:2].lower() == "0x" or text.rstrip("'\"").lower().endswith("h")
     if is_hex and kind is not Kind.HEX and 2 ** (bits - 1) <= value < 2**bits:
-        ways.append(f"these {bits} bits are {copied.format(value - 2**bits)}")
+        ways.append(f"these {bits} bits are {copied(str(value - 2**bits))}")
         ways += [f"DH holds them as they are: copy({text}, dh.Name)"] if bits == 16 else []
     if bits == 16 and low <= value <= high:
         ways.append(f"DD holds {low} to {high}: copy({value}, dd.Name)")

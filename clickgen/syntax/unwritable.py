@@ -39,8 +39,8 @@ def _system_number(bank: Bank, node: ast.expr) -> int | None:
 def _name_of(node: ast.expr) -> str:
     if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
         return node.attr
-    is_quoted = isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant)
-    return node.slice.value if is_quoted and isinstance(node.slice.value, str) else ""
+    index = node.slice if isinstance(node, ast.Subscript) else None
+    return index.value if isinstance(index, ast.Constant) and isinstance(index.value, str) else ""
 
 
 def instead(context: Context, node: ast.expr, action: str, value: str = "") -> str:

@@ -206,7 +206,7 @@ def _instead(facts: Facts, placed: Placed, target: object) -> str:
         shown = f"{dsl}.{name}" if name.isidentifier() else f"{dsl}[{target.address.number}]"
     else:
         shown = f"{dsl}[1]"
-    own = system_name_of(target.address) if isinstance(target, Cell) else ""
+    own = (system_name_of(target.address) or "") if isinstance(target, Cell) else ""
     source = placed.action.args.get("source")
     return instead_of(
         bank, shown, placed.spec.name, _text(facts, source) if isinstance(source, Cell | Constant) else "", own
@@ -250,8 +250,11 @@ def _check_constant(facts: Facts, placed: Placed, param: Param, constant: Consta
         return  # the rule about searches has the word
     fault = constant_fault(constant, kind_of(other))
     if fault:
-        is_copy = placed.spec in (COPY, COPY_FILL) and isinstance(other, Operand)
-        copied = f"{placed.spec.name}({{}}, {_text(facts, other)})" if is_copy and isinstance(other, Operand) else "{}"
+        shown = _text(facts, other) if isinstance(other, Operand) and placed.spec in (COPY, COPY_FILL) else ""
+
+        def copied(number: str) -> str:
+            return f"{placed.spec.name}({number}, {shown})" if shown else number
+
         problems.add("CG302", constant.span, fault, fitting(constant, kind_of(other), _text(facts, constant), copied))
 
 
