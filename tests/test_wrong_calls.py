@@ -70,6 +70,7 @@ COILS = [
     ("out(nc(c.A))", "out(c.A)"),
     ("out(not c.A)", "out(c.A)"),
     ("out(~c.A)", "out(c.A)"),
+    ("out(not x[1])", "if nc(x[1]): out(c.Name)"),
     ("set(not c.A)", "reset(c.A)"),
     ("reset(nc(c.A))", "set(c.A)"),
     ("out(y[1] == True)", "out(y[1])"),
@@ -217,3 +218,8 @@ def test_a_name_that_reads_like_a_number_stays_a_name(word: str, tmp_path: Path)
 @pytest.mark.parametrize("written", ["limit(ds.Raw, 0, 100)", "clamp(0, ds.Raw, 100)"])
 def test_limits_in_another_order_are_not_guessed(written: str, tmp_path: Path) -> None:
     assert "ds.Raw" not in errors(action(written), tmp_path)[0].help
+
+
+@pytest.mark.parametrize("written", ['calc("MAX(ds.P, ds.Q, ds.R)", ds.S)', "copy(min(ds.P, ds.Q, ds.R), ds.S)"])
+def test_a_third_value_is_no_destination(written: str, tmp_path: Path) -> None:
+    assert ", ds.R)" not in errors(action(written), tmp_path)[0].help

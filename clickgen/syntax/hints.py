@@ -82,7 +82,7 @@ def own_code(
     # In a formula an argument that calculates would need parentheses of its own.
     if '"' in found.own and not all(_is_operand(one, "math_hex" in found.own) for one in arguments):
         return ""
-    written = found.written(texts) if all(texts) else ""
+    written = found.written(texts, is_action=True) if all(texts) else ""
     actions = [piece.partition(": ")[2] if piece.startswith("if ") else piece for piece in written.split("\n")]
     return written if written and all(map(fits, actions)) else ""
 

@@ -87,6 +87,11 @@ def _by_value(spec: Spec, value: str) -> str:
     return "set" if state and spec is not RESET else "reset"
 
 
+def _is_bit(node: ast.expr) -> bool:
+    bank = bank_of(node)
+    return bank is not None and bank.is_bit
+
+
 def _is_number(node: ast.expr) -> bool:
     return isinstance(node, ast.Constant) and type(node.value) in (int, float)
 
@@ -112,8 +117,8 @@ def _of_register(context: Context, spec: Spec, first: ast.expr, bank: Bank, valu
         if not fits(written):
             return None
     what = "a character" if bank.kind is Kind.TEXT else "a number"
-    own_bit = "" if value else f", and a bit of the program is {spec.name}(c.Name)"
-    return Misgiven("CG301", first, message, f"a register gets {what} with {written}{own_bit}")
+    own_bit = "" if value else f"; to write a bit of the program, {spec.name}(c.Name)"
+    return Misgiven("CG301", first, message, f"to store {what} write {written}{own_bit}")
 
 
 def _of_condition(context: Context, spec: Spec, first: ast.expr) -> Misgiven | None:
@@ -121,10 +126,14 @@ def _of_condition(context: Context, spec: Spec, first: ast.expr) -> Misgiven | N
     turned = _turned(first)
     if turned is not None:
         bit, is_on = turned
-        shown = own(context, bit)
-        if bank_of(bit) is None or not shown or why_unwritable(bit):
+        shown, bank = own(context, bit), bank_of(bit)
+        if bank is None or not bank.is_bit or not shown:
             return None
         message = f"{own(context, first)} is a condition, and {spec.name} takes an address"
+        if why_unwritable(bit):
+            condition = shown if is_on else f"nc({shown})"
+            help = f"a condition stands in the if: write if {condition}: {spec.name}(c.Name)"
+            return Misgiven("CG113", first, message, help)
         if is_on:
             return Misgiven("CG113", first, message, f"write {spec.name}({shown})")
         if spec is not OUT:
@@ -132,7 +141,7 @@ def _of_condition(context: Context, spec: Spec, first: ast.expr) -> Misgiven | N
         help = f"CLICK has no coil that is turned round: write out({shown}) in a rung with the opposite condition"
         return Misgiven("CG113", first, message, help)
     name = first.func.id if isinstance(first, ast.Call) and isinstance(first.func, ast.Name) else ""
-    if isinstance(first, ast.List | ast.Tuple) and first.elts and all(bank_of(one) for one in first.elts):
+    if isinstance(first, ast.List | ast.Tuple) and first.elts and all(map(_is_bit, first.elts)):
         written = " and ".join(f"{spec.name}({own(context, one)})" for one in first.elts)
         return Misgiven("CG113", first, f"{spec.name} takes one address or range", f"write each by itself: {written}")
     if name not in _CONDITIONS and not isinstance(first, ast.BoolOp | ast.Compare | ast.BinOp):

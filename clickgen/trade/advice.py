@@ -33,12 +33,15 @@ class Advice(NamedTuple):
         pieces = written.split("\n")
         return self.text.format(*pieces, *self.code[len(pieces) :])
 
-    def written(self, arguments: Sequence[str], target: str = "") -> str:
-        """The person's own arguments as they are written here; "" where their number does not fit."""
+    def written(self, arguments: Sequence[str], target: str = "", is_action: bool = False) -> str:
+        """The person's own arguments as they are written here; "" where their number does not fit.
+
+        ``target`` is where the result goes; of an action, an argument after the others says it.
+        """
         wanted = max((int(number) for number in re.findall(r"\$(\d)", self.own)), default=0)
         given = list(arguments)
         if "$=" in self.own:
-            target = given.pop() if len(given) == wanted + 1 else target or _result(given)
+            target = given.pop() if is_action and len(given) == wanted + 1 else target or _result(given)
         if not self.own or not arguments or (wanted and wanted != len(given)):
             return ""
         # What is copied first is worked on: a number there is in the place of another argument.
