@@ -45,7 +45,9 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 def never_run(facts: Facts) -> set[int]:
     """The coils that decide nothing, by id: of subroutines that nothing calls, and behind an end() or return."""
-    idle = {id(missed.action) for routine in facts.program.routines for missed in unreached(routine.rungs)}
+    missed = (one for routine in facts.program.routines for one in unreached(routine.rungs))
+    # What CLICK gets to with its rung off turns its bit off.
+    idle = {id(one.action) for one in missed if not one.is_looked_at}
     if facts.program.main is None:  # A part of a program: what runs, another file says.
         return idle
     uncalled = (one for one in facts.actions if not one.routine.is_main and one.routine.name not in facts.calls)

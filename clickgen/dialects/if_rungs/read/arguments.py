@@ -43,8 +43,8 @@ _COMPARISONS = {
 }
 
 
-def read_argument(context: Context, spec: Spec, param: Param, node: ast.expr) -> Value | None:
-    """The value of one argument; None with problems."""
+def read_argument(context: Context, spec: Spec, param: Param, node: ast.expr, target: str = "") -> Value | None:
+    """The value of one argument; None with problems. ``target`` is where the result goes, as the person wrote it."""
     kind = param.kind
     if kind is ParamKind.OPERAND:
         return read_operand(context, node, spec.signature)
@@ -55,7 +55,7 @@ def read_argument(context: Context, spec: Spec, param: Param, node: ast.expr) ->
     if kind is ParamKind.PIN:
         return _read_pin(context, spec, param, node)
     if kind is ParamKind.FORMULA:
-        return _read_formula(context, spec, param, node)
+        return _read_formula(context, spec, param, node, target)
     if kind is ParamKind.OPTIONS:
         return read_options(context, node, spec.signature)
     if kind is ParamKind.TARGET:
@@ -143,7 +143,7 @@ def _read_pin(context: Context, spec: Spec, param: Param, node: ast.expr) -> Val
     return None
 
 
-def _read_formula(context: Context, spec: Spec, param: Param, node: ast.expr) -> Value | None:
+def _read_formula(context: Context, spec: Spec, param: Param, node: ast.expr, target: str) -> Value | None:
     is_hex = spec is MATH_HEX
     if not (isinstance(node, ast.Constant) and isinstance(node.value, str)):
         text = _as_formula(context, node)
@@ -158,7 +158,7 @@ def _read_formula(context: Context, spec: Spec, param: Param, node: ast.expr) ->
         return None
     from clickgen.formula import parse_formula
 
-    formula = parse_formula(context.embedded(node), "hex" if is_hex else "decimal", context.problems)
+    formula = parse_formula(context.embedded(node), "hex" if is_hex else "decimal", context.problems, target)
     return FormulaText(formula, context.span(node)) if formula is not None else None
 
 

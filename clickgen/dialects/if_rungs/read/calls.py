@@ -13,8 +13,9 @@ from clickgen.dialects.if_rungs.read.operands import shorten
 from clickgen.dialects.if_rungs.read.options import modifier_of, read_modifier
 from clickgen.dialects.if_rungs.read.searches import read_range_comparison
 from clickgen.dialects.if_rungs.trade import ARGUMENTS
-from clickgen.dialects.if_rungs.ways_out import no_call
+from clickgen.dialects.if_rungs.ways_out import hints, no_call
 from clickgen.dialects.if_rungs.ways_out.hints import expression_of
+from clickgen.dialects.if_rungs.ways_out.misgiven import misgiven
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.data import SEARCH, SEARCH_RANGE
 from clickgen.instructions.spec import REQUIRED, Access, Param, ParamKind, Spec
@@ -115,6 +116,10 @@ class _Call:
 
     def read(self) -> dict[str, Value] | None:
         """The arguments; None with problems."""
+        wrong = misgiven(self._context, self._spec, self._node, partial(fits_action, self._context))
+        if wrong is not None:
+            self._context.problem(wrong.code, wrong.node, wrong.message, wrong.help)
+            return None
         self._bind_positional()
         self._bind_keywords()
         chained = {name for link in self._links if (name := self._bind_link(link))}
@@ -236,7 +241,9 @@ class _Call:
         if modifier and param.name == self._spec.matrix[0]:
             self._read_modified(param, *modifier)
             return
-        value = read_argument(self._context, self._spec, param, node)
+        target = self._bound.get("destination")
+        shown = hints.own(self._context, target) if target is not None else ""
+        value = read_argument(self._context, self._spec, param, node, shown)
         if value is None:
             self._faults += 1
         else:

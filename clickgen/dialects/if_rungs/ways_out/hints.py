@@ -21,7 +21,9 @@ BANK_NAMES = {bank.dsl: bank for bank in BANKS.values()}
 _OWN_MAX = 120
 """So much of a person's own code is repeated in a message."""
 
+_HEX_WORD = re.compile(r"([A-Fa-f][0-9A-Fa-f]{0,7})[hH]")
 _FLAT = re.compile(r"([A-Za-z]+?)([0-9]{1,4}[uU]?)")
+"""A text that may be an address: ``"ds.A"``."""
 _SURE_MEMBERS = frozenset(("done", "dn", "q", "acc", "accum", "accumulator", "et", "cv", "current"))
 """Members of a timer or counter that mean one thing only."""
 
@@ -80,8 +82,9 @@ def own_code(
     # In a formula an argument that calculates would need parentheses of its own.
     if '"' in found.own and not all(_is_operand(one, "math_hex" in found.own) for one in arguments):
         return ""
-    written = found.written(texts) if all(texts) else ""
-    return written if written and fits(written) else ""
+    written = found.written(texts, is_action=True) if all(texts) else ""
+    actions = [piece.partition(": ")[2] if piece.startswith("if ") else piece for piece in written.split("\n")]
+    return written if written and all(map(fits, actions)) else ""
 
 
 def around_value(word: str, arguments: Sequence[ast.expr]) -> Sequence[ast.expr]:
@@ -140,6 +143,9 @@ def name_hint(name: str) -> str:
     exact = flat_address(name)
     if exact:
         return f"write {exact}"
+    word = _HEX_WORD.fullmatch(name)
+    if word and (not word[1].isalpha() or word[1].isupper() or len(set(word[1])) == 1):
+        return f"a hexadecimal number begins with 0x: 0x{int(word[1], 16):04X}"
     match = _FLAT.fullmatch(name)
     if match and match[1].lower() in BANK_NAMES:
         bank = BANK_NAMES[match[1].lower()]

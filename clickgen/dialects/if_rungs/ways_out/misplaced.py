@@ -8,15 +8,16 @@ from collections.abc import Iterator
 from functools import partial
 from typing import NamedTuple
 
-from clickgen.device.banks import Bank, Kind
+from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Bank, Kind
 from clickgen.dialects.if_rungs.fix.rewrite import python_logic
 from clickgen.dialects.if_rungs.read.calls import fits_action
 from clickgen.dialects.if_rungs.read.conditions import as_condition, fits_condition, rewrites
 from clickgen.dialects.if_rungs.read.context import Context
-from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, advice
+from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, MEMBERS, advice
 from clickgen.dialects.if_rungs.ways_out.hints import bank_of, has_bits, own, replaced
 from clickgen.dialects.if_rungs.ways_out.meant import meant
 from clickgen.dialects.if_rungs.ways_out.no_call import routine_named
+from clickgen.dialects.if_rungs.ways_out.unwritable import instead, is_known_owner, of_current_value, why_unwritable
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.problems.diagnostics import Edit, Fix, did_you_mean
 
@@ -109,8 +110,20 @@ def _assignment(context: Context, node: ast.Assign | ast.AugAssign | ast.AnnAssi
     if bank is None:
         name = target.id if isinstance(target, ast.Name) else ""
         return WayOut(_no_variable(name, value, text) if name else general)
+    member = _current_value_of(context, target)
+    if member and isinstance(node, ast.Assign) and fits_action(context, f"copy({text}, {member})"):
+        return WayOut(f"write copy({text}, {member})", f"{shown} is written {member} here")
+    if why_unwritable(target):
+        return _unwritable(context, node, target, value, text)
     if bank.is_bit and isinstance(node, ast.Assign):
         return _bit(context, node, shown, value, text)
+    if (
+        bank.name in CURRENT_VALUE_OF
+        and isinstance(node, ast.Assign)
+        and fits_action(context, f"copy({text}, {shown})")
+    ):
+        fix = replaced(context, node, f"copy({text}, {shown})", is_safe=False)
+        return WayOut(of_current_value(context, target, text), fix=fix if is_known_owner(context, target) else None)
     sign = _SIGNS.get(type(node.op), "") if isinstance(node, ast.AugAssign) else ""
     if isinstance(node, ast.AugAssign):
         return _counted(context, node, bank, shown, text, sign)
@@ -122,6 +135,12 @@ def _assignment(context: Context, node: ast.Assign | ast.AugAssign | ast.AnnAssi
         return WayOut(
             f"a bit becomes a number in two rungs: if {text}: copy(1, {shown}) and if nc({text}): copy(0, {shown})"
         )
+    name = value.func.id if isinstance(value, ast.Call) and isinstance(value.func, ast.Name) else ""
+    chosen = advice(name, FORMULAS)
+    if isinstance(value, ast.Call) and chosen is not None and chosen.has_several:
+        written = chosen.written([own(context, one) for one in value.args], shown)
+        if written:
+            return WayOut(chosen.of(written))
     written = formula_call(bank, text, shown)
     if written and not has_bits(value) and fits_action(context, written):
         return WayOut(f"write {written}", fix=replaced(context, node, written, is_safe=False))
@@ -162,10 +181,14 @@ def _is_exact(bank: Bank, value: ast.expr) -> bool:
     return bank_of(value) is bank
 
 
+STATES = {"true": "set", "1": "set", "on": "set", "false": "reset", "0": "reset", "off": "reset"}
+"""What a bit is given, and the instruction that does it."""
+
+
 def _bit(context: Context, node: ast.Assign, shown: str, value: ast.expr, text: str) -> WayOut:
     """A bit that is assigned: turned on or off, or driven by what is on the right."""
     word = str(value.value) if isinstance(value, ast.Constant) else text
-    state = {"true": "set", "1": "set", "on": "set", "false": "reset", "0": "reset", "off": "reset"}.get(word.lower())
+    state = STATES.get(word.lower())
     if state == "set":
         ways = f"write set({shown}) to turn it on until it is reset, or out({shown}) to have it follow the rung"
         fix = replaced(context, node, f"set({shown})", is_safe=False)
@@ -174,6 +197,37 @@ def _bit(context: Context, node: ast.Assign, shown: str, value: ast.expr, text: 
         return WayOut(f"write reset({shown})", fix=replaced(context, node, f"reset({shown})", is_safe=False))
     condition = _as_it_is(context, value) or "c.A"
     return WayOut(f"drive it under its condition: if {condition}: out({shown})")
+
+
+def _unwritable(
+    context: Context, node: ast.Assign | ast.AugAssign | ast.AnnAssign, target: ast.expr, value: ast.expr, text: str
+) -> WayOut:
+    """An assignment to what nothing in a program writes: ``x[1] = 1``."""
+    message = f"{own(context, target)} is {why_unwritable(target)}: no instruction writes it"
+    bank = bank_of(target)
+    if bank is not None and not bank.is_bit:
+        if isinstance(node, ast.AugAssign):
+            formula = f"{own(context, target)} {_SIGNS.get(type(node.op), '')} {text}"
+            written = formula_call(bank, formula, "dh.Name" if bank.kind is Kind.HEX else "ds.Name")
+            if written and fits_action(context, written):
+                return WayOut(f"write a register of the program: {written}", message)
+        fits = fits_action(context, f"copy({text}, dd.Name)") and bank_of(value) is not bank
+        return WayOut(instead(context, target, "copy", text if fits else ""), message)
+    word = str(value.value) if isinstance(value, ast.Constant) else text
+    state = STATES.get(word.lower())
+    if state:
+        return WayOut(instead(context, target, state), message)
+    condition = _as_it_is(context, value) or "c.A"
+    return WayOut(f"{instead(context, target, 'out')}, in a rung of its own: if {condition}: out(c.Name)", message)
+
+
+def _current_value_of(context: Context, target: ast.expr) -> str:
+    """``td[1]`` for ``t[1].acc``; "" for anything else."""
+    if not isinstance(target, ast.Attribute) or MEMBERS.get(target.attr.lower()) != "current":
+        return ""
+    owner = bank_of(target.value)
+    value = VALUE_BANK.get(owner.name, "").lower() if owner is not None else ""
+    return value + own(context, target.value)[len(owner.dsl) :] if owner is not None and value else ""
 
 
 def _no_variable(name: str, value: ast.expr, text: str) -> str:
@@ -210,6 +264,9 @@ def _expression(context: Context, node: ast.Expr) -> WayOut:
         return _slashes(context, value)
     if isinstance(value, ast.Constant) and isinstance(value.value, str):
         return WayOut("a comment begins with #; directly above the rung it is the rung's comment in CLICK")
+    bare = _bare_call(context, value)
+    if bare:
+        return WayOut(f"write {bare}", "an instruction has its arguments in parentheses")
     if isinstance(value, ast.Tuple | ast.List) and all(isinstance(one, ast.Call) for one in value.elts):
         return WayOut("each action stands on a line of its own, without commas between them")
     if isinstance(value, ast.ListComp | ast.GeneratorExp | ast.SetComp | ast.DictComp):
@@ -279,6 +336,17 @@ def _rung(context: Context, test: ast.expr, actions: list[ast.expr], wanted: boo
     said = meant(context, test, partial(fits_condition, context), wanted)
     texts = [_action(context, action) for action in actions]
     return f"if {said.text}: {'; '.join(texts)}" if said is not None and not said.before and all(texts) else ""
+
+
+def _bare_call(context: Context, value: ast.expr) -> str:
+    """``copy(-1, ds.A)`` for ``copy -1, ds.A``, which Python reads as a subtraction; "" for anything else."""
+    first = value.elts[0] if isinstance(value, ast.Tuple) and value.elts else value
+    is_minus = isinstance(first, ast.BinOp) and isinstance(first.op, ast.Sub)
+    if not (is_minus and isinstance(first, ast.BinOp) and isinstance(first.left, ast.Name)):
+        return ""
+    name, text = first.left.id, own(context, value)
+    written = f"{name}({text.removeprefix(name).strip()})"
+    return written if name in INSTRUCTIONS and text and fits_action(context, written) else ""
 
 
 _CONDITIONS = (ast.Attribute, ast.Subscript, ast.Compare, ast.BoolOp, ast.UnaryOp, ast.BinOp)

@@ -84,7 +84,8 @@ def _renamed(context: Context, node: ast.Call, name: str) -> str:
 def _rename(context: Context, node: ast.Call, name: str, fits: Fits) -> Fix | None:
     """The fix that writes a word of the trade as it is called here, with the same arguments."""
     found = advice(name, ACTIONS)
-    text = own_code(context, found, node.args, fits, node.keywords) if found else ""
+    is_one = found is not None and not found.has_several
+    text = own_code(context, found, node.args, fits, node.keywords) if found and is_one else ""
     span = context.span(node)
     return replaced(context, node, text, is_safe=False) if text and span.line == span.end_line else None
 

@@ -15,7 +15,7 @@ from clickgen.dialects.if_rungs.read.conditions import as_condition, condition_f
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.trade import ACTIONS, UNITS, advice, bank_hint
 from clickgen.dialects.if_rungs.ways_out.hints import BANK_NAMES, bit_of_word, expression_of, statement_of
-from clickgen.dialects.if_rungs.ways_out.misplaced import way_out
+from clickgen.dialects.if_rungs.ways_out.misplaced import STATES, way_out
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.durations import in_units
 from clickgen.problems.diagnostics import Diagnostics
@@ -332,6 +332,41 @@ def bare_call(line: Line, match: re.Match[str]) -> Told | None:
     if not text or not fits_action(line.context, text):
         text = INSTRUCTIONS[name].example if name in INSTRUCTIONS else found.code[0] if found and found.code else ""
     return Told("an instruction has its arguments in parentheses", f"write {text}", match.span("name"))
+
+
+_GAP = re.compile(r"(?<=[\w\])\"'])\s+(?=[\w\"'-])")
+_GAPS_MAX = 6
+"""A line with more gaps is no call whose commas are missing."""
+
+
+def missing_comma(line: Line, match: re.Match[str]) -> Told | None:
+    """``copy(5 ds.A)`` and ``copy 5 ds.A``: commas in some of the gaps make an action of it."""
+    name, is_open = match["name"].lower(), match["open"] == "("
+    if name not in INSTRUCTIONS:
+        return None
+    code = re.sub(r'"( *)"', lambda text: f'"{"x" * len(text[1])}"', line.code)
+    gaps = [gap for gap in _GAP.finditer(code) if gap.start() >= match.end("name") and gap.end() > match.end()]
+    if not gaps or len(gaps) > _GAPS_MAX:
+        return None
+    edits = [(gap.start(), gap.end(), ", ") for gap in gaps]
+    start = line.plain.find("#")
+    bare = line if start < 0 else line._replace(text=line.text[:start])
+    text = without(bare, [edit for edit in edits if start < 0 or edit[1] <= start]).strip().rstrip(" ;")
+    if not is_open:
+        text = f"{name}({text[len(name) :].strip()})"
+    if not fits_action(line.context, text):
+        return None
+    fixed = tuple(edits) if is_open and match["name"] == name else ()
+    return Told("a comma is missing here", f"write {text}", gaps[0].span(), fixed)
+
+
+def coil_value(line: Line, match: re.Match[str]) -> Told | None:
+    """``out(y[1] = True)``"""
+    address = line.text[match.start("address") : match.end("address")].strip()
+    action = {**STATES, "true": match["name"], "1": match["name"], "on": match["name"]}.get(match["value"].lower())
+    if action is None or not fits_action(line.context, f"{action}({address})"):
+        return None
+    return Told(f"{match['name']} takes no value", f"write {action}({address})", match.span("sign"))
 
 
 def arrow(_: Line, match: re.Match[str]) -> Told:
