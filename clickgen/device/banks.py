@@ -138,6 +138,13 @@ TWIN_BANKS = {**WORD_TWINS, **VALUE_BANK, **CURRENT_VALUE_OF}
 When a bit follows a current value that an instruction writes, no source says: it may be at once.
 """
 
+MOVING_BANKS = ("T", "TD", "SC", "SD")
+"""Banks whose cells may change between two rungs although no instruction there writes them, for those who must be sure.
+
+``device/system.py`` knows which points of SC and SD stay as they are. ``lower/effects.py`` says why splitting takes it
+that timers stay too.
+"""
+
 UPPER_BYTE_BANKS = ("XD", "YD")
 """Banks that also have an address ``0u``."""
 

@@ -6,7 +6,7 @@ from collections import defaultdict
 from itertools import product
 
 from clickgen.check.facts import STARTING, Facts, Placed
-from clickgen.check.lint.double_coils import never_run
+from clickgen.check.idle import never_run
 from clickgen.check.rule import Rule, Wrong
 from clickgen.check.uses import addresses_of
 from clickgen.device.banks import Address
