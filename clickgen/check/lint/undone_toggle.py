@@ -326,9 +326,10 @@ In the same way one press walks through all steps of a sequence whose rungs stan
 Make branches of one rung of them, below the condition that they share. CLICK looks at all conditions of a rung before
 the first action of the rung runs, so only one branch acts. For steps it is enough to put the last step first.
 
-The rule follows the calls of main into their subroutines. It speaks where it is sure that the second rung follows: not
-across a loop, an `end()` or a `return`, and not where something in between may have changed what it looks at. Without an edge it speaks only where the second rung puts
-back what was there before, and nothing in between has looked at it.
+The rule follows the calls of main into their subroutines. It speaks where it is sure that the second rung follows:
+not across a loop, an `end()` or a `return`, and not where something in between may have changed what it looks at.
+Without an edge it speaks only where the second rung puts back what was there before, and nothing in between has
+looked at it.
 """,
     wrong=(
         Wrong(
