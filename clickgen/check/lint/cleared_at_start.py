@@ -45,8 +45,8 @@ def _report(facts: Facts, problems: Diagnostics, lost: Mapping[Address, Span]) -
     problems.add(
         CODE,
         span,
-        f"{facts.listed([*lost])} {are} retentive and cleared here in the first scan: what {they} kept is lost at every "
-        "power-up",
+        f"{facts.listed([*lost])} {are} retentive and cleared here in the first scan: what {they} kept is lost at "
+        "every power-up",
         f"clear {them} on a condition of its own to keep the value; where {they} {are} to begin anew, declare that"
         f"{'' if one else ' for each'}:  nickname({written}, {bank}[{first.number}], retentive=False)",
     )
