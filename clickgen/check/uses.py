@@ -84,6 +84,10 @@ class Uses:
     def reads(self, address: Address) -> list[Use]:
         return [use for use in self.at(address) if not use.is_written]
 
+    def is_in_long_range(self, bank: str) -> bool:
+        """True where some range of the bank is so long that its uses are not kept for each address."""
+        return bank in self._ranges
+
     def _far(self, address: Address) -> list[Use]:
         return [use for use in self._ranges.get(address.bank, ()) if _covers(use.operand, address)]
 
