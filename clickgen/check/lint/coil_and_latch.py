@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from functools import cached_property
 from typing import NamedTuple
 
 from clickgen.check.facts import STARTING, Facts, Placed
@@ -78,7 +79,7 @@ class _Judge:
 
     def __init__(self, facts: Facts) -> None:
         self._facts, self._pulses = facts, Pulses(facts)
-        self._serves: dict[int, bool] = {}
+        self._reset: dict[Address, bool] = {}
 
     def loss(self, bit: Address, coil: Placed, at: int, latch: _Latch) -> _Loss | None:
         """How out undoes the latch, in the same scan or in a later one; None where the two work together."""
@@ -134,17 +135,25 @@ class _Judge:
 
     def _is_reset(self, bit: Address) -> bool:
         """True where something resets this bit alone."""
-        resets = (one for one in self._facts.writers(bit) if one.spec is RESET and not one.depends_only_on(STARTING))
-        return any(isinstance(_target(one), Cell) for one in resets)
+        if bit not in self._reset:
+            resets = (one for one in self._facts.writers(bit) if one.spec is RESET)
+            alone = (one for one in resets if isinstance(_target(one), Cell))
+            self._reset[bit] = any(not one.depends_only_on(STARTING) for one in alone)
+        return self._reset[bit]
 
     def _serves_others(self, reset: Placed) -> bool:
         """True where a reset of a range has bits to turn off that something else than out turns on."""
-        key = id(reset.action)
-        if key not in self._serves:
-            bits = addresses_of(reset.action.args["address"])
-            writers = (writer for bit in bits for writer in self._facts.writers(bit))
-            self._serves[key] = any(writer.spec not in (OUT, RESET) for writer in writers)
-        return self._serves[key]
+        return not self._latched.isdisjoint(addresses_of(reset.action.args["address"]))
+
+    @cached_property
+    def _latched(self) -> frozenset[Address]:
+        """The bits that something else than out and reset writes."""
+        return frozenset(
+            address
+            for use in self._facts.uses.every
+            if use.is_written and use.action and use.action.spec not in (OUT, RESET)
+            for address in addresses_of(use.operand)
+        )
 
 
 def _target(placed: Placed) -> object:
