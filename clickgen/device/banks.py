@@ -81,6 +81,13 @@ class Bank:
     def has(self, number: int) -> bool:
         return any(first <= number <= last for first, last in self.ranges)
 
+    def gap_in(self, first: int, last: int) -> int | None:
+        """The first number of a stretch that the bank does not have; None where it has all."""
+        for start, end in self.ranges:
+            if start <= first <= end:
+                first = end + 1
+        return first if first <= last else None
+
     def numbers(self) -> Iterator[int]:
         for first, last in self.ranges:
             yield from range(first, last + 1)

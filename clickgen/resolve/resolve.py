@@ -19,7 +19,7 @@ from clickgen.ir.proposals import Proposal
 from clickgen.ir.reach import reaching
 from clickgen.ir.walk import Rewriter, program_operands
 from clickgen.resolve.allocate import Allocator
-from clickgen.resolve.blocks import Block
+from clickgen.resolve.blocks import Block, covered
 from clickgen.resolve.constants import kind_of, stored, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
 from clickgen.resolve.declare_blocks import declare_blocks
@@ -76,8 +76,7 @@ def resolve(
     proposals = [proposal_without_members(proposal, blocks, table) for proposal in program.proposals]
     proposed = replace(program, routines=tuple(Routine("", tuple(one.rungs()), one.span, False) for one in proposals))
     resolver = _Resolver(table, declared, frozen, problems, reserved)
-    marked = (address for block in blocks.values() for address in block.addresses())
-    resolver.allocator.take((*resolver.reserved, *marked, *_addresses(operands)))
+    resolver.allocator.take((*resolver.reserved, *covered(blocks.values()), *_addresses(operands)))
     resolver.allocator.take(_addresses(program_operands(proposed)))
     resolver.name(program, list(_named(operands)))
     functions = {routine.function: routine.name for routine in program.subroutines}

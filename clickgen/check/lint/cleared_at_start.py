@@ -83,7 +83,10 @@ def _is_meant(facts: Facts, address: Address) -> bool:
     if address.bank == "CT" or not BANKS[address.bank].retentive:
         return True
     declared = facts.declared.get(address)
-    in_block = any(block.retentive and address in block.range.addresses() for block in facts.program.blocks)
+    in_block = any(
+        block.retentive and block.range.bank == address.bank and block.range.first <= address.number <= block.range.last
+        for block in facts.program.blocks
+    )
     return bool(declared and declared.retentive) or in_block
 
 
