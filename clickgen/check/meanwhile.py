@@ -20,6 +20,8 @@ from clickgen.ir.walk import condition_operands
 
 _DEPTH_MAX = 5
 """Through so many coils a rung is followed."""
+_WRITERS_MAX = 20
+"""Of something that more instructions write, nobody says that it stands still."""
 
 
 class Watch:
@@ -68,9 +70,9 @@ class Watch:
             if isinstance(key, Address)
             for writer in self._facts.writers(key)
         )
-        return any(
-            self._runs_meanwhile(writer, routine) or (ends_itself and writer.spec is RESET)
-            for writer in self._facts.writers(bit)
+        writers = self._facts.writers(bit)
+        return len(writers) > _WRITERS_MAX or any(
+            self._runs_meanwhile(writer, routine) or (ends_itself and writer.spec is RESET) for writer in writers
         )
 
     def is_stopped_meanwhile(self, timer: Placed) -> bool:
@@ -95,7 +97,7 @@ class Watch:
     def _is_stopped(self, term: Contact | Compare, routine: Routine) -> bool:
         """True where something resets a bit, or writes another number, while the subroutine is not called."""
         for address in {one for operand in condition_operands(term) for one in addresses_of(operand)}:
-            for writer in self._facts.writers(address):
+            for writer in self._facts.writers(address)[:_WRITERS_MAX]:
                 if writer.depends_only_on(STARTING) or not self._runs_meanwhile(writer, routine):
                     continue
                 left = left_in(writer, address, 0)
