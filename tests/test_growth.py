@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,7 @@ from clickgen.device.limits import comment_bytes, styled_part
 from clickgen.resolve.blocks import mark_in
 
 END = "    if True:\n        end()\n"
-RUNGS = {
+RUNGS: dict[str, Callable[[int], str]] = {
     "outputs of one rung": lambda n: "    if x[1]:\n" + "".join(f"        copy({i}, ds[{i + 1}])\n" for i in range(n)),
     "branches of one rung": lambda n: (
         "    if x[1]:\n" + "".join(f"        if c[{i + 1}]:\n            copy({i}, ds[{i + 1}])\n" for i in range(n))

@@ -232,8 +232,14 @@ def main():
 @sub
 def wash():
     if True:
-        event_drum(outputs=[y.Fill, y.Drain], events=[x.Full, x.Empty], pattern=[[1, 0], [0, 1]],  # <-
-            current_step=ds.Step, completion_flag=c.Washed, reset=lambda: c.Again)
+        event_drum(  # <-
+            outputs=[y.Fill, y.Drain],
+            events=[x.Full, x.Empty],
+            pattern=[[1, 0], [0, 1]],
+            current_step=ds.Step,
+            completion_flag=c.Washed,
+            reset=lambda: c.Again,
+        )
     if c.Washed:
         rton(t.Rest, 30, unit=Tm).reset(nc(c.Wash))  # <-
     if t.Rest:
