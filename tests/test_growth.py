@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,7 @@ from clickgen.dialects.if_rungs.discover import is_program, matches
 from clickgen.table.blocks import mark_in
 
 END = "    if True:\n        end()\n"
-RUNGS = {
+RUNGS: dict[str, Callable[[int], str]] = {
     "outputs of one rung": lambda n: "    if x[1]:\n" + "".join(f"        copy({i}, ds[{i + 1}])\n" for i in range(n)),
     "branches of one rung": lambda n: (
         "    if x[1]:\n" + "".join(f"        if c[{i + 1}]:\n            copy({i}, ds[{i + 1}])\n" for i in range(n))
@@ -25,6 +26,18 @@ RUNGS = {
     "rungs on one coil": lambda n: "".join(f"    if c[{i + 1}]:\n        out(y[1])\n" for i in range(n)),
     "silenced findings": lambda n: "".join(
         f"    if c[{i + 1}]:\n        out(y[1])  # clickgen: ignore[CG501]\n" for i in range(n)
+    ),
+    "toggles of one bit": lambda n: (
+        "    if all(re(x[1]), nc(c[1])):\n        set(c[1])\n    if all(re(x[1]), c[1]):\n        reset(c[1])\n" * n
+    ),
+    "toggles of one bit on a level": lambda n: (
+        "    if all(x[1], nc(c[1])):\n        set(c[1])\n    if all(x[1], c[1]):\n        reset(c[1])\n" * n
+    ),
+    "branches that fill a long range": lambda n: (
+        "    if x[1]:\n" + "".join(f"        if c[{i + 1}]:\n            copy_fill({i}, ds[1:301])\n" for i in range(n))
+    ),
+    "coils in ranges that are reset": lambda n: "".join(
+        f"    if x[1]:\n        out(c[{i + 1}])\n    if x[2]:\n        reset(c[1:301])\n" for i in range(n)
     ),
 }
 ALTERNATING = "".join(f"{'all' if i % 2 else 'any'}(c.{'AB'[i % 2]}, " for i in range(25)) + "c.Z" + ")" * 25
@@ -65,6 +78,29 @@ def declared_blocks(n: int) -> str:
 def test_blocks_are_not_all_compared_with_each_other(tmp_path: Path) -> None:
     small, large = (judged(declared_blocks(n), tmp_path) for n in (200, 400))
     assert large < 2.4 * small
+
+
+def nested_blocks(n: int) -> str:
+    begins = "".join(f'DS{i + 1},INT,"",0,Yes,"<B{i}>"\n' for i in range(n))
+    ends = "".join(f'DS{4501 - n + i},INT,"",0,Yes,"</B{n - 1 - i}>"\n' for i in range(n))
+    return "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\n" + begins + ends
+
+
+def test_blocks_inside_each_other_are_gone_through_once(tmp_path: Path) -> None:
+    program = f"def main():\n    if x[1]:\n        copy(1, ds.B1[0])\n{END}"
+    work = []
+    for n in (10, 200, 400):
+        (tmp_path / "nicknames.csv").write_text(nested_blocks(n), "utf-8")
+        work.append(judged(program, tmp_path))
+    assert work[2] < 2.4 * work[1]
+
+
+def test_a_long_range_costs_little_more_than_a_short_one(tmp_path: Path) -> None:
+    """Its addresses are made once, and a coil in it asks for its own bit alone."""
+    text = "def main():\n    if x[1]:\n        out(c[1])\n    if x[2]:\n        set(c[1:{}])\n" + END
+    judged(text.format(10), tmp_path)
+    small, large = (judged(text.format(n), tmp_path) for n in (500, 1000))
+    assert large < 2.1 * small
 
 
 def test_alternatives_inside_each_other_do_not_double(tmp_path: Path) -> None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right, insort
+from bisect import bisect_left, bisect_right, insort
 from collections.abc import Iterable
 from dataclasses import replace
-from itertools import takewhile
+from operator import itemgetter
 from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
@@ -16,6 +16,9 @@ from clickgen.resolve.declare import Declared, initial_of
 from clickgen.table.address_table import AddressTable
 from clickgen.table.blocks import Block, Mark, Marks, mark_in, marked, read_marks
 from clickgen.table.rows import Row, default_row, looks_like_scratch
+
+_OVERLAPS_MAX = 8
+"""A block is told to overlap with so many that begin before it."""
 
 
 def declare_blocks(
@@ -226,12 +229,14 @@ def _warn_of_marks(marks: Marks, declared: set[str], table: AddressTable, proble
                 "CG429",
                 table.span(row),
                 f"{row.nickname} is the nickname of {row.address} and the name of the block {block}, which "
-                f"{block.said_by} marks: {dotted} alone is {row.address}, and {dotted}[0] is {block.addresses()[0]}",
+                f"{block.said_by} marks: {dotted} alone is {row.address}, and {dotted}[0] is "
+                f"{Address(block.bank, block.first)}",
                 "give one of the two another name: the nickname, or the block in both of its marks",
                 _label(block),
             )
-        missing = next((address for address in block.addresses() if not BANKS[block.bank].has(address.number)), None)
-        if missing is not None:
+        gap = BANKS[block.bank].gap_in(block.first, block.last)
+        if gap is not None:
+            missing = Address(block.bank, gap)
             message = f"the block {block.name}, {block}, spans addresses that CLICK does not have, such as {missing}"
             help = f"{block.bank} has {BANKS[block.bank].describe_range()}: mark a block for each part"
             problems.add("CG606", block.span, message, help)
@@ -248,9 +253,16 @@ def _half(address: Address, mark: Mark) -> tuple[str, str]:
 
 
 def _warn_of_overlaps(blocks: Iterable[Block], problems: Diagnostics) -> None:
-    in_order = sorted(blocks, key=lambda block: (block.bank, block.first))
-    for index, one in enumerate(in_order):
-        for other in takewhile(one.meets, map(in_order.__getitem__, range(index + 1, len(in_order)))):
-            if not (one.lies_in(other) or other.lies_in(one)):
-                message = f"the blocks {one.name}, {one}, and {other.name}, {other}, overlap"
-                problems.add("CG606", other.span, message, "end one where the other begins", _label(one))
+    """Blocks that meet and do not lie in each other. Thousands may: each is told with a few of the others."""
+    begun: list[tuple[int, int, Block]] = []
+    """The blocks of the bank that are not over yet, by their last numbers, with their places in the order."""
+    bank = ""
+    for place, block in enumerate(sorted(blocks, key=lambda block: (block.bank, block.first, -block.last))):
+        if block.bank != bank:
+            bank, begun = block.bank, []
+        del begun[: bisect_left(begun, (block.first,))]
+        # Those that are over before this one is.
+        for _, _, one in sorted(begun[: bisect_left(begun, (block.last,))][:_OVERLAPS_MAX], key=itemgetter(1)):
+            message = f"the blocks {one.name}, {one}, and {block.name}, {block}, overlap"
+            problems.add("CG606", block.span, message, "end one where the other begins", _label(one))
+        insort(begun, (block.last, place, block))

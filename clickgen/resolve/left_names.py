@@ -80,7 +80,7 @@ def _paired(gone: list[Row], new: list[Row]) -> list[Left]:
 def _is_used(facts: Facts, address: Address) -> bool:
     blocks = facts.program.blocks
     is_declared = address in facts.declared or any(
-        block.range.bank == address.bank and address in block.range.addresses() for block in blocks
+        block.range.bank == address.bank and block.range.first <= address.number <= block.range.last for block in blocks
     )
     return is_declared or bool(facts.uses.at(address))
 

@@ -25,7 +25,7 @@ from clickgen.resolve.declare import Declared, Meaning, declare
 from clickgen.resolve.declare_blocks import declare_blocks
 from clickgen.resolve.members import proposal_without_members, without_members
 from clickgen.table.address_table import AddressTable
-from clickgen.table.blocks import Block
+from clickgen.table.blocks import Block, covered
 from clickgen.table.masked import warn_of_masked
 from clickgen.table.rows import Row, is_scratch, looks_like_scratch
 from clickgen.text.source import Span
@@ -77,8 +77,7 @@ def resolve(
     proposals = [proposal_without_members(proposal, blocks, table) for proposal in program.proposals]
     proposed = replace(program, routines=tuple(Routine("", tuple(one.rungs()), one.span, False) for one in proposals))
     resolver = _Resolver(table, declared, frozen, problems, reserved)
-    marked = (address for block in blocks.values() for address in block.addresses())
-    resolver.allocator.take((*resolver.reserved, *marked, *_addresses(operands)))
+    resolver.allocator.take((*resolver.reserved, *covered(blocks.values()), *_addresses(operands)))
     resolver.allocator.take(_addresses(program_operands(proposed)))
     resolver.name(program, list(_named(operands)))
     functions = {routine.function: routine.name for routine in program.subroutines}
