@@ -422,6 +422,20 @@ def _check_kept(facts: Facts, problems: Diagnostics) -> None:
         check(facts, problems)
 
 
+def _try_fixes(state: _Build) -> None:
+    """Keep those fixes of errors that mend their statement: the program is read again with them in it."""
+    if any(problem.is_error and problem.fix for problem in state.problems.found):
+        from clickgen.fixes.trial import Seen, tried
+
+        def look(texts: Mapping[str, bytes]) -> Seen:
+            overlay = {**state.settings.overlay, **{os.path.realpath(path): data for path, data in texts.items()}}
+            trial = _run(state.path, replace(state.settings, overlay=overlay), _TRIAL)
+            return Seen(trial.problems.found, trial.resolved is not None and trial.resolved.is_declared)
+
+        texts = {source.path: state.reads[source.path] or b"" for source in state.sources}
+        state.problems.found = tried(state.problems.found, texts, look)
+
+
 def _lint(state: _Build) -> None:
     from clickgen.check.lint import RULES as LINT_RULES
 
@@ -553,6 +567,7 @@ STAGES: _Stages = (
     (_resolve, False),
     (_judge_fixes, False),
     (_check, False),
+    (_try_fixes, False),
     (_lower, True),
     (_place_scratch, True),
     (_find_left, True),
@@ -563,6 +578,9 @@ STAGES: _Stages = (
 
 CHECKS: _Stages = (*(stage for stage in STAGES if stage[0] is not _emit), (_lint, True))
 """The stages of a check: it makes no files."""
+
+_TRIAL: _Stages = tuple(stage for stage in STAGES if stage[0] not in (_try_fixes, _find_left, _emit))
+"""The stages that tell whether a fix leaves an error in its statement."""
 
 NAMES: _Stages = tuple(stage for stage in STAGES if stage[0] in (_read_source, _read_table, _resolve, _judge_fixes))
 """The stages that find out the names of a program."""
