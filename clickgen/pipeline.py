@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -30,6 +31,7 @@ from clickgen.lower.scratch import Scratch
 from clickgen.lower.serves import served
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.resolve.blocks import Block, marked_blocks
+from clickgen.resolve.declare import PROGRAM
 from clickgen.resolve.layers import beside_workbook
 from clickgen.resolve.read_table import TableUnreadable, read_table
 from clickgen.resolve.record import left_in, placed_in, read_record, record_beside, with_placed
@@ -347,8 +349,23 @@ def _resolve(state: _Build) -> None:
     if state.program is not None:
         settings = state.settings
         state.resolved = resolve(state.program, state.table, settings.frozen, state.problems, settings.reserved)
+        _name_program(state)
         if settings.nicknames is None:
             _name_own_table(state)
+
+
+def _name_program(state: _Build) -> None:
+    """Commands in the ways out name this program and its table."""
+    words = shlex.join([state.shown, *(["--nicknames", named] if (named := _named_table(state)) else [])])
+    state.problems.found = [
+        problem._replace(help=problem.help.replace(PROGRAM, words)) if problem.code == "CG205" else problem
+        for problem in state.problems.found
+    ]
+
+
+def _named_table(state: _Build) -> str:
+    """The table as commands name it; "" for the one beside the program."""
+    return os.fspath(state.settings.nicknames or "").removeprefix(os.getcwd() + os.sep)
 
 
 def _name_own_table(state: _Build) -> None:
@@ -485,12 +502,9 @@ def _find_left(state: _Build) -> None:
     found = left_names(
         state.facts, rows, placed_in(record), left_in(record), state.resolved.allocated, state.settings.named_elsewhere
     )
-    state.left = tuple(found)
+    state.left = tuple(each for each in found if each.is_sure)
     spans = {left.old.address: span for left in found if (span := state.table.span(left.old))}
-    named = os.fspath(state.settings.nicknames or "")
-    here = os.getcwd() + os.sep
-    named = named.removeprefix(here)
-    report_left(state.facts, state.problems, found, state.shown, named, spans)
+    report_left(state.facts, state.problems, found, state.shown, _named_table(state), spans)
 
 
 def _is_new(row: Row, table: AddressTable) -> bool:
