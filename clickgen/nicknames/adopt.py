@@ -49,8 +49,8 @@ def adopt(
     """The new name at the address of the old one; None where the sources do not say the new name for the old one.
 
     They do where some say the new one and none the old one, and where the new one has no address yet, or one that a
-    build gave to it when the old one left. Where some say the old one still, a build must have recorded that the new one
-    came for it. Raises CouldNotRun where the two are of different banks.
+    build gave to it when the old one left. Where some say the old one still, a build must have recorded that the new
+    one came for it. Raises CouldNotRun where the two are of different banks.
     """
     sources = {os.path.realpath(file.source.path): file for program in members for file in program.names}
     using = {key: file for key, file in sources.items() if file.of(new)}
