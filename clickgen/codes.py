@@ -184,6 +184,7 @@ CODES: dict[str, Code] = {
     "CG707": Code(_W, "what is imported is a part of a program"),
     "CG708": Code(_E, "what is read of a rung is not what its bytes say"),
     "CG709": Code(_W, "part of the comment of a rung is left out"),
+    "CG710": Code(_E, "a capture holds a rung that the codec cannot decode"),
 }
 
 LEFT = "CG541"

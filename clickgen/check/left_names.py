@@ -222,9 +222,9 @@ def _report_half(
     problems.add(
         LEFT,
         use.operand.span,
-        f"{old.nickname} ({old.address}) and {new.nickname} ({new.address}) are both in the program, one only written and "
-        f"one only read; {new.nickname} took a new cell, and the value of {old.address} is not in it",
-        f"if {new.nickname} is {old.nickname} by another name: {', and then '.join([*steps, ' '.join(rename)])}; if they "
-        f"are two, leave both",
+        f"{old.nickname} ({old.address}) and {new.nickname} ({new.address}) are both in the program, one only written "
+        f"and one only read; {new.nickname} took a new cell, and the value of {old.address} is not in it",
+        f"if {new.nickname} is {old.nickname} by another name: {', and then '.join([*steps, ' '.join(rename)])}; if "
+        "they are two, leave both",
         (Label(other.operand.span, f"{old.nickname} is still here"),),
     )

@@ -69,9 +69,9 @@ def addresses_of_system_name(name: str) -> tuple[Address, ...]:
     """What one of CLICK's own names means; several addresses where that is in doubt, none for any other name.
 
     Case does not count. Spaces do not either, as CLICK sets one before some brackets and not before others
-    (``_RTC_Year(4 digits)``) and nobody remembers which. Two addresses have a name that moved between versions of CLICK,
-    and one that CLICK 3.41 does not show, but that differs only in spaces and underscores from names of two addresses:
-    ``_I/O_Module_Error`` is SC22 in an older list, and SC20 is ``_I/O Module Error`` in CLICK 3.41.
+    (``_RTC_Year(4 digits)``) and nobody remembers which. Two addresses have a name that moved between versions of
+    CLICK, and one that CLICK 3.41 does not show, but that differs only in spaces and underscores from names of two
+    addresses: ``_I/O_Module_Error`` is SC22 in an older list, and SC20 is ``_I/O Module Error`` in CLICK 3.41.
     """
     lower = name.lower()
     known = _by_name().get(lower) or _by_name_without_spaces().get(lower.replace(" ", ""), ())

@@ -41,7 +41,7 @@ Look = Callable[[Mapping[str, bytes]], Seen]
 def tried(problems: Sequence[Diagnostic], texts: Mapping[str, bytes], look: Look) -> list[Diagnostic]:
     """The problems, and of the fixes of errors only those that mend their statement.
 
-    A fix that writes an action with a name is not safe where a declaration could not be read: the name may be a block's.
+    A fix that writes an action with a name is not safe where a declaration could not be read: it may name a block.
     """
     with_fix = [one for one in problems if one.is_error and one.fix is not None and _file_of(one) in texts]
     trials = _Trials(texts, look)
