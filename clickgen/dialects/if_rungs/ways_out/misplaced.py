@@ -155,8 +155,18 @@ def _is_exact(bank: Bank, value: ast.expr) -> bool:
     return bank_of(value) is bank
 
 
+_READ_ONLY = {
+    "X": "an input follows its terminal; write an output, y.Name, or a bit of the program, c.Name",
+    "T": "its timer alone turns it on; write a bit of the program, c.Name",
+    "CT": "its counter alone turns it on; write a bit of the program, c.Name",
+}
+
+
 def _bit(context: Context, node: ast.Assign, shown: str, value: ast.expr, text: str) -> WayOut:
     """A bit that is assigned: turned on or off, or driven by what is on the right."""
+    bank = bank_of(node.targets[0])
+    if bank is not None and bank.name in _READ_ONLY:
+        return WayOut(f"no instruction writes {shown}: {_READ_ONLY[bank.name]}")
     word = str(value.value) if isinstance(value, ast.Constant) else text
     state = {"true": "set", "1": "set", "on": "set", "false": "reset", "0": "reset", "off": "reset"}.get(word.lower())
     if state == "set":
