@@ -70,7 +70,8 @@ def find_config(start: Path) -> Config:
     for folder in (start.absolute(), *start.absolute().parents):
         for name in (OWN_FILE, PROJECT_FILE):
             path = folder / name
-            if path.is_file():
+            # What is there and no file is refused by who reads it: a pipe or a device has no settings.
+            if path.exists() and not path.is_dir():
                 config = _read(path, optional=name == PROJECT_FILE)
                 if config is not None:
                     return config

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -27,6 +28,7 @@ from clickgen.lower.scratch import Scratch
 from clickgen.lower.serves import served
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic, Diagnostics
+from clickgen.resolve.declare import PROGRAM
 from clickgen.resolve.left_names import Left, left_names, report_left
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.rules.errors import RULES, scratch_bits
@@ -347,8 +349,23 @@ def _resolve(state: _Build) -> None:
     if state.program is not None:
         settings = state.settings
         state.resolved = resolve(state.program, state.table, settings.frozen, state.problems, settings.reserved)
+        _name_program(state)
         if settings.nicknames is None:
             _name_own_table(state)
+
+
+def _name_program(state: _Build) -> None:
+    """Commands in the ways out name this program and its table."""
+    words = shlex.join([state.shown, *(["--nicknames", named] if (named := _named_table(state)) else [])])
+    state.problems.found = [
+        problem._replace(help=problem.help.replace(PROGRAM, words)) if problem.code == "CG205" else problem
+        for problem in state.problems.found
+    ]
+
+
+def _named_table(state: _Build) -> str:
+    """The table as commands name it; "" for the one beside the program."""
+    return os.fspath(state.settings.nicknames or "").removeprefix(os.getcwd() + os.sep)
 
 
 def _name_own_table(state: _Build) -> None:
@@ -422,6 +439,20 @@ def _check_kept(facts: Facts, problems: Diagnostics) -> None:
         check(facts, problems)
 
 
+def _try_fixes(state: _Build) -> None:
+    """Keep those fixes of errors that mend their statement: the program is read again with them in it."""
+    if any(problem.is_error and problem.fix for problem in state.problems.found):
+        from clickgen.fixes.trial import Seen, tried
+
+        def look(texts: Mapping[str, bytes]) -> Seen:
+            overlay = {**state.settings.overlay, **{os.path.realpath(path): data for path, data in texts.items()}}
+            trial = _run(state.path, replace(state.settings, overlay=overlay), _TRIAL)
+            return Seen(trial.problems.found, trial.resolved is not None and trial.resolved.is_declared)
+
+        texts = {source.path: state.reads[source.path] or b"" for source in state.sources}
+        state.problems.found = tried(state.problems.found, texts, look)
+
+
 def _lint(state: _Build) -> None:
     from clickgen.rules.advice import RULES as LINT_RULES
 
@@ -471,12 +502,9 @@ def _find_left(state: _Build) -> None:
     found = left_names(
         state.facts, rows, placed_in(record), left_in(record), state.resolved.allocated, state.settings.named_elsewhere
     )
-    state.left = tuple(found)
+    state.left = tuple(each for each in found if each.is_sure)
     spans = {left.old.address: span for left in found if (span := state.table.span(left.old))}
-    named = os.fspath(state.settings.nicknames or "")
-    here = os.getcwd() + os.sep
-    named = named.removeprefix(here)
-    report_left(state.facts, state.problems, found, state.shown, named, spans)
+    report_left(state.facts, state.problems, found, state.shown, _named_table(state), spans)
 
 
 def _is_new(row: Row, table: AddressTable) -> bool:
@@ -554,6 +582,7 @@ STAGES: _Stages = (
     (_resolve, False),
     (_judge_fixes, False),
     (_check, False),
+    (_try_fixes, False),
     (_lower, True),
     (_place_scratch, True),
     (_find_left, True),
@@ -564,6 +593,9 @@ STAGES: _Stages = (
 
 CHECKS: _Stages = (*(stage for stage in STAGES if stage[0] is not _emit), (_lint, True))
 """The stages of a check: it makes no files."""
+
+_TRIAL: _Stages = tuple(stage for stage in STAGES if stage[0] not in (_try_fixes, _find_left, _emit))
+"""The stages that tell whether a fix leaves an error in its statement."""
 
 NAMES: _Stages = tuple(stage for stage in STAGES if stage[0] in (_read_source, _read_table, _resolve, _judge_fixes))
 """The stages that find out the names of a program."""

@@ -430,7 +430,8 @@ def test_a_broken_program_beside_it() -> None:
             "Old",
             "other",
             "other is taken: it is C6 (line 3 of nicknames.csv); choose another name; where a build gave it to what "
-            "was Old, write Old in the programs again, run clickgen nicknames sync --prune, and then this",
+            "was Old, run clickgen nicknames sync --prune prog.py, "
+            "and then clickgen nicknames rename Old other prog.py",
         ),
         ("Old", "Used", "Used is taken: prog.py:4:13 uses it; choose another name" + again("Old")),
         ("Old", "Declared", "Declared is taken: prog.py:1:10 uses it; choose another name" + again("Old")),

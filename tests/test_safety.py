@@ -427,6 +427,39 @@ def test_devices_and_pipes_are_not_read(name: str, command: str, kind: Callable[
 
 
 @posix_only
+@pytest.mark.parametrize(
+    ("name", "command"),
+    [
+        (OWN_FILE, "build prog.py"),
+        (OWN_FILE, "check"),
+        ("pyproject.toml", "build prog.py"),
+        ("nicknames.csv", "build prog.py"),
+        ("nicknames.csv", "check prog.py"),
+        ("nicknames.csv", "import drawn/main.csv -o prog2.py"),
+        ("scr/Scr1.tmp", "import scr -o new.py"),
+        ("drawn/nicknames.csv", "import drawn -o new.py"),
+        ("drawn/subroutines/one.csv", "import drawn -o new.py"),
+    ],
+)
+def test_a_pipe_in_the_place_of_a_file_is_named(name: str, command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["build", "prog.py", "-o", "drawn"]) == 0
+    Path(name).parent.mkdir(parents=True, exist_ok=True)
+    Path(name).unlink(missing_ok=True)
+    silent(Path(name))
+    capsys.readouterr()
+    assert main(command.split()) == 2
+    said = capsys.readouterr().err
+    assert name in said
+    assert "a pipe or a device" in said
+
+
+@pytest.mark.parametrize("words", [["build", "\0"], ["check", "a\0.py"], ["build", "prog.py", "-o", "\0"], ["\0"]])
+def test_a_nul_in_an_argument_is_a_mistake_of_use(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(words) == 2
+    assert capsys.readouterr().err == "clickgen: an argument holds a NUL character, which no file name can have\n"
+
+
+@posix_only
 def test_a_link_is_told_from_what_is_reached_by_one(tmp_path: Path) -> None:
     (tmp_path / "real").mkdir()
     (tmp_path / "real" / "file").write_text("")

@@ -28,7 +28,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
         _speak_utf8()
         _written().clear()
-        code = parse(sys.argv[1:] if arguments is None else arguments)
+        given = sys.argv[1:] if arguments is None else arguments
+        if any("\0" in argument for argument in given):
+            # No system passes one; who calls this function may.
+            complain("an argument holds a NUL character, which no file name can have")
+            return COULD_NOT_RUN
+        code = parse(given)
         sys.stdout.flush()  # What cannot be shown is an error only while it can be told.
         return code
     except KeyboardInterrupt as stop:

@@ -12,7 +12,7 @@ from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import comment_fault, nickname_fault
 from clickgen.ir.program import BlockDeclaration
 from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.resolve.declare import Declared, initial_of
+from clickgen.resolve.declare import Declared, initial_of, rename_command
 from clickgen.table.address_table import AddressTable
 from clickgen.table.blocks import Block, Mark, Marks, mark_in, marked, read_marks
 from clickgen.table.rows import Row, default_row, looks_like_scratch
@@ -149,10 +149,22 @@ class _Blocks:
             if (is_same or any(due)) and not (is_same and due == (mark.opens, mark.closes)):
                 where = f"the comment of {row.address} is marked <{mark.word}> in {self.table.place(row)}"
                 help = f"take the marks of {mark.name} out of the comments, or leave the block as these marks have it"
+                if self._is_other_name_of(block, mark.name):
+                    renamed = rename_command(mark.name, block.name)
+                    help = f"if {block.name} is {mark.name} by another name: {renamed}; if not, {help}"
                 span = self.table.span(row)
                 labels = (Label(span, "this mark"),) if span else ()
                 return _Fault(f"{block.name} is {block} here, and {where}", help, labels)
         return None
+
+    def _is_other_name_of(self, block: Block, name: str) -> bool:
+        """True where the table has just these addresses as a block of this name."""
+        marked = self.marks.blocks.get(name.lower())
+        return (
+            marked is not None
+            and name.lower() != block.name.lower()
+            and (marked.bank, marked.first, marked.last) == (block.bank, block.first, block.last)
+        )
 
     def _set_up(self, declaration: BlockDeclaration, block: Block) -> None:
         """Initial value and retention hold for every member."""

@@ -7,6 +7,7 @@ import re
 import warnings
 from collections.abc import Callable, Iterator
 
+from clickgen.device.project_file import no_program
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.source import FORM_FEED, SourceFile, Span
 
@@ -25,6 +26,11 @@ _LONG_NUMBER = re.compile(r"[0-9A-Fa-f_]{17,}")
 
 def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
     """The source file behind these bytes (UTF-8, with or without a byte order mark), or None with a problem."""
+    foreign = no_program(data, path)
+    if foreign is not None:
+        kind, way = foreign
+        problems.add("CG101", Span(path, 1, 1, 1, 2), f"this is {kind}, and no program", way)
+        return None
     data = data.removeprefix(b"\xef\xbb\xbf")
     try:
         text = _lines(data.decode())

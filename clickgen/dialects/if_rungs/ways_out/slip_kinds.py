@@ -410,8 +410,38 @@ _SIGNS = {
 SIGN = re.compile(f"[{''.join(_SIGNS)}]")
 
 
+def _plain(text: str) -> tuple[tuple[int, int, str], ...]:
+    """The plain signs in the place of the others, outside of texts and comments: what stands in quotes stays as it is.
+
+    Nothing where a text would end elsewhere than the person sees it end.
+    """
+    edits: list[tuple[int, int, str]] = []
+    at = 0
+    while at < len(text) and text[at] != "#":
+        quote = text[at] if text[at] in ("'", '"') else _SIGNS.get(text[at], "")
+        if quote not in ("'", '"'):
+            if text[at] in _SIGNS:
+                edits.append((at, at + 1, quote))
+            at += 1
+            continue
+        end = _end_of_text(text, at, quote)
+        if end is None or quote in text[at + 1 : end] or "\\" in text[at + 1 : end]:
+            return ()
+        edits += [(place, place + 1, quote) for place in (at, end) if text[place] != quote]
+        at = end + 1
+    return tuple(edits)
+
+
+def _end_of_text(text: str, start: int, quote: str) -> int | None:
+    """Where a text in quotes of any kind ends: at the same plain quote, or at the next one that closes."""
+    if text[start] == quote and (plain := text.find(quote, start + 1)) >= 0:
+        return plain
+    closing = (at for at in range(start + 1, len(text)) if quote in (text[at], _SIGNS.get(text[at])))
+    return next(closing, None)
+
+
 def typographic(line: Line, match: re.Match[str]) -> Told:
-    edits = tuple((*found.span(), _SIGNS[found[0]]) for found in SIGN.finditer(line.code))
+    edits = _plain(line.text)
     plain = _SIGNS[match[0]]
     if plain in ('"', "'"):
         help = f"write straight quotes, {plain}"
