@@ -220,6 +220,15 @@ def test_a_forged_journal_does_nothing_beyond_its_folder(tmp_path: Path, tree_of
     assert kept == dict.fromkeys(("victim", "out/victim", "out/main.csv", "elsewhere/main.csv"), b"precious")
 
 
+@pytest.mark.parametrize("name", ["\ud800", "\0", "a\0b"])
+def test_a_forged_journal_names_what_no_file_can_be_called(tmp_path: Path, name: str) -> None:
+    (tmp_path / PLAIN[2]).write_bytes(b"precious")
+    for step in ([name, None, PLAIN[2], True, None], [name, *PLAIN[1:]]):
+        (tmp_path / journal_name(WORK)).write_text(json.dumps({"folders": ["."], "steps": [step]}))
+        assert recover([tmp_path]) == []
+        assert (tmp_path / PLAIN[2]).read_bytes() == b"precious"
+
+
 def test_a_journal_that_is_a_link_or_a_pipe_is_none(tmp_path: Path) -> None:
     (tmp_path / "main.csv").write_bytes(b"precious")
     os.symlink("/dev/zero", tmp_path / journal_name(WORK))
