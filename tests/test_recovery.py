@@ -192,7 +192,8 @@ def test_a_moved_repository_recovers_too(tmp_path: Path) -> None:
 # -- what is no journal of ours ---------------------------------------------------------------------------------------
 
 WORK = "0123456789abcdef"
-PLAIN = ["main.csv", f".clickgen-{WORK}-0.new", f".clickgen-{WORK}-0.old", False, "0" * 40]
+FORMER = f".clickgen-{WORK}-0.old"
+PLAIN = ["main.csv", f".clickgen-{WORK}-0.new", FORMER, False, "0" * 40]
 
 
 @pytest.mark.parametrize(
@@ -226,11 +227,11 @@ def test_a_forged_journal_does_nothing_beyond_its_folder(tmp_path: Path, tree_of
 
 @pytest.mark.parametrize("name", ["\ud800", "\0", "a\0b"])
 def test_a_forged_journal_names_what_no_file_can_be_called(tmp_path: Path, name: str) -> None:
-    (tmp_path / PLAIN[2]).write_bytes(b"precious")
-    for step in ([name, None, PLAIN[2], True, None], [name, *PLAIN[1:]]):
+    (tmp_path / FORMER).write_bytes(b"precious")
+    for step in ([name, None, FORMER, True, None], [name, *PLAIN[1:]]):
         (tmp_path / journal_name(WORK)).write_text(json.dumps({"folders": ["."], "steps": [step]}))
         assert recover([tmp_path]) == []
-        assert (tmp_path / PLAIN[2]).read_bytes() == b"precious"
+        assert (tmp_path / FORMER).read_bytes() == b"precious"
 
 
 def test_a_journal_that_is_a_link_or_a_pipe_is_none(tmp_path: Path) -> None:
@@ -331,8 +332,9 @@ def windows(monkeypatch: pytest.MonkeyPatch) -> tuple[Msvcrt, Callable[[], Any]]
         with monkeypatch.context() as patch:
             patch.setattr(sys, "platform", "win32")
             spec.loader.exec_module(module)
-            module.sys = ModuleType("sys")
-            module.sys.platform = "win32"
+        there = ModuleType("sys")
+        vars(there)["platform"] = "win32"
+        vars(module)["sys"] = there
         return module
 
     return fake, process

@@ -293,8 +293,8 @@ def test_ladder_that_no_build_made_is_not_removed_for_its_form_alone() -> None:
     Path("out/subroutines").mkdir(parents=True)
     path = Path("out/subroutines/theirs.csv")
     path.write_bytes(ladder)
-    for routines in ({"theirs": [{}]}, {"theirs": [{}, {}]}):
-        forge(Path("out"), "subroutines/theirs.csv", routines=routines)
+    for rungs in (1, 2):
+        forge(Path("out"), "subroutines/theirs.csv", routines={"theirs": [{}] * rungs})
         assert main(["build", "prog.py", "-o", "out"]) == 2
         assert path.read_bytes() == ladder
 
