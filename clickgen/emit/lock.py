@@ -131,8 +131,8 @@ def _is_still_there(path: Path, file: IO[bytes]) -> bool:
 
 def _release(path: Path, file: IO[bytes]) -> None:
     if sys.platform == "win32":
-        # Windows unlocks what is closed, but only when it comes to it. It keeps an open file: one who waits has it open,
-        # and takes it away in turn.
+        # Windows unlocks what is closed, but only when it comes to it. It keeps an open file: one who waits has it
+        # open, and takes it away in turn.
         with contextlib.suppress(OSError):
             _unlock(file.fileno())
         file.close()
