@@ -18,6 +18,7 @@ from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.emit.folder import ForeignFiles, stale_files
 from clickgen.emit.listing import listing
 from clickgen.emit.nickname_csv import nickname_csv
+from clickgen.emit.sourcemap import NAME as SOURCE_MAP
 from clickgen.emit.sourcemap import source_map
 from clickgen.facts.facts import Facts
 from clickgen.fixes.verdict import judge_proposals
@@ -570,8 +571,7 @@ def _emit(state: _Build) -> None:
     state.files[TABLE_NAME] = nickname_csv(rows.values())
     state.files["listing.txt"] = listing(escaped(state.path.stem), state.routines, _nicknames(state))
     base = os.path.dirname(state.shown)
-    names = [*state.files, "sources.json"]
-    state.files["sources.json"] = source_map(state.routines, state.scratch_rows, names, base)
+    state.files[SOURCE_MAP] = source_map(state.routines, state.scratch_rows, state.files, base)
 
 
 _Stages = tuple[tuple[Callable[[_Build], None], bool], ...]

@@ -10,12 +10,16 @@ from judges.work import calls_in
 
 import clickgen
 from clickgen.cli import main
+from clickgen.click.read.operands import condition_of, operand_of
 from clickgen.commands.check.programs import Request
 from clickgen.commands.check.programs import run as run_check
 from clickgen.config import find_config
+from clickgen.device.banks import Kind
 from clickgen.device.limits import comment_bytes, styled_part
 from clickgen.dialects.if_rungs.discover import is_program, matches
 from clickgen.table.blocks import mark_in
+from clickgen.table.rows import initial_fault
+from clickgen.text.source import Span
 
 END = "    if True:\n        end()\n"
 RUNGS: dict[str, Callable[[int], str]] = {
@@ -133,6 +137,16 @@ def test_patterns_with_many_stars_are_quick() -> None:
 def test_a_long_line_is_no_long_look(text: str) -> None:
     """Each of these took minutes: the end of a text was looked for again at every quote."""
     assert not is_program(text)
+
+
+@pytest.mark.parametrize("digits", ["9" * 100_000, "-" + "9" * 100_000 + ".", "1." + "9" * 100_000])
+def test_a_long_number_is_no_long_look(digits: str) -> None:
+    """Some of these took a minute: where a number that is none ends was tried at every digit."""
+    span = Span("main.csv", 1, 1, 1, 2)
+    assert condition_of(digits, span) is None
+    assert condition_of(f"DS1=={digits}x", span) is None
+    assert operand_of(f"{digits}x", span) is None
+    assert initial_fault(Kind.FLOAT, f"{digits}x") is not None
 
 
 def test_marks_and_styles_are_looked_for_in_what_can_hold_them() -> None:

@@ -656,3 +656,10 @@ def test_formulas_in_any_spelling(literal: str, new: str) -> None:
     # What stands around the formula is untouched.
     assert text().count("# Old") == source.count("# Old")
     assert len(text().splitlines()) == len(source.splitlines())
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such file names")
+def test_the_name_of_the_program_may_be_anything() -> None:
+    place({"a\x1b.py": main("if c.Old: out(y[1])")})
+    assert run(["nicknames", "rename", "Old", "New", "a\x1b.py"]) == 0
+    assert "c.New" in text("a\x1b.py")

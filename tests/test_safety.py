@@ -286,15 +286,38 @@ def test_a_forged_source_map_takes_no_file_of_a_person(name: str, routines: obje
     assert not Path("nicknames.csv").exists()
 
 
-def test_ladder_that_no_build_made_is_not_removed_for_its_head_alone() -> None:
+def test_ladder_that_no_build_made_is_not_removed_for_its_form_alone() -> None:
+    """Not even where the map knows a routine of its name with as many rungs."""
     assert main(["build", "prog.py", "-o", "other"]) == 0
     ladder = Path("other/subroutines/wash.csv").read_bytes()
     Path("out/subroutines").mkdir(parents=True)
     path = Path("out/subroutines/theirs.csv")
     path.write_bytes(ladder)
-    forge(Path("out"), "subroutines/theirs.csv", routines={"theirs": [{}]})
-    assert main(["build", "prog.py", "-o", "out"]) == 2
-    assert path.read_bytes() == ladder
+    for rungs in (1, 2):
+        forge(Path("out"), "subroutines/theirs.csv", routines={"theirs": [{}] * rungs})
+        assert main(["build", "prog.py", "-o", "out"]) == 2
+        assert path.read_bytes() == ladder
+
+
+def test_a_leftover_that_somebody_has_drawn_on_stays(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["build", "prog.py"]) == 0
+    path = Path("build/prog/subroutines/wash.csv")
+    drawn = path.read_bytes().replace(b"Y002", b"Y003")
+    path.write_bytes(drawn)
+    Path("prog.py").write_text(GOOD.replace("wash", "rinse"))
+    assert main(["build", "prog.py"]) == 2
+    assert "holds files that clickgen did not make" in capsys.readouterr().err
+    assert path.read_bytes() == drawn
+
+
+def test_a_leftover_with_other_ends_of_lines_goes() -> None:
+    """Git changes them on Windows."""
+    assert main(["build", "prog.py"]) == 0
+    path = Path("build/prog/subroutines/wash.csv")
+    path.write_bytes(path.read_bytes().replace(b"\r\n", b"\n").replace(b"\n", b"\r\n"))
+    Path("prog.py").write_text(GOOD.replace("wash", "rinse"))
+    assert main(["build", "prog.py"]) == 0
+    assert not path.exists()
 
 
 @posix_only

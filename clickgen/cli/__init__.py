@@ -85,6 +85,8 @@ def _reason(error: Exception) -> tuple[str, ...] | None:
         return error.lines
     if isinstance(error, OSError):
         # Without a file it is the terminal or a pipe: then the files may be in place already.
+        if not error.filename and isinstance(error, FileNotFoundError):
+            return (f"the working folder is not there any more; {_what_was_written()}",)
         if not error.filename:
             return (f"the output could not be shown: {error.strerror or error}",)
         return (f"{os.fsdecode(error.filename)}: {error.strerror or error}; {_what_was_written()}",)
