@@ -303,7 +303,7 @@ def timers_of(context: Context, bit: str) -> frozenset[str]:
 def _while_timing(context: Context, bit: str, current: str, kind: str) -> str:
     """How ``t.A.tt`` and ``t.A.expired`` are written, which depends on the instruction that owns the timer.
 
-    The bit of an off-delay is on while it counts and goes off at its end (click-facts, section 8).
+    The bit of an off-delay is on while it counts and goes off at its end (click-facts [timer.off-delay]).
     """
     running = {"ton": f"all({current} > 0, nc({bit}))", "tof": f"all({current} > 0, {bit})"}
     kept = "a retentive timer keeps its value while its rung is off, so add the condition of that rung"
