@@ -70,7 +70,8 @@ def find_config(start: Path) -> Config:
     for folder in (start.absolute(), *start.absolute().parents):
         for name in (OWN_FILE, PROJECT_FILE):
             path = folder / name
-            if path.is_file():
+            # What is there and no file is refused by who reads it: a pipe or a device has no settings.
+            if path.exists() and not path.is_dir():
                 config = _read(path, optional=name == PROJECT_FILE)
                 if config is not None:
                     return config
@@ -182,10 +183,10 @@ class _Table:
 
     def _program(self, place: str, value: object, root: Path) -> ProgramSettings:
         if isinstance(value, str):
-            return ProgramSettings(root / value)
+            return ProgramSettings(root / self._path(place, value))
         table = _Table(self._file, place, value)
         table._known("path", "nicknames", "output")
-        path, nicknames, output = (table._optional_text(key) for key in ("path", "nicknames", "output"))
+        path, nicknames, output = (table._optional_path(key) for key in ("path", "nicknames", "output"))
         if path is None:
             raise table._error("path", "is missing: it names the program's main file")
         return ProgramSettings(root / path, root / nicknames if nicknames else None, root / output if output else None)
@@ -258,8 +259,14 @@ class _Table:
             'such as "old", "plc/*.py" or "plc/**/old"'
         )
 
-    def _optional_text(self, key: str) -> str | None:
-        return self._text(self._key(key), self._tree[key]) if key in self._tree else None
+    def _path(self, place: str, value: object) -> str:
+        text = self._text(place, value)
+        if "\0" in text:
+            raise ConfigError(f"{self._file}: {place}: no path is like {value!r}; take the \\u0000 out of it")
+        return text
+
+    def _optional_path(self, key: str) -> str | None:
+        return self._path(self._key(key), self._tree[key]) if key in self._tree else None
 
     def _list(self, key: str, read: Callable[[str, object], T]) -> list[T]:
         values = self._tree.get(key, [])

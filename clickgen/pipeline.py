@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -17,6 +18,7 @@ from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.emit.folder import ForeignFiles, stale_files
 from clickgen.emit.listing import listing
 from clickgen.emit.nickname_csv import nickname_csv
+from clickgen.emit.sourcemap import NAME as SOURCE_MAP
 from clickgen.emit.sourcemap import source_map
 from clickgen.facts.facts import Facts
 from clickgen.fixes.verdict import judge_proposals
@@ -27,6 +29,7 @@ from clickgen.lower.scratch import Scratch
 from clickgen.lower.serves import served
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic, Diagnostics
+from clickgen.resolve.declare import PROGRAM
 from clickgen.resolve.left_names import Left, left_names, report_left
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.rules.errors import RULES, scratch_bits
@@ -347,8 +350,23 @@ def _resolve(state: _Build) -> None:
     if state.program is not None:
         settings = state.settings
         state.resolved = resolve(state.program, state.table, settings.frozen, state.problems, settings.reserved)
+        _name_program(state)
         if settings.nicknames is None:
             _name_own_table(state)
+
+
+def _name_program(state: _Build) -> None:
+    """Commands in the ways out name this program and its table."""
+    words = shlex.join([state.shown, *(["--nicknames", named] if (named := _named_table(state)) else [])])
+    state.problems.found = [
+        problem._replace(help=problem.help.replace(PROGRAM, words)) if problem.code == "CG205" else problem
+        for problem in state.problems.found
+    ]
+
+
+def _named_table(state: _Build) -> str:
+    """The table as commands name it; "" for the one beside the program."""
+    return os.fspath(state.settings.nicknames or "").removeprefix(os.getcwd() + os.sep)
 
 
 def _name_own_table(state: _Build) -> None:
@@ -422,6 +440,20 @@ def _check_kept(facts: Facts, problems: Diagnostics) -> None:
         check(facts, problems)
 
 
+def _try_fixes(state: _Build) -> None:
+    """Keep those fixes of errors that mend their statement: the program is read again with them in it."""
+    if any(problem.is_error and problem.fix for problem in state.problems.found):
+        from clickgen.fixes.trial import Seen, tried
+
+        def look(texts: Mapping[str, bytes]) -> Seen:
+            overlay = {**state.settings.overlay, **{os.path.realpath(path): data for path, data in texts.items()}}
+            trial = _run(state.path, replace(state.settings, overlay=overlay), _TRIAL)
+            return Seen(trial.problems.found, trial.resolved is not None and trial.resolved.is_declared)
+
+        texts = {source.path: state.reads[source.path] or b"" for source in state.sources}
+        state.problems.found = tried(state.problems.found, texts, look)
+
+
 def _lint(state: _Build) -> None:
     from clickgen.rules.advice import RULES as LINT_RULES
 
@@ -471,12 +503,9 @@ def _find_left(state: _Build) -> None:
     found = left_names(
         state.facts, rows, placed_in(record), left_in(record), state.resolved.allocated, state.settings.named_elsewhere
     )
-    state.left = tuple(found)
+    state.left = tuple(each for each in found if each.is_sure)
     spans = {left.old.address: span for left in found if (span := state.table.span(left.old))}
-    named = os.fspath(state.settings.nicknames or "")
-    here = os.getcwd() + os.sep
-    named = named.removeprefix(here)
-    report_left(state.facts, state.problems, found, state.shown, named, spans)
+    report_left(state.facts, state.problems, found, state.shown, _named_table(state), spans)
 
 
 def _is_new(row: Row, table: AddressTable) -> bool:
@@ -504,7 +533,8 @@ def _divide(state: _Build) -> None:
                 f"main has {len(routine.rungs)} CLICK rungs and goes into {len(parts)} ladder files",
                 "paste them one behind the other, in the order of their names",
             )
-        # ClickNick pastes main's parts sorted by name (click-facts, section 7): all numbers have as many digits.
+        # ClickNick pastes main's parts sorted by name (click-facts [ladder-file.guided]): all numbers have as many
+        # digits.
         digits = len(str(len(parts)))
         for number, part in enumerate(parts, 1):
             stem = "main" if routine.is_main else f"subroutines/{routine.name}"
@@ -512,7 +542,7 @@ def _divide(state: _Build) -> None:
 
 
 def _within_limits(rungs: tuple[ClickRung, ...]) -> Iterator[tuple[ClickRung, ...]]:
-    """Stretches of rungs that one clipboard buffer takes (click-facts, trap 1)."""
+    """Stretches of rungs that one clipboard buffer takes (click-facts [limit.file, limit.rows])."""
     start = size = 0
     for index, rung in enumerate(rungs):
         cost = len(rung.grid) + 1
@@ -541,8 +571,7 @@ def _emit(state: _Build) -> None:
     state.files[TABLE_NAME] = nickname_csv(rows.values())
     state.files["listing.txt"] = listing(escaped(state.path.stem), state.routines, _nicknames(state))
     base = os.path.dirname(state.shown)
-    names = [*state.files, "sources.json"]
-    state.files["sources.json"] = source_map(state.routines, state.scratch_rows, names, base)
+    state.files[SOURCE_MAP] = source_map(state.routines, state.scratch_rows, state.files, base)
 
 
 _Stages = tuple[tuple[Callable[[_Build], None], bool], ...]
@@ -553,6 +582,7 @@ STAGES: _Stages = (
     (_resolve, False),
     (_judge_fixes, False),
     (_check, False),
+    (_try_fixes, False),
     (_lower, True),
     (_place_scratch, True),
     (_find_left, True),
@@ -563,6 +593,9 @@ STAGES: _Stages = (
 
 CHECKS: _Stages = (*(stage for stage in STAGES if stage[0] is not _emit), (_lint, True))
 """The stages of a check: it makes no files."""
+
+_TRIAL: _Stages = tuple(stage for stage in STAGES if stage[0] not in (_try_fixes, _find_left, _emit))
+"""The stages that tell whether a fix leaves an error in its statement."""
 
 NAMES: _Stages = tuple(stage for stage in STAGES if stage[0] in (_read_source, _read_table, _resolve, _judge_fixes))
 """The stages that find out the names of a program."""

@@ -1,7 +1,8 @@
 """Makes clickgen/device/system_nicknames.csv from an export of CLICK PLUS 3.41 and the catalog of pyclickplc.
 
 Where the two spell a name otherwise, the export is what CLICK shows (fixtures/click-3.41) and the catalog's spelling is
-kept as another one. ``--check`` writes nothing and only says whether the file is stale.
+kept as another one (click-facts [system.spellings]). ``--check`` writes nothing and only says whether the file is
+stale.
 """
 
 from __future__ import annotations

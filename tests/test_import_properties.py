@@ -494,7 +494,7 @@ def _without_loose_ends(rows: Rows) -> Rows:
         for column, cell in enumerate(row[1:-1]):
             if power.goes_right(cell) and not (fed[index][column] and useful[index][column + 1]):
                 row[column + 1] = "|" if power.goes_down(cell) else ""
-    # A wire goes on through blank squares (click-facts, section 5), which the judge wants to see.
+    # A wire goes on through blank squares (click-facts [grid.blank-wires]), which the judge wants to see.
     for above, row in pairwise(rows[:-1]):
         for column in range(2, 32):
             if power.goes_down(above[column]) and not row[column] and not power.goes_right(row[column - 1]):
@@ -524,7 +524,7 @@ def looked_at(rows: Rows) -> bool:
         is_split = len(built.routines[0].rungs) > 2
         if not is_split:
             again = sources_of(import_again(built, folder))
-            # A bare wire into a box with inputs gets a contact that is always on (click-facts, trap 2).
+            # A bare wire into a box with inputs gets a contact that is always on (click-facts [grid.pin-contact]).
             is_bare = any("sc._Always_ON" in text for text in again.values())
             assert is_bare or again == sources_of(result)
     if not tokens or is_split:

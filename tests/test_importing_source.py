@@ -54,7 +54,7 @@ LINES: dict[str, tuple[str, str, str]] = {
         "if all(td.Delay >= ds.Step, ctd.Parts == 5):\n    out(c.Running)",
     ),
     "CLICK's own names": ("SC1", "out(C1)", "if sc._Always_ON:\n    out(c.Running)"),
-    "upper bytes": ("XD0u==00FFh", "copy(XD0,DH1)", 'if xd["0u"] == 0x00FF:\n    copy(xd.Word, dh[1])'),
+    "a word of upper points": ("XD0u==00FFh", "copy(XD0,DH1)", 'if xd["0u"] == 0x00FF:\n    copy(xd.Word, dh[1])'),
     "immediate": (
         "~immediate(X001)",
         "out(immediate(Y001..Y004))",

@@ -75,7 +75,7 @@ def rung_of(*lines: Line) -> LadderRung:
     return rung
 
 
-# Each row of the table in click-facts section 5, with what it must mean.
+# Ways to wire a rung, with what each must mean (click-facts [grid.outputs, grid.power, grid.shared-tie, grid.wires]).
 PATTERNS: dict[str, tuple[list[Line], dict[tuple[int, str], Formula]]] = {
     "series": (
         [("C1 ~C2 rise(C3) DS1==5", "out(Y001)")],

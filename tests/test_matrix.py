@@ -1,7 +1,7 @@
 """What each instruction takes, cell by cell: what is legal builds and reads back, what is not has its code.
 
-The tables in ``matrix/`` are written from click-facts, independently of clickgen's Specs. The arguments of a call are
-judged by the Spec itself: every instruction's faults name its signature.
+The tables in ``matrix/`` are written from docs/click-facts.md, independently of clickgen's Specs. The arguments of a
+call are judged by the Spec itself: every instruction's faults name its signature.
 """
 
 from __future__ import annotations

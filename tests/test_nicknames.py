@@ -1,8 +1,8 @@
 """What CLICK takes as a nickname, compared with pyclickplc over generated names.
 
-Where the two differ click-facts, section 2, is followed. pyclickplc takes these and clickgen does not: the empty name
-(there it means no name), a comma, anything outside ASCII, control characters, and a space at either end (its reader
-strips them, so such a name would not come back).
+Where the two differ click-facts [name.characters] is followed. pyclickplc takes these and clickgen does not: the empty
+name (there it means no name), a comma, anything outside ASCII, control characters, and a space at either end (its
+reader strips them, so such a name would not come back).
 """
 
 from __future__ import annotations

@@ -456,3 +456,12 @@ def test_a_rung_that_was_left_out_stops_build_and_check(tmp_path: Path) -> None:
 def test_its_word_in_a_ladder_file_is_none_of_ours() -> None:
     assert fault_of('not_imported("a")') is not None
     assert height_of('not_imported("a")') == 1
+
+
+def test_a_token_of_endless_length_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Not even asked about: laddercodec took a quarter of a minute over these blanks."""
+    monkeypatch.setattr("clickgen.click.read.kept._fault_in_codec", lambda _: pytest.fail("it was asked"))
+    for token in (f"math(DS1{' ' * 60_000}!,DS1,mode=decimal)", f"raw(Email,0x2737,1,60a5={'1' * 60_000})"):
+        fault = fault_of(token)
+        assert fault is not None
+        assert "no instruction has so many" in fault.message

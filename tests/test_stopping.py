@@ -125,6 +125,17 @@ def test_a_reader_that_goes_away_changes_no_exit_code(program: str, unbuffered: 
     assert done.stderr == (b"" if program == "prog.py" else b"clickgen: there is no file none.py\n")
 
 
+@pytest.mark.parametrize("command", ["build prog.py", "check", "check -", "import x.csv -o x.py", "diff a b"])
+def test_a_working_folder_that_is_gone_is_named(
+    command: str, folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "gone").mkdir()
+    monkeypatch.chdir(folder / "gone")
+    (folder / "gone").rmdir()
+    assert main(command.split()) == 2
+    assert capsys.readouterr().err == "clickgen: the working folder is not there any more; nothing was written\n"
+
+
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="there is no full disk here")
 def test_a_standard_error_that_takes_nothing_changes_no_exit_code() -> None:
     Path("bad.py").write_text("def main():\n    if c.A and c.B:\n        out(c.C)\n")

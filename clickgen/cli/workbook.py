@@ -86,8 +86,9 @@ def _former(path: Path, job: Job) -> bytes | None:
 def _workbook(result: BuildResult, job: Job) -> bytes:
     from clickgen.commands.nicknames.why import blocks_of
     from clickgen.emit.workbook import Project, workbook
+    from clickgen.table.blocks import covered
 
-    blocks = frozenset(address for block in blocks_of(result) for address in block.addresses())
+    blocks = frozenset(covered(blocks_of(result)))
     return workbook(
         Project(
             result.program.stem,

@@ -1,4 +1,4 @@
-"""The ladder CSV of a routine: 33 columns, one R row per rung (click-facts, section 5)."""
+"""The ladder CSV of a routine: 33 columns, one R row per rung (click-facts [ladder-file.csv])."""
 
 from __future__ import annotations
 

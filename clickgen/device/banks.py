@@ -1,4 +1,4 @@
-"""The 16 memory banks and addresses in them (click-facts, section 1)."""
+"""The 16 memory banks and addresses in them (click-facts [bank.ranges])."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Kind(Enum):
 
 
 INTEGER_RANGES = {Kind.INT16: (-32768, 32767), Kind.INT32: (-(2**31), 2**31 - 1)}
-"""The least and greatest whole number of a cell."""
+"""The least and greatest whole number of a cell (click-facts [value.integers])."""
 
 VALUE_CLASSES = {
     Kind.INT16: "decimal",
@@ -30,25 +30,28 @@ VALUE_CLASSES = {
     Kind.TEXT: "text",
     Kind.BIT: "bit",
 }
-"""What is compared with its own class only (click-facts, section 3, "Compare classes")."""
+"""What is compared with its own class only (click-facts [compare.classes])."""
 
 FLOAT_MAX = 3.4028235e38
 FLOAT_MIN = 1.1754944e-38
-"""The greatest and the least magnitude of a 32-bit floating-point number, 0 aside."""
+"""The greatest and the least magnitude of a 32-bit floating-point number, 0 aside (click-facts [value.floats])."""
 
 TEXT_WIDTHS = {Kind.INT16: 6, Kind.INT32: 11, Kind.HEX: 4, Kind.FLOAT: 15}
-"""The most characters that a number becomes, its sign included (click-facts, section 8, "Numeric -> TXT")."""
+"""The most characters that a number becomes, its sign included (click-facts [value.float-text, value.number-text])."""
 
 PADDED_DIGITS = {Kind.INT16: 5, Kind.INT32: 10, Kind.HEX: 4}
-"""The digits of a number in text that keeps its zeros (click-facts, section 8, "Numeric -> TXT")."""
+"""The digits of a number in text that keeps its zeros (click-facts [value.number-text])."""
 
-# Ten slots of 16 points; X017..X020 and the like do not exist.
+# Ten slots of 16 points; X017..X020 and the like do not exist (click-facts [bank.slots]).
 _SLOTS = ((1, 16), (21, 36), *((n * 100 + 1, n * 100 + 16) for n in range(1, 9)))
 
 
 @dataclass(frozen=True)
 class Bank:
-    """One memory bank. ``ranges`` are inclusive; ``retentive`` is CLICK's default for its cells."""
+    """One memory bank. ``ranges`` are inclusive; ``retentive`` is CLICK's default for its cells.
+
+    click-facts [bank.defaults]
+    """
 
     name: str
     kind: Kind
@@ -56,7 +59,7 @@ class Bank:
     title: str
     retentive: bool = False
     settings_fixed: bool = False
-    """True where CLICK lets nobody edit initial value and retention (SC, SD, XD, YD)."""
+    """True where CLICK lets nobody edit initial value and retention: SC, SD, XD, YD (click-facts [bank.fixed])."""
     allocatable: bool = True
     """True where clickgen may choose an address for a name."""
     digits: int = 1
@@ -80,6 +83,13 @@ class Bank:
 
     def has(self, number: int) -> bool:
         return any(first <= number <= last for first, last in self.ranges)
+
+    def gap_in(self, first: int, last: int) -> int | None:
+        """The first number of a stretch that the bank does not have; None where it has all."""
+        for start, end in self.ranges:
+            if start <= first <= end:
+                first = end + 1
+        return first if first <= last else None
 
     def numbers(self) -> Iterator[int]:
         for first, last in self.ranges:
@@ -114,20 +124,21 @@ _ALL = (
 )
 
 BANKS: dict[str, Bank] = {bank.name: bank for bank in _ALL}
-"""Every bank by name, in the row order of CLICK's nickname CSV."""
+"""Every bank by name, in the row order of CLICK's nickname CSV (click-facts [nickname-file.order])."""
 
 ORDER: dict[str, int] = {name: index for index, name in enumerate(BANKS)}
 
 CURRENT_VALUE_OF = {"TD": "T", "CTD": "CT"}
-"""The banks of current values, and the bank of the bits they belong to (same numbers)."""
+"""The banks of current values, and the bank of the bits they belong to, by the same numbers
+(click-facts [bank.current-values])."""
 
 VALUE_BANK = {bit: value for value, bit in CURRENT_VALUE_OF.items()}
 
 POINTED = ("C", "DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "TXT")
-"""The banks that a pointer can point into (click-facts, section 3, copy family)."""
+"""The banks that a pointer can point into (click-facts [copy.pointers])."""
 
 READ_ONLY = {"X": "an input", "T": "a timer's bit", "CT": "a counter's bit", "XD": "an input word"}
-"""The banks that no instruction writes, and what they are (click-facts, sections 3 and 6)."""
+"""The banks that no instruction writes, and what they are (click-facts [bank.read-only])."""
 
 WORD_TWINS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
 """Bits and the words that hold the same points: changing either changes the other."""
@@ -135,7 +146,15 @@ WORD_TWINS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
 TWIN_BANKS = {**WORD_TWINS, **VALUE_BANK, **CURRENT_VALUE_OF}
 """Banks whose cells change with those of another: points and words, bits of timers and counters and current values.
 
-When a bit follows a current value that an instruction writes, no source says: it may be at once.
+When a bit follows a current value that an instruction writes, no source says: it may be at once (click-facts
+[bank.bit-and-value]).
+"""
+
+MOVING_BANKS = ("T", "TD", "SC", "SD")
+"""Banks whose cells may change between two rungs although no instruction there writes them, for those who must be sure.
+
+``device/system.py`` knows which points of SC and SD stay as they are. ``lower/effects.py`` says why splitting takes it
+that timers stay too.
 """
 
 UPPER_BYTE_BANKS = ("XD", "YD")
@@ -172,7 +191,7 @@ def current_value(bit: Address) -> Address:
 def points_of(word: Address) -> list[Address]:
     """The inputs or outputs that a word of XD or YD holds: XD0 is X001 to X016, XD0u X021 to X036, XD3 X301 to X316.
 
-    So the numbers of slots and words say (click-facts, section 1); any other address holds no points.
+    So the numbers of slots and words suggest (click-facts [bank.words]); any other address holds no points.
     """
     if word.bank not in UPPER_BYTE_BANKS:
         return []

@@ -1,7 +1,6 @@
 """CLICK's clock: the registers that show the time, those that set it, and what each can hold.
 
-Source: the help of the CLICK software, "System Data Registers (SD)", which gives the ranges, and 1 for Sunday to 7 for
-Saturday.
+The help of CLICK gives the ranges, and 1 for Sunday to 7 for Saturday (click-facts [system.clock]).
 """
 
 from __future__ import annotations
@@ -41,4 +40,4 @@ CLOCK: Mapping[Address, Part] = {Address("SD", number): part for number, part in
 """The registers of the clock, those that set it among them."""
 
 SETS_CLOCK = frozenset(Address("SD", number) for number in _SET)
-"""The registers that SC53 (date) and SC55 (time) take over."""
+"""The registers that SC53 (date) and SC55 (time) take over (click-facts [system.clock-set])."""

@@ -1,4 +1,4 @@
-"""CLICK's limits on files, routines and comments, in numbers (click-facts, sections 0 and 5)."""
+"""CLICK's limits on files, routines and comments, in numbers."""
 
 from __future__ import annotations
 
@@ -6,13 +6,15 @@ import re
 import unicodedata
 
 RUNGS_MAX = 256
-"""Rungs in one ladder file."""
+"""Rungs in one ladder file (click-facts [limit.file])."""
 ROWS_AND_RUNGS_MAX = 2047
-"""Expanded grid rows plus rungs in one ladder file; beyond it the codec corrupts silently."""
+"""Expanded grid rows plus rungs in one ladder file; beyond it the codec corrupts silently
+(click-facts [limit.rows])."""
 SUBROUTINES_MAX = 986
 SUBROUTINE_NAME_MAX = 24
+"""Characters (click-facts [limit.subroutine-names, limit.subroutines])."""
 COMMENT_BYTES_MAX = 1400
-"""Bytes of a rung comment after RTF encoding."""
+"""Bytes of a rung comment after RTF encoding (click-facts [limit.comment])."""
 
 _SUBSTITUTES = str.maketrans(
     {

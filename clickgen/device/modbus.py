@@ -28,21 +28,23 @@ NUMBERS_984 = {
     INPUT: (300001, 365536),
     HOLDING: (400001, 465536),
 }
-"""The 984 numbers of each register type; laddercodec divides them in the same places."""
+"""The 984 numbers of each register type; laddercodec divides them in the same places
+(click-facts [modbus.six-digits])."""
 
 _MANUAL_TYPES = {1: DISCRETE_INPUT, 3: INPUT, 4: HOLDING}
-"""The first of the five digits that manuals print, and what it stands for; CLICK has six digits for the same."""
+"""The first of the five digits that manuals print, and what it stands for; CLICK has six digits for the same
+(click-facts [modbus.six-digits])."""
 
 HEX_MAX = 0xFFFF
 PORT_MAX = 65535
 TCP_DEVICE_MAX = 255
 """One byte stands for a device in the network."""
 RTU_DEVICE_MAX = 247
-"""Devices on one serial line; 0 is all of them at once."""
+"""Devices on one serial line; 0 is all of them at once (click-facts [modbus.devices])."""
 
 BITS_WRITTEN_MAX, BITS_READ_MAX = 1968, 2000
 WORDS_WRITTEN_MAX, WORDS_READ_MAX = 123, 125
-"""The most that one request moves (function codes 15, 1, 16 and 3)."""
+"""The most that one request moves (function codes 15, 1, 16 and 3; click-facts [modbus.requests])."""
 
 
 def register_type_of(number: int) -> str | None:
@@ -76,7 +78,8 @@ class ModbusNumber(NamedTuple):
 
 
 FUNCTION_CODES = {COIL: "FC=01,05,15", DISCRETE_INPUT: "FC=02", HOLDING: "FC=03,06,16", INPUT: "FC=04"}
-"""The words of the column Function Code in a nickname export of CLICK PLUS 3.41."""
+"""The words of the column Function Code in a nickname export of CLICK PLUS 3.41
+(click-facts [modbus.function-codes])."""
 
 
 class _Place(NamedTuple):
@@ -106,23 +109,29 @@ _PLACES = {
     "SD": _Place(INPUT, 0xF000),
     "TXT": _Place(HOLDING, 0x9000, sharing=2),
 }
-"""The export of CLICK PLUS 3.41 (fixtures/click-3.41/modbus.csv), which lists every address."""
+"""The export of CLICK PLUS 3.41 (fixtures/click-3.41/modbus.csv), which lists every address
+(click-facts [modbus.numbers, modbus.upper-words, modbus.word-order])."""
 
 _CLICK_COILS = range(_PLACES["C"].base + 1, _PLACES["C"].base + 1 + BANKS["C"].last)
 """C1 to C2000 of another CLICK, the only coils of one between 10001 and 49999."""
 
 _SLOT_POINTS = 32
-"""Registers of a slot of X or Y; only 16 are points of the module, and slot 0 has two groups of 16."""
+"""Registers of a slot of X or Y; only 16 are points of the module, and slot 0 has two groups of 16
+(click-facts [modbus.slots])."""
 
 _WRITABLE = {
     "SC": (WRITABLE_SC - {303, 304, 305, 306, 323, 324, 325, 326}, COIL),
     "SD": (WRITABLE_SD, HOLDING),
 }
-"""Which of the read-only banks' addresses the export lets a master write, and as what."""
+"""Which of the read-only banks' addresses the export lets a master write, and as what
+(click-facts [modbus.writable])."""
 
 
 def modbus_number(address: Address) -> ModbusNumber:
-    """The register where an address begins. Two TXT share one, the first in its low byte."""
+    """The register where an address begins. Two TXT share one, the first in its low byte.
+
+    click-facts [modbus.text]
+    """
     place = _PLACES[address.bank]
     if address.bank in ("X", "Y"):
         slot, point = divmod(address.number, 100)

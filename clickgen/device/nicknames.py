@@ -1,4 +1,4 @@
-"""What CLICK takes as a nickname and as an address comment (click-facts, section 2)."""
+"""What CLICK takes as a nickname and as an address comment (click-facts [name.characters])."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from clickgen.device.banks import Address
 
 NICKNAME_MAX = 24
 COMMENT_MAX = 128
-"""Both in characters."""
+"""Both in characters (click-facts [name.length])."""
 
 FORBIDDEN = frozenset("%\"<>!#$&'()*+-./:;=?@[\\]^`{|}~,")
 
@@ -18,7 +18,7 @@ RESERVED = frozenset((
     "mod", "and", "or", "xor", "lsh", "rsh", "lro", "rro",
 ))
 # fmt: on
-"""Words of CLICK's formulas; none may be a whole nickname, in any case."""
+"""Words of CLICK's formulas; none may be a whole nickname, in any case (click-facts [name.reserved])."""
 
 _PLAIN = re.compile(r"[A-Za-z0-9](?:[A-Za-z0-9_ ]{0,22}[A-Za-z0-9_])?")
 _CHARACTER_NAMES = {
@@ -65,7 +65,10 @@ def nickname_fault_at(address: Address, name: str) -> str | None:
 
 
 def is_click_owned(address: Address, name: str) -> bool:
-    """True where a nickname may be CLICK's own: on SC and SD, and ``_IO...`` on X (an analog module's state)."""
+    """True where a nickname may be CLICK's own: on SC and SD, and ``_IO...`` on X (an analog module's state).
+
+    click-facts [name.underscore, system.io-names]
+    """
     return address.bank in ("SC", "SD") or (address.bank == "X" and name.startswith("_IO"))
 
 

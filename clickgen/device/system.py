@@ -1,7 +1,8 @@
 """CLICK's own points: the names of its system relays and registers, and which of them a program may write.
 
-The names are those that CLICK PLUS 3.41 shows. Spellings of other lists are known as well, so that a program that was
-written with them still builds (scripts/make_system_nicknames.py says where each comes from).
+The names are those that CLICK PLUS 3.41 shows (click-facts [system.names]). Spellings of other lists are known as well,
+so that a program that was written with them still builds (click-facts [system.moved, system.spellings]);
+scripts/make_system_nicknames.py says where each comes from.
 """
 
 from __future__ import annotations
@@ -10,32 +11,34 @@ import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from clickgen.device.banks import Address
 
 ALWAYS_ON = Address("SC", 1)
 
 WRITABLE_SC = frozenset((50, 51, 53, 55, 60, 61, 65, 66, 67, 75, 76, 120, 121, 303, 304, 305, 306, 323, 324, 325, 326))
-"""The numbers of the SC bits that a coil may drive (click-facts, section 3); the disputed ones included."""
+"""The numbers of the SC bits that a coil may drive (click-facts [bank.writable-sc]); the disputed ones included."""
 
 DISPUTED_SC = frozenset((305, 306, 325, 326))
-"""SC bits that one list, taken from an export, has as writable and CLICK PLUS 3.41 has not (click-facts, section 1)."""
+"""SC bits that one list, taken from an export, has as writable and CLICK PLUS 3.41 has not
+(click-facts [bank.writable-sc-disputed])."""
 
 WRITABLE_SD = frozenset(
     (29, 31, 32, 34, 35, 36, 40, 41, 42, 50, 51, 60, 61, 106, 107, 108, 112, 113, 114, *range(140, 148), 214, 215)
 )
-"""The numbers of the SD registers that an instruction may write (click-facts, section 3); CLICK 3.41 agrees."""
+"""The numbers of the SD registers that an instruction may write (click-facts [bank.writable-sd]); CLICK 3.41 agrees."""
 
 _STEADY = {"SC": frozenset((1, 2, 3, 40, 43, 44, 202)), "SD": frozenset((5, 6, 7, 8, 9, 13, *range(188, 200)))}
 """The system points that stay as they are until the next scan, unless an instruction of the program changes them.
 
-SC1 to SC3 and SD9 count scans. SC40, SC43 and SC44 are results of instructions (click-facts, sections 4 and 8). SC202,
+SC1 to SC3 and SD9 count scans. SC40, SC43 and SC44 are results of instructions (click-facts [scan.flags]). SC202,
 SD13, the firmware's versions (SD5 to SD8) and the MAC addresses (SD188 to SD199) are settings. So their names say in
-CLICK's own export (click-facts, section 1, E341). No source says when CLICK changes the others, such as its clocks and
-what a port reports.
+CLICK's own export (click-facts [scan.system-points]). No source says when CLICK changes the others, such as its clocks
+and what a port reports.
 """
 
+_Key = TypeVar("_Key", str, tuple[str, ...])
 _DATA = Path(__file__).with_name("system_nicknames.csv")
 
 
@@ -66,13 +69,34 @@ def system_nicknames() -> dict[str, tuple[str, Address]]:
 
 
 def addresses_of_system_name(name: str) -> tuple[Address, ...]:
-    """What one of CLICK's own names means; two addresses where versions of CLICK differ, none for any other name.
+    """What one of CLICK's own names means; several addresses where that is in doubt, none for any other name.
 
     Case does not count. Spaces do not either, as CLICK sets one before some brackets and not before others
-    (``_RTC_Year(4 digits)``) and nobody remembers which.
+    (``_RTC_Year(4 digits)``) and nobody remembers which. Two addresses have a name that moved between versions of
+    CLICK, and one that CLICK 3.41 does not show, but that differs only in spaces and underscores from names of two
+    addresses: ``_I/O_Module_Error`` is SC22 in an older list, and SC20 is ``_I/O Module Error`` in CLICK 3.41.
     """
     lower = name.lower()
-    return _by_name().get(lower) or _by_name_without_spaces().get(lower.replace(" ", ""), ())
+    known = _by_name().get(lower) or _by_name_without_spaces().get(lower.replace(" ", ""), ())
+    alike = _by_letters().get(_letters(name), ())
+    if len(alike) > 1 and not any(_shown().get(address, "").lower() == lower for address in known):
+        return alike
+    return known
+
+
+def doubt_about(name: str) -> str:
+    """``_X is SD132 in CLICK 3.41 and SD134 in another version``: the reason why a name has several addresses."""
+    addresses = addresses_of_system_name(name)
+    said = [
+        (written, f"{address} in {'CLICK 3.41' if written == point.name else 'another version'}")
+        for address in addresses
+        for point in system_points()
+        for written in (point.name, point.other)
+        if point.address == address and _letters(written) == _letters(name)
+    ]
+    if len({written for written, _ in said}) == 1:
+        return f"{name} is {' and '.join(where for _, where in said)}"
+    return f"{name} reads like {', and like '.join(f'{written!r}, which is {where}' for written, where in said)}"
 
 
 def changes_by_itself(address: Address) -> bool:
@@ -96,16 +120,6 @@ def is_system_name_of(name: str, address: Address) -> bool:
     return address in addresses_of_system_name(name)
 
 
-def lookalike_of(name: str) -> tuple[str, Address] | None:
-    """Another point whose shown name differs from this older one only in spaces and underscores.
-
-    ``_I/O_Module_Error`` is SC22 in a list where ``_I/O Module Error`` is SC20 in CLICK.
-    """
-    addresses = addresses_of_system_name(name)
-    others = _by_letters().get(_letters(name), ()) if addresses else ()
-    return next(((_shown()[other], other) for other in others if other not in addresses and other in _shown()), None)
-
-
 def near_system_name(name: str, bank: str) -> str:
     """The one system point of a bank that a misspelled name can only mean; "" when there is none, or a doubt.
 
@@ -117,6 +131,8 @@ def near_system_name(name: str, bank: str) -> str:
         words = _words(name)
         points = system_nicknames().values()
         same = {address for shown, address in points if address.bank == bank and _is_slip(words, _words(shown))}
+    if not same:
+        same = {address for address in _by_meaning().get(_meaning(name), ()) if address.bank == bank}
     shown = {_shown().get(address, "") for address in same}
     return shown.pop() if len(shown) == 1 and all(name.lower() in system_nicknames() for name in shown) else ""
 
@@ -135,10 +151,10 @@ def _spellings() -> Iterator[tuple[str, Address]]:
             yield name.lower(), point.address
 
 
-def _grouped(pairs: Iterator[tuple[str, Address]]) -> dict[str, tuple[Address, ...]]:
-    groups: dict[str, tuple[Address, ...]] = {}
+def _grouped(pairs: Iterator[tuple[_Key, Address]]) -> dict[_Key, tuple[Address, ...]]:
+    groups: dict[_Key, tuple[Address, ...]] = {}
     for key, address in pairs:
-        known = groups.get(key, ())
+        known: tuple[Address, ...] = groups.get(key, ())
         groups[key] = known if address in known else (*known, address)
     return groups
 
@@ -158,8 +174,47 @@ def _by_letters() -> dict[str, tuple[Address, ...]]:
     return _grouped((_letters(name), address) for name, address in _spellings())
 
 
+@cache
+def _by_meaning() -> dict[tuple[str, ...], tuple[Address, ...]]:
+    return _grouped((_meaning(name), address) for name, address in _spellings())
+
+
 def _letters(name: str) -> str:
     return re.sub(r"[_ ]", "", name.lower())
+
+
+# -- the same words otherwise -----------------------------------------------------------------------------------------
+
+_SAME_WORDS = {
+    word: meant
+    for words, meant in (
+        ("1st initial", "first"),
+        ("s secs second seconds", "sec"),
+        ("msec msecs millisecond milliseconds", "ms"),
+        ("minute minutes", "min"),
+        ("h hr hrs hours", "hour"),
+        ("days", "day"),
+        ("months", "month"),
+        ("years", "year"),
+        ("err errors", "error"),
+        ("true", "on"),
+        ("cycle", "scan"),
+    )
+    for word in words.split()
+}
+_SILENT_WORDS = frozenset(("clock", "flag", "bit", "the"))
+"""Words that say nothing beside two others: ``_1sec`` can only be ``_1sec_Clock``."""
+_WORD = re.compile(r"1st|\d+|[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+", re.ASCII)
+
+
+def _meaning(name: str) -> tuple[str, ...]:
+    """The words of a name in one spelling: ``First_Scan`` is ``_1st_SCAN``, and ``Clock_1s`` is ``_1sec_Clock``.
+
+    They stay in order: nobody knows whether ``_RTC_Hour_New`` is ``_RTC_New_Hour``.
+    """
+    words = [_SAME_WORDS.get(word.lower(), word.lower()) for word in _WORD.findall(name)]
+    telling = [word for word in words if word not in _SILENT_WORDS]
+    return tuple(telling if len(telling) > 1 else words)
 
 
 # -- slips of the pen -------------------------------------------------------------------------------------------------

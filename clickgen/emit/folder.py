@@ -1,7 +1,7 @@
-"""The output folder: what an earlier build left in it, and what must not be there.
+"""The output folder: what an earlier build left in it, and what must not be there (click-facts [ladder-file.bundle]).
 
-The source map of the last build says what it made. Anybody can write a source map, so a file counts as made by a build
-only where it also looks as a build makes it: with the head of its kind, and as many rungs as the map has for it.
+The source map of the last build says what it made. Anybody can write a source map, so a file is replaced only where it
+also looks as a build makes it, with the head of its kind, and removed only where it is what the map says was written.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from clickgen.click.ladder_csv import HEADER as LADDER_COLUMNS
+from clickgen.emit.sourcemap import NAME, digest_of, is_ladder
 from clickgen.table.rows import HEADER as NICKNAME_HEAD
-from clickgen.workspace import leads_elsewhere, read_file, read_if_there
+from clickgen.workspace import leads_elsewhere, read_file
 
-_MAP = "sources.json"
 _LADDER_HEAD = ",".join(LADDER_COLUMNS)
 _MAIN_PART = re.compile(r"main(_[0-9]+)?\.csv")
 _SUBROUTINE = re.compile(r"subroutines/([^/]+)\.csv")
@@ -30,7 +30,7 @@ def stale_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     """Files of an earlier build that this one does not make.
 
     Raises ForeignFiles when an output would replace a file that is not an earlier output, and when other CSV files
-    are there: ClickNick's guided paste takes every CSV file of the folder as ladder (click-facts, section 7).
+    are there: ClickNick's guided paste takes every CSV file of the folder as ladder (click-facts [ladder-file.guided]).
     """
     away = folder / "subroutines"
     if leads_elsewhere(away):
@@ -71,20 +71,20 @@ def _message(folder: Path, why: str, paths: list[Path]) -> str:
 class _Noted:
     """What the source map of the last build says of the folder, and what of it is to be believed."""
 
-    def __init__(self, folder: Path, files: Iterable[object], routines: Mapping[str, object]) -> None:
+    def __init__(self, folder: Path, files: Iterable[object], digests: Mapping[str, object]) -> None:
         self._folder = folder
         self._files = {name for name in files if isinstance(name, str)}
-        self._routines = routines
+        self._digests = digests
 
     @classmethod
     def read(cls, folder: Path) -> _Noted:
         try:
-            noted = json.loads(read_file(folder / _MAP))
+            noted = json.loads(read_file(folder / NAME))
         except (OSError, ValueError, RecursionError):
             noted = None
         is_ours = isinstance(noted, dict) and noted.get("generator") == "clickgen"
-        files, routines = (noted.get("files"), noted.get("routines")) if is_ours else (None, None)
-        return cls(folder, files if isinstance(files, list) else (), routines if isinstance(routines, dict) else {})
+        files, digests = (noted.get("files"), noted.get("digests")) if is_ours else (None, None)
+        return cls(folder, files if isinstance(files, list) else (), digests if isinstance(digests, dict) else {})
 
     def may_be_replaced(self, name: str) -> bool:
         """True for an output that is noted and begins as a build's; an empty file holds nothing that could be lost."""
@@ -103,24 +103,10 @@ class _Noted:
         if name == "nicknames.csv":
             return not data or head == NICKNAME_HEAD
         is_ladder = _MAIN_PART.fullmatch(name) or _SUBROUTINE.fullmatch(name)
-        return name == _MAP or not data or (is_ladder is not None and head == _LADDER_HEAD)
+        return name == NAME or not data or (is_ladder is not None and head == _LADDER_HEAD)
 
     def may_go(self, name: str) -> bool:
-        """True for a leftover that a build made: it also has as many rungs as the map knows of its routine."""
-        if not self.may_be_replaced(name):
+        """True for a leftover that a build made: a ladder file that is still what was written then."""
+        if not is_ladder(name) or not self.may_be_replaced(name):
             return False
-        match = _SUBROUTINE.fullmatch(name)
-        if match:
-            return self._rungs([name]) == self._count(match[1])
-        if not _MAIN_PART.fullmatch(name):
-            return False
-        return self._rungs(part for part in self._files if _MAIN_PART.fullmatch(part)) == self._count("main")
-
-    def _rungs(self, names: Iterable[str]) -> int:
-        """How many rungs these files hold together."""
-        held = (read_if_there(self._folder / name) or b"" for name in names)
-        return sum(len(re.findall(rb"(?m)^R,", data)) for data in held)
-
-    def _count(self, routine: str) -> int:
-        rungs = self._routines.get(routine)
-        return len(rungs) if isinstance(rungs, list) else -1
+        return self._digests.get(name) == digest_of(read_file(self._folder / name))

@@ -269,7 +269,7 @@ MISTAKES: tuple[Mistake, ...] = (
         "index",
         ("WORD",),
         "`{before}{found}` is not a number",
-        'the upper byte is written xd["0u"]',
+        'the word XD0u is written xd["0u"]',
         ("xd[0u]", "ds[5a]"),
         before=r"[0-9]+",
         touching=True,

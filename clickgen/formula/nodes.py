@@ -36,14 +36,17 @@ class HexNumber:
 
     @property
     def text(self) -> str:
-        """As CLICK shows it: what is seen there begins with a digit or has all four (click-facts, 3 and 4)."""
+        """As CLICK shows it: what is seen there begins with a digit or has all four.
+
+        click-facts [math.hex-constants]
+        """
         text = f"{self.value:0{self.digits}X}"
         return f"{text if text[0].isdigit() else text.zfill(4)}h"
 
 
 @dataclass(frozen=True, slots=True)
 class Pi:
-    """CLICK's ``PI``, 3.1415927."""
+    """CLICK's ``PI``, 3.1415927 (click-facts [math.functions])."""
 
     start: int
     end: int

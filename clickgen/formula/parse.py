@@ -2,7 +2,7 @@
 
 The order of operators, the loosest first: ``OR``, ``XOR``, ``AND``, ``+ -``, ``* / MOD`` and infix shifts, the signs
 ``-`` and ``NOT``, ``^``. All group from the left but ``^``: ``2 ^ 3 ^ 2`` is ``2 ^ (3 ^ 2)``, and ``-x ^ 2`` is
-``-(x ^ 2)``. Where click-facts does not say that CLICK does the same, the printer writes parentheses.
+``-(x ^ 2)``. Where nobody says that CLICK does the same, the printer writes parentheses (click-facts [math.grouping]).
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from clickgen.formula.build import Builder
 
-# click-facts, section 4.
+# click-facts [math.nesting, math.operands]
 MAX_NESTING = 8
 MAX_OPERANDS = 68
 
@@ -46,12 +46,13 @@ class Reader(NamedTuple):
     builder: Builder
 
 
-def parse_formula(text: EmbeddedText, mode: Mode, problems: Diagnostics) -> Formula | None:
+def parse_formula(text: EmbeddedText, mode: Mode, problems: Diagnostics, target: str = "") -> Formula | None:
     """Read a formula, or add what is wrong with it to ``problems`` and return None. Never raises.
 
-    Names keep the bank's upper-case name (``DS``), like addresses; ranges include both ends.
+    Names keep the bank's upper-case name (``DS``), like addresses; ranges include both ends. ``target`` is where the
+    result goes, as the person wrote it, for ways out.
     """
-    report = Report(text)
+    report = Report(text, target)
     formula = _parse(text.value, mode, report)
     problems.found.extend(report.problems.found)
     return None if report.problems.has_errors else formula

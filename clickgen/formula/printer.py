@@ -1,8 +1,8 @@
-"""A formula in CLICK's native form: one space between all tokens (click-facts, section 4).
+"""A formula in CLICK's native form: one space between all tokens (click-facts [math.spaces]).
 
 It prints as written, the written parentheses kept. Parentheses are added where a lowering needs them (``NOT x`` is
-``x XOR FFFFh``, ``-x`` is ``0 - x``) and where operators meet whose order on CLICK is unknown, so that CLICK
-computes what the source means.
+``x XOR FFFFh``, ``-x`` is ``0 - x``; click-facts [math.unary-minus]) and where operators meet whose order on CLICK is
+unknown, so that CLICK computes what the source means.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ OperandText = Callable[[Named | Cell | Pointer | Range], str]
 _CALLS = frozenset(SHIFTS.values())
 
 # Usual maths, which CLICK is taken to follow: (operator, operator inside it) needs no parentheses on the left or on
-# the right. Of MOD, of AND, OR, XOR among others, and of ^ in a row nobody says how CLICK groups them.
+# the right. Of MOD, of AND, OR, XOR among others, and of ^ in a row nobody says how CLICK groups them
+# (click-facts [math.grouping]).
 _LEFT = {
     "+": frozenset("+-*/^"),
     "-": frozenset("+-*/^"),

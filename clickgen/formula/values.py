@@ -17,6 +17,7 @@ _WORKED_OUT: Mapping[str, Callable[[float, float], float]] = {
     "AND": lambda one, other: int(one) & int(other),
     "OR": lambda one, other: int(one) | int(other),
 }
+# click-facts [math.trigonometry]
 _CALLS: Mapping[str, Callable[[float], float]] = {"RAD": math.radians, "DEG": math.degrees}
 
 
@@ -45,7 +46,7 @@ def value_of(node: Node, registers: Mapping[Address, float] | None = None) -> fl
             return None
         if node.op in _WORKED_OUT:
             return _finite(lambda: _WORKED_OUT[node.op](left, right))
-        # How CLICK signs the rest of a negative number nobody knows.
+        # How CLICK signs the rest of a negative number nobody knows (click-facts [math.mod-sign]).
         if node.op == "MOD" and left >= 0 and right > 0:
             return _finite(lambda: left % right)
     return None

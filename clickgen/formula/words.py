@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from clickgen.formula.nodes import Mode
 
-# click-facts, section 4. SHL, SHR and NOT do not exist on CLICK and are lowered.
+# click-facts [math.functions, math.operators]. SHL, SHR and NOT do not exist on CLICK and are lowered.
 OPERATORS: dict[Mode, frozenset[str]] = {
     "decimal": frozenset(("+", "-", "*", "/", "^", "MOD")),
     "hex": frozenset(("+", "-", "*", "/", "MOD", "AND", "OR", "XOR", "NOT", "LSH", "RSH", "LRO", "RRO")),

@@ -1,4 +1,4 @@
-"""Coils: out, set, reset (click-facts, section 3, "Coils")."""
+"""Coils: out, set, reset (click-facts [coil.immediate, coil.oneshot, coil.targets])."""
 
 from __future__ import annotations
 

@@ -1,15 +1,15 @@
-"""Modbus communication: send, receive (click-facts, section 3, "Send/receive")."""
+"""Modbus communication: send, receive (click-facts [message.count, message.targets])."""
 
 from __future__ import annotations
 
 from clickgen.instructions.spec import BITS, REGISTERS, Access, Param, ParamKind, Slot, Spec, Variant
 
 COM_PORTS = ("cpu2", "slot0_1", "slot0_2", "slot1_1", "slot1_2")
-"""The serial ports by the names that laddercodec has for them: it knows no other."""
+"""The serial ports by the names that laddercodec has for them: it knows no other (click-facts [message.ports])."""
 
 _TARGET = Param("target", ParamKind.TARGET)
 _REMOTE = Param("remote_start", ParamKind.REMOTE)
-# Captures show C, DS, DD and DH; the other banks hold the same kinds of values, unseen.
+# Captures show C, DS, DD and DH; the other banks hold the same kinds of values, unseen (click-facts [message.banks]).
 _SENT = (*BITS, *REGISTERS)
 _SOURCE = Param(
     "source",
@@ -28,6 +28,7 @@ _DEST = Param(
 
 
 def _flag(name: str) -> Param:
+    # click-facts [message.flags]
     return Param(name, slot=Slot(cells=("C",), access=Access.WRITE), default=None, by_name=True)
 
 

@@ -1,9 +1,10 @@
-"""Program control: call, the for loop, end, return, NOP (click-facts, sections 3 and 5)."""
+"""Program control: call, the for loop, end, return, NOP."""
 
 from __future__ import annotations
 
 from clickgen.instructions.spec import INTEGER, ONESHOT, Param, ParamKind, Slot, Spec, Variant
 
+# click-facts [control.call]
 CALL = Spec(
     name="call",
     params=(Param("subroutine", ParamKind.ROUTINE, aliases=("subroutine_name",)),),
@@ -11,6 +12,7 @@ CALL = Spec(
     summary="Run a subroutine.",
     example="call(auto_mode)",
 )
+# click-facts [control.return]
 RETURN = Spec(
     name="return",
     params=(),
@@ -18,6 +20,7 @@ RETURN = Spec(
     summary="Go back from a subroutine to main.",
     example="return",
 )
+# click-facts [control.end]
 END = Spec(
     name="end",
     params=(),
@@ -26,6 +29,7 @@ END = Spec(
     example="end()",
     alone=True,
 )
+# click-facts [control.for, control.for-count]
 FOR = Spec(
     name="for",
     params=(Param("count", slot=Slot(cells=("DS",), constants=(INTEGER,), limits=(1, 32767))), ONESHOT),
@@ -34,6 +38,7 @@ FOR = Spec(
     example="for _ in range(ds.Count): pass",
     alone=True,
 )
+# click-facts [control.next]
 NEXT = Spec(
     name="next_loop",
     params=(),
@@ -42,6 +47,7 @@ NEXT = Spec(
     example="next_loop()",
     alone=True,
 )
+# click-facts [grid.nop]
 NOP = Spec(
     name="pass",
     params=(),

@@ -1,4 +1,4 @@
-"""The copy family: copy, copy_block, copy_fill, copy_pack, copy_unpack (click-facts, sections 3 and 6)."""
+"""The copy family: copy, copy_block, copy_fill, copy_pack, copy_unpack."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ CONVERSIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "to_binary": (_NUMERIC, ("TXT",)),
     "to_text": (_NUMERIC, ("TXT",)),
 }
-"""The banks that each option of a copy converts from and to (click-facts, section 3)."""
+"""The banks that each option of a copy converts from and to (click-facts [copy.convert])."""
 _OPTIONS = Param("options", ParamKind.OPTIONS, default=None)
 
 
@@ -39,6 +39,7 @@ def _source(slot: Slot) -> Param:
     return Param("source", slot=slot, typed_by="destination")
 
 
+# click-facts [copy.clamp, copy.pointers, copy.single]
 COPY = Spec(
     name="copy",
     params=(
@@ -66,6 +67,7 @@ COPY = Spec(
     notes=("Either side may be a pointer: `copy(ds[ds.Index], ds.Value)`.",),
 )
 
+# click-facts [copy.block]
 COPY_BLOCK = Spec(
     name="copy_block",
     params=(
@@ -97,6 +99,7 @@ COPY_BLOCK = Spec(
     sets_flags=COPY_FLAGS,
 )
 
+# click-facts [copy.fill]
 COPY_FILL = Spec(
     name="copy_fill",
     params=(
@@ -127,6 +130,7 @@ COPY_FILL = Spec(
 
 _DISPUTED_PACK = "the vendor's table and the codec's captures disagree about this pair"
 
+# click-facts [copy.pack-bits, copy.pack-text, copy.pack-words]
 COPY_PACK = Spec(
     name="copy_pack",
     params=(
@@ -166,6 +170,7 @@ COPY_PACK = Spec(
     sets_flags=COPY_FLAGS,
 )
 
+# click-facts [copy.unpack]
 COPY_UNPACK = Spec(
     name="copy_unpack",
     params=(

@@ -1,4 +1,4 @@
-"""Counters: ctu, ctd, ctud (click-facts, section 3, "Timers, counters", and trap 6)."""
+"""Counters: ctu, ctd, ctud (click-facts [counter.forms, counter.setpoint])."""
 
 from __future__ import annotations
 
@@ -13,9 +13,11 @@ _SETPOINT = Param(
 )
 _RESET = Param("reset", ParamKind.PIN, default=None, pin=".reset()", missing_pin="CG418")
 _DOWN = Param("count_down", ParamKind.PIN, pin=".down()", chained="down")
+# click-facts [counter.edges]
 _EDGE = "Sources disagree whether a counter counts every scan in which its rung is true, or edges: count `re(...)`."
 _ARGUMENTS = "({counter},{counter_value},preset={setpoint})"
 
+# click-facts [counter.limits]
 CTU = Spec(
     name="ctu",
     params=(_COUNTER, _SETPOINT, _RESET),
@@ -34,6 +36,7 @@ CTD = Spec(
     height=3,
     notes=(
         _EDGE,
+        # click-facts [counter.count-down]
         "Sources disagree about counting down: from a preloaded value to the setpoint, or from 0 to its negative.",
     ),
 )

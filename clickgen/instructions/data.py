@@ -1,4 +1,4 @@
-"""Shift registers and table search (click-facts, section 3, "Shift" and "Search")."""
+"""Shift registers and table search (click-facts [search.forms, shift.forms])."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from clickgen.instructions.spec import (
     Variant,
 )
 
+# click-facts [shift.work]
 SHIFT = Spec(
     name="shift",
     params=(
@@ -35,6 +36,7 @@ SHIFT = Spec(
 
 _SEARCHED = ("DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "SD", "TXT")
 
+# click-facts [search.result]
 _RESULT = Param(
     "result",
     slot=Slot(cells=("DS", "DD"), access=Access.WRITE, disputed=("DD",)),
@@ -44,6 +46,7 @@ _RESULT = Param(
 _FLAG = Param("flag", slot=Slot(cells=("C",), access=Access.WRITE), aliases=("result_flag", "found"), by_name=True)
 _HOW = (Param("continuous", ParamKind.FLAG, default=False), ONESHOT)
 
+# click-facts [search.continuous, text.search]
 SEARCH = Spec(
     name="search",
     params=(

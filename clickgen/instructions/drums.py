@@ -1,4 +1,4 @@
-"""Drum sequencers: event_drum, time_drum (click-facts, section 3, "Drums")."""
+"""Drum sequencers: event_drum, time_drum (click-facts [drum.inputs, drum.lists, drum.registers])."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ OUTPUTS_MAX = 16
 
 _OUTPUTS = Param("outputs", ParamKind.OPERANDS, slot=Slot(cells=("Y", "C"), access=Access.WRITE), by_name=True)
 _EVENTS = Param("events", ParamKind.OPERANDS, slot=Slot(cells=BITS), by_name=True)
+# click-facts [drum.presets]
 _PRESETS = Param(
     "presets",
     ParamKind.OPERANDS,
@@ -40,6 +41,7 @@ _NOTES = (
     "CLICK jumps to the step that a DS register holds: a constant step is copied to a scratch register before.",
 )
 
+# click-facts [drum.work]
 EVENT_DRUM = Spec(
     name="event_drum",
     params=(_OUTPUTS, _EVENTS, _PATTERN, _CURRENT_STEP, _COMPLETION_FLAG, *_PINS),

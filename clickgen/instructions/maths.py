@@ -1,4 +1,4 @@
-"""Mathematics: calc and math_hex (click-facts, section 4)."""
+"""Mathematics: calc and math_hex (click-facts [math.destinations])."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ def _destination(*banks: str) -> Param:
     return Param("destination", slot=Slot(cells=banks, access=Access.WRITE), aliases=("result_destination",))
 
 
+# click-facts [math.float, math.overflow]
 CALC = Spec(
     name="calc",
     params=(_FORMULA, _destination("DS", "TD", "SD", "DD", "CTD", "DF"), ONESHOT),

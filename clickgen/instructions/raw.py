@@ -37,6 +37,6 @@ _ROWS = re.compile(r"raw\(\w+,0x[0-9A-Fa-f]+,(\d{1,5})[,)]")
 
 
 def rows_of(token: str) -> int:
-    """The grid rows of a kept instruction; ``raw(Class,0x2737,N,...)`` says them itself (laddercodec, raw.py)."""
+    """The grid rows of a kept instruction; ``raw(Class,0x2737,N,...)`` says them itself (click-facts [token.raw])."""
     match = _ROWS.match(token)
     return max(1, int(match[1])) if match else RAW.height

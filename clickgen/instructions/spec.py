@@ -164,7 +164,7 @@ class Variant:
 class Spec:
     """One instruction of the language: each stands once, and is equal to itself alone.
 
-    ``height`` is in grid rows, pins included (click-facts, sections 3 and 5). ``sets_flags`` are the system bits that
+    ``height`` is in grid rows, pins included (click-facts [grid.heights]). ``sets_flags`` are the system bits that
     running it can change. ``alone`` instructions get a CLICK rung of their own.
     """
 
@@ -207,9 +207,10 @@ def _shown(param: Param) -> str:
     return f"{param.name}={param.default}"
 
 
+# click-facts [token.oneshot]
 ONESHOT: Final = Param("oneshot", ParamKind.FLAG, default=False, aliases=("one_shot",))
 
 COPY_FLAGS = ("SC43", "SC44")
-"""Out of range, address error (click-facts, section 8)."""
+"""Out of range, address error (click-facts [scan.flags])."""
 MATH_FLAGS = ("SC40", "SC43")
-"""Division error, out of range (click-facts, section 4)."""
+"""Division error, out of range (click-facts [scan.flags])."""

@@ -1,4 +1,4 @@
-"""Timers: ton, tof, rton, rtof (click-facts, section 3, "Timers, counters")."""
+"""Timers: ton, tof, rton, rtof (click-facts [timer.no-rtof, timer.setpoint])."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ UNIT = Param("unit", ParamKind.UNIT, default="Tms")
 _RESET = Param("reset", ParamKind.PIN, pin=".reset()")
 _ARGUMENTS = "({timer},{timer_value},preset={setpoint},unit={unit})"
 
+# click-facts [timer.on-delay]
 TON = Spec(
     name="ton",
     params=(_TIMER, _SETPOINT, UNIT),
@@ -21,6 +22,7 @@ TON = Spec(
     example="ton(t.StartDelay, setpoint=5, unit=Ts)",
     height=2,
 )
+# click-facts [timer.off-delay]
 TOF = Spec(
     name="tof",
     params=(_TIMER, _SETPOINT, UNIT),
@@ -29,6 +31,7 @@ TOF = Spec(
     example="tof(t.RunOn, setpoint=3, unit=Ts)",
     height=2,
 )
+# click-facts [timer.retentive]
 RTON = Spec(
     name="rton",
     params=(_TIMER, _SETPOINT, UNIT, _RESET),
@@ -36,7 +39,7 @@ RTON = Spec(
     summary="Retentive on-delay timer: adds up the time the rung is true until it is reset.",
     example="rton(t.RunHours, setpoint=100, unit=Th, reset=lambda: c.Serviced)",
     height=2,
-    # So stand five of them in a project that ran in a plant (native captures).
+    # So stand five of them in a project that ran in a plant (click-facts [grid.retentive-enable]).
     bare_enable=True,
 )
 RTOF = Spec(

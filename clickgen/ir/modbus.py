@@ -10,7 +10,7 @@ from clickgen.text.source import Span
 
 @dataclass(frozen=True, slots=True)
 class TcpTarget:
-    """A device in the network. ``name`` is a label that CLICK does not keep."""
+    """A device in the network. ``name`` is a label that CLICK does not keep (click-facts [message.targets])."""
 
     name: str
     ip: str

@@ -36,7 +36,8 @@ class Options:
     exponential: bool = False
     termination_code: int | None = None
     pad: int | None = None
-    """The digits that the person asked for; without zeros suppressed CLICK writes as many as the type has."""
+    """The digits that the person asked for; without zeros suppressed CLICK writes as many as the type has
+    (click-facts [value.number-text])."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,8 +2,9 @@
 
 What cannot be decided counts as possible: a rule may stay silent, never accuse wrongly. Names need no address: any two
 may be of the same one, and a name of bits may be the name of a block. A DF register may hold no number (NaN). No source
-says how CLICK compares that; here it goes by IEEE 754, where of all comparisons only ``!=`` holds then. So neither of
-two opposite comparisons has to hold. What must not rest on this, a safe fix, does not ask about floating point here.
+says how CLICK compares that; here it goes by IEEE 754, where of all comparisons only ``!=`` holds then (click-facts
+[compare.nan]). So neither of two opposite comparisons has to hold. What must not rest on this, a safe fix, does not ask
+about floating point here.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """What reading a condition depends on, and what running an instruction may change.
 
 The one model that splitting, import, comparing and the fixes ask. Where no source says when CLICK changes something, it
-may be at any moment. Timers and counters are the exception: their bits and current values change only where their
-instruction runs, or where another instruction writes the current value (click-facts, section 8, describes both by what
-a scan of the instruction does). A split for every timer's bit would leave no rung as it was drawn.
+may be at any moment (click-facts [message.later, scan.system-points]). Timers and counters are the exception: their
+bits and current values change only where their instruction runs, or where another instruction writes the current value
+(click-facts [bank.bit-and-value]). A split for every timer's bit would leave no rung as it was drawn.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Cells:
 
     @classmethod
     def anything(cls) -> Cells:
-        """All that an unknown instruction may write. No instruction writes an input (click-facts, sections 3 and 6)."""
+        """All that an unknown instruction may write. No instruction writes an input (click-facts [bank.read-only])."""
         return cls(banks=set(BANKS).difference(_INPUTS))
 
     def add(self, operand: Operand) -> None:
@@ -88,8 +88,8 @@ def has_edge(condition: Condition) -> bool:
 def is_volatile(condition: Condition, received: Cells | None = None) -> bool:
     """True when looking twice in one scan may differ though no instruction wrote between.
 
-    So it is with immediate contacts, with system points that CLICK changes by itself, and with what arrives from other
-    devices: ``received``, which ``Effects.received`` knows of a program.
+    So it is with immediate contacts (click-facts [scan.io]), with system points that CLICK changes by itself, and with
+    what arrives from other devices: ``received``, which ``Effects.received`` knows of a program.
     """
     if any(isinstance(operand, Immediate) for operand in condition_operands(condition)):
         return True

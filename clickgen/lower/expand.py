@@ -46,7 +46,7 @@ def expand(action: Action, take: TakeScratch, delays: OffDelays) -> Iterator[Exp
 
 
 def copied_first(action: Action) -> list[Ref]:
-    """The operands that CLICK's formulas cannot read: pointers and XD/YD words (click-facts, section 4)."""
+    """The operands that CLICK's formulas cannot read: pointers and XD/YD words (click-facts [math.no-pointers])."""
     text = action.args.get("formula")
     if not isinstance(text, FormulaText):
         return []
@@ -79,7 +79,10 @@ def _formula(action: Action, take: TakeScratch) -> list[Action]:
 
 
 def _range(action: Action) -> list[Action]:
-    """A coil on a range of one bit, and a one-shot coil on any range: one coil for each bit (click-facts, 3)."""
+    """A coil on a range of one bit, and a one-shot coil on any range: one coil for each bit.
+
+    click-facts [coil.oneshot]
+    """
     target = action.args.get("address")
     bits = target.target if isinstance(target, Immediate) else target
     if not isinstance(bits, Range) or not (len(bits) == 1 or action.flag("oneshot")):
@@ -90,7 +93,10 @@ def _range(action: Action) -> list[Action]:
 
 
 def _jump(action: Action, take: TakeScratch) -> list[Expanded]:
-    """A drum that jumps to a constant step: CLICK jumps to the step that a DS register holds (click-facts, 3)."""
+    """A drum that jumps to a constant step: CLICK jumps to the step that a DS register holds.
+
+    click-facts [drum.inputs]
+    """
     step = action.args.get("jump_step")
     if not isinstance(step, Integer):
         return [action]
@@ -105,8 +111,9 @@ def _jump(action: Action, take: TakeScratch) -> list[Expanded]:
 class OffDelays(Rewriter):
     """Retentive off-delay timers: which timers they are, and the scratch bits that stand for them.
 
-    CLICK's retained timer is an on-delay only. Bit E follows the rung; a retentive on-delay runs while E is off; bit Q
-    is on while E is, or while Q was and the timer has not elapsed. Reading the timer's bit means reading Q.
+    CLICK's retained timer is an on-delay only (click-facts [timer.no-rtof]). Bit E follows the rung; a retentive
+    on-delay runs while E is off; bit Q is on while E is, or while Q was and the timer has not elapsed. Reading the
+    timer's bit means reading Q.
     """
 
     def __init__(self, take: TakeScratch) -> None:

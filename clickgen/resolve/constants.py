@@ -18,7 +18,10 @@ def kind_of(operand: object) -> Kind | None:
 
 
 def typed(constant: Single, kind: Kind | None) -> Single:
-    """A constant in the form that a value of this kind takes (click-facts, section 3); others stay as they are."""
+    """A constant in the form that a value of this kind takes; others stay as they are.
+
+    click-facts [token.constants]
+    """
     if isinstance(constant, Text) and kind is not Kind.TEXT:
         match = _HEX_TEXT.fullmatch(constant.value)
         if match:
@@ -29,7 +32,7 @@ def typed(constant: Single, kind: Kind | None) -> Single:
 
 
 def stored(constant: Single, kind: Kind | None) -> Single:
-    """A constant in the form in which a register of this kind holds it (click-facts, section 6)."""
+    """A constant in the form in which a register of this kind holds it (click-facts [copy.fill, value.integers])."""
     if isinstance(constant, Real) and kind in (Kind.INT16, Kind.INT32, Kind.HEX) and constant.value.is_integer():
         constant = Integer(int(constant.value), constant.span)
     constant = typed(constant, kind)

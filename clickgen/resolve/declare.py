@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
@@ -80,7 +81,7 @@ class _Declarations:
                 self.declared.misdeclared.add(lower)
 
     def warn_of_words(self) -> None:
-        """Nicknames in the table that ClickNick's importer loses (click-facts, section 1)."""
+        """Nicknames in the table that ClickNick's importer loses (click-facts [nickname-file.lost])."""
         for row in self.table.rows:
             if row.nickname:
                 self._warn_of_word(row.address, row.nickname, self.table.span(row))
@@ -168,7 +169,8 @@ class _Declarations:
                 "CG205",
                 declaration.span,
                 f"{address} is {named.name} here and {row.nickname} in {self.table.place(row)}",
-                "change one of them",
+                f"change one of them; if {named.name} is {row.nickname} by another name: "
+                f"{rename_command(row.nickname, named.name)}",
                 self._table_label(row),
             )
             return False
@@ -181,7 +183,8 @@ class _Declarations:
     def _declared_row(self, declaration: Declaration) -> Row:
         address = declaration.cell.address
         stands = self.table.by_address.get(address) or default_row(address, "")
-        # A table that spells the name in another case keeps its spelling: for CLICK it is the same name.
+        # A table that spells the name in another case keeps its spelling: for CLICK it is the same name
+        # (click-facts [name.unique]).
         row = replace(stands, nickname=stands.nickname or declaration.named.name, line=0, raw="")
         if declaration.comment is not None:
             mark = mark_in(stands.comment)
@@ -192,6 +195,15 @@ class _Declarations:
             initial = initial_of(declaration.initial, address, self.problems)
             row = row if initial is None else replace(row, initial=initial)
         return row
+
+
+PROGRAM = "PROG.py"
+"""Stands in a command for the program and its table, which the pipeline knows."""
+
+
+def rename_command(old: str, new: str) -> str:
+    """The command that gives the table the new name of what a declaration names anew."""
+    return f"clickgen nicknames rename {shlex.quote(old)} {shlex.quote(new)} {PROGRAM}"
 
 
 def initial_of(constant: Constant, address: Address, problems: Diagnostics) -> str | None:

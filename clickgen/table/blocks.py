@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from clickgen.device.banks import CURRENT_VALUE_OF, Address
@@ -48,6 +49,18 @@ class Block(NamedTuple):
         return first if self.size == 1 else f"{first} to {Address(self.bank, self.last)}"
 
 
+def covered(blocks: Iterable[Block]) -> set[Address]:
+    """The addresses of blocks; of many inside each other, each stretch is gone through once."""
+    found: set[Address] = set()
+    bank, end = "", 0
+    for block in sorted(blocks, key=lambda block: (block.bank, block.first)):
+        start = block.first if block.bank != bank else max(block.first, end + 1)
+        found.update(Address(block.bank, number) for number in range(start, block.last + 1))
+        end = block.last if block.bank != bank else max(block.last, end)
+        bank = block.bank
+    return found
+
+
 class Mark(NamedTuple):
     """A block's mark in a comment; ``word`` is what it says between the angle brackets."""
 
@@ -58,13 +71,16 @@ class Mark(NamedTuple):
 
 
 _MARK_MAX = 200
-"""The longest mark that is looked for: a comment has room for 128 characters (click-facts, section 2)."""
+"""The longest mark that is looked for: a comment has room for 128 characters (click-facts [name.length])."""
 _MARK = re.compile(rf"(?=<(?P<word>[^>]{{0,{_MARK_MAX}}})>)")
 _COLOR = re.compile(r"""(?<!\s)\s+bg=["']([^"']{1,200})["']""")
 
 
 def mark_in(comment: str) -> Mark | None:
-    """The first mark in a comment, as ClickNick finds it (pyclickplc, blocks.py); a name has a letter in it."""
+    """The first mark in a comment, as ClickNick finds it; a name has a letter in it.
+
+    click-facts [nickname-file.blocks]
+    """
     if "<" in comment:
         for match in _MARK.finditer(comment):
             mark = _read_mark(match["word"])

@@ -1,8 +1,8 @@
 """The forms in which CLICK writes a nickname CSV: with or without Modbus numbers, and how it writes those.
 
 With "Display MODBUS address" checked, an export has two columns more, decimal or hexadecimal. The upper words of XD1
-to XD8 and YD1 to YD8 then have rows with an empty address (click-facts, section 1, E341). Older drivers put ``## ``
-before the header.
+to XD8 and YD1 to YD8 then have rows with an empty address. Some files have ``## `` before the header (click-facts
+[nickname-file.modbus-columns, nickname-file.old-header, nickname-file.upper-rows]).
 """
 
 from __future__ import annotations

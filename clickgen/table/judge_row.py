@@ -62,7 +62,10 @@ def address_nickname_fault(address: Address, name: str) -> Fault | None:
 
 
 def may_share_a_name(one: Address, other: Address) -> bool:
-    """True for two of CLICK's own points: it gives one name to two of them now and then (pyclickplc, read_csv)."""
+    """True for two of CLICK's own points: it gives one name to two of them now and then.
+
+    click-facts [system.doubles]
+    """
     return not {one.bank, other.bank} - {"SC", "SD"}
 
 

@@ -1,7 +1,7 @@
 """Initial values that CLICK masks: those of retentive addresses, in declarations and in the address table.
 
-ClickNick shows such a value read-only, and CLICK's exports carry one only where Retentive is No (click-facts,
-section 1).
+ClickNick shows such a value read-only, and CLICK's exports carry one only where Retentive is No (click-facts
+[nickname-file.masked]).
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Rows of the address table: an address, and what CLICK knows of it, in CLICK's form (click-facts, section 1)."""
+"""Rows of the address table: an address, and what CLICK knows of it, in CLICK's form.
+
+click-facts [nickname-file.values]
+"""
 
 from __future__ import annotations
 
@@ -39,7 +42,10 @@ class Row:
 
     @property
     def is_default(self) -> bool:
-        """True when the row says nothing that CLICK would not assume without it."""
+        """True when the row says nothing that CLICK would not assume without it.
+
+        click-facts [nickname-file.defaults]
+        """
         bank = BANKS[self.address.bank]
         return (
             not self.nickname
@@ -50,10 +56,14 @@ class Row:
 
 
 def format_row(row: Row) -> str:
-    """A row in CLICK's form: nickname and comment quoted, always, and nothing else (click-facts, section 1)."""
+    """A row in CLICK's form: nickname and comment quoted, always, and nothing else.
+
+    click-facts [nickname-file.columns]
+    """
     kind = row.address.kind
     initial = row.initial or _default_initial(kind)
-    # How CLICK writes a comma or a quote as the initial value of a TXT is unknown; unquoted it would not be a CSV.
+    # How CLICK writes a comma or a quote as the initial value of a TXT is unknown; unquoted it would not be a CSV
+    # (click-facts [nickname-file.text-quotes]).
     if kind is Kind.TEXT and initial in (",", '"', "\n", "\r"):
         initial = _quoted(initial)
     retentive = "Yes" if row.retentive else "No"
@@ -165,7 +175,7 @@ def _single(value: float) -> float:
 _BIT_FORM = re.compile(r"[01]")
 _INTEGER_FORM = re.compile(r"-?[0-9]{1,10}")
 _HEX_FORM = re.compile(r"[0-9A-Fa-f]{1,4}")
-_FLOAT_FORM = re.compile(r"-?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_FLOAT_FORM = re.compile(r"-?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
 def initial_fault(kind: Kind, text: str) -> str | None:

@@ -196,7 +196,7 @@ class Machine:
         self.store(count, so_far)
         self.store(done, int(on))
         if retentive_off:
-            # decisions.md: Q is on when E, or when Q and not T.
+            # Q is on when E, or when Q and not T (click-facts [timer.no-rtof]).
             self.memory[own] = int(enable or (bool(self.bit(own)) and not on))
 
     def drum(self, inner: str, place: Place, enable: bool, pins: Mapping[str, bool]) -> None:

@@ -1,4 +1,6 @@
-"""Reads 33-column ladder CSV and says where power goes, by the grid rules of click-facts section 5 alone.
+"""Reads 33-column ladder CSV and says where power goes, by the grid rules alone.
+
+click-facts [grid.columns, grid.power, grid.wires]
 
 Nodes are (row, boundary 0..31); boundary c is the left edge of column c and boundary 31 is the AF input. Column A's
 left edge is the power rail on every row. Contacts, compares, ``-`` and ``T`` join boundary c to c+1; ``T``, ``|`` and
@@ -24,7 +26,7 @@ MAX_ROWS = 32  # expanded rows of one rung
 MAX_RUNGS = 256  # rungs of one file
 MAX_GRID_ROWS = 2047  # expanded rows plus rungs of one file
 
-# Grid height by instruction (click-facts section 3); every other instruction is one row high.
+# Grid height by instruction (click-facts [grid.heights]); every other instruction is one row high.
 HEIGHTS: Mapping[str, int] = {
     **dict.fromkeys(("on_delay", "off_delay"), 2),
     **dict.fromkeys(("count_up", "count_down"), 3),
@@ -54,7 +56,8 @@ REQUIRED_PINS: Mapping[str, tuple[str, ...]] = {
     "event_drum": (".reset",),
     "time_drum": (".reset",),
 }
-# A down counter's own input is the middle input of its three-row box (native captures): its row stands second.
+# A down counter's own input is the middle input of its three-row box (click-facts [grid.down-counter]): its row stands
+# second.
 OWN_SLOT: Mapping[str, int] = {"count_down": 1}
 
 _BIT = r"(?:[XY]\d{3}|(?:C|T|CT|SC)\d{1,4})"
@@ -508,7 +511,7 @@ def check_no_backfeed(rung: LadderRung, max_vars: int = 12, seed: int = 0) -> No
 
 
 def check_limits(rungs: Iterable[LadderRung]) -> None:
-    """The two limits of one ladder file (click-facts, trap 1)."""
+    """The two limits of one ladder file (click-facts [limit.file, limit.rows])."""
     heights = [len(rung.rows) for rung in rungs]
     assert len(heights) <= MAX_RUNGS, f"{len(heights)} rungs, at most {MAX_RUNGS} in one file"
     total = sum(heights) + len(heights)

@@ -33,44 +33,44 @@ SPELLINGS: tuple[Spelling, ...] = (
     Spelling(
         r"\b(A?SIN|A?COS|A?TAN|LOG|LN|SQRT|RAD|DEG|[LR]SH|[LR]RO) \(",
         r"\1(",
-        "CLICK puts a space behind a function's name (section 4)",
+        "CLICK puts a space behind a function's name (click-facts [math.spaces])",
         'calc("SQRT(df[1])", df[2])',
     ),
     Spelling(
         r",termination_code=none\b",
         "",
-        "all three settings are always written (section 3)",
+        "all three settings are always written (click-facts [copy.to-text])",
         "copy(ds[1], txt[1], options=to_text())",
     ),
     Spelling(
         r"(?<=termination_code=)\$([0-9A-F]{2})",
         lambda code: str(int(code[1], 16)),
-        "character codes are hexadecimal (section 3)",
+        "character codes are hexadecimal (click-facts [token.constants])",
         'copy(ds[1], txt[1], options=to_text(termination_code="$0D"))',
     ),
     Spelling(
         r"(?<=copy\(|fill\()\$([0-9A-F]{2})",
         lambda code: f'""{chr(int(code[1], 16))}""',
-        "a character can be given by its code (section 3)",
+        "a character can be given by its code (click-facts [text.code])",
         'copy("$41", txt[1])',
     ),
     Spelling(
         r"\.select\((\d+), (\d+)\)",
         lambda ends: ends[0] if int(ends[1]) <= int(ends[2]) else f".select({ends[2]}, {ends[1]}).reverse()",
-        "a range that falls shifts the other way (section 3)",
+        "a range that falls shifts the other way (click-facts [shift.forms])",
         "shift(c[14:10:-1], clock=lambda: c[2], reset=lambda: c[3])",
         in_program=True,
     ),
     Spelling(
         r"(?m)(\.jump\(.*?, )(\w+\)(?=\.jog\(|$))",
         r"\1step=\2",
-        "a jump names the register with its step (section 3)",
+        "a jump names the register with its step (click-facts [drum.inputs])",
         "event_drum(outputs=[y[1]], events=[c[2], c[3]], pattern=[[1], [0]], current_step=ds[1], "
         "completion_flag=c[4], reset=lambda: c[5], jump=lambda: c[6], jump_step=ds[2])",
         in_program=True,
     ),
 )
-"""The sections are those of click-facts."""
+"""Spellings of CLICK that pyrung does not read, each with its reason."""
 
 WHOLE_MAIN = "WholeMain"
 

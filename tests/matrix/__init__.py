@@ -1,1 +1,4 @@
-"""What each instruction takes, as tables to be held against click-facts; ``test_matrix.py`` builds every cell."""
+"""What each instruction takes, as tables to be held against docs/click-facts.md.
+
+``test_matrix.py`` builds every cell.
+"""

@@ -1,4 +1,4 @@
-"""Coils, shift registers, loops and calls (click-facts, section 3)."""
+"""Coils, shift registers, loops and calls (click-facts [coil.targets, control.for, shift.forms])."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def _coils(name: str, token: str) -> list[Cell]:
         action(f"{name}(sc[49:52])", codes="CG304"),
         action(f"{name}(c[7:8])", f"{token}(C7)"),
         action(f"{name}(y[3:4].immediate)", f"{token}(immediate(Y003))"),
-        # A range over the gap between two modules: unknown on CLICK.
+        # A range over the gap between two modules: unknown on CLICK (click-facts [bank.gap]).
         action(f"{name}(y[16:22])", codes="CG202"),
         action(f"{name}(c[8:0:-1])", codes="CG202"),
     ]
@@ -79,7 +79,7 @@ _SHIFTS = [
     *slot(_SHIFTED, _shift),
     action(f"shift(c[8:0:-1], {_INPUTS})", "shift(C8..C1)", "C2", ".clock()", "C3", ".reset()"),
     action("shift(c[1:9]).clock(c[2]).reset(c[3])", "shift(C1..C8)", "C2", ".clock()", "C3", ".reset()"),
-    # A bare wire is no input (section 0): what is left out is never on.
+    # A bare wire is no input (click-facts [grid.pin-contact]): what is left out is never on.
     action("shift(c[1:9])", "shift(C1..C8)", "~SC1", ".clock()", "~SC1", ".reset()", codes="CG419"),
     action("shift(c[1:9], clock=lambda: c[10])", "shift(C1..C8)", "C10", ".clock()", "~SC1", ".reset()", codes="CG419"),
     action("shift(c[1:9], reset=lambda: c[10])", "shift(C1..C8)", "~SC1", ".clock()", "C10", ".reset()", codes="CG419"),
@@ -101,7 +101,7 @@ _LOOPS = [
         _loop(operand.source, f"for({operand.token})", _COUNT.fault(operand))
         for operand in (*addresses(numbered(3)), *CONSTANTS, hex_text(5))
     ),
-    # A count of 0 or below: unknown on CLICK.
+    # A count of 0 or below: unknown on CLICK (click-facts [control.for-count]).
     *(_loop(str(value), codes="CG302") for value in (-32768, -1, 0, 32768)),
     *(_loop(str(value), f"for({value})") for value in (1, 32767)),
     *(_loop(f"ds[3], {word}=True", "for(DS3,oneshot=1)") for word in ("oneshot", "one_shot")),

@@ -1,4 +1,7 @@
-"""Contacts and comparisons (click-facts, section 3, "Contacts")."""
+"""Contacts and comparisons.
+
+click-facts [compare.classes, compare.pointers, compare.signs, contact.edges, contact.forms]
+"""
 
 from __future__ import annotations
 

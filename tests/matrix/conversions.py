@@ -1,4 +1,4 @@
-"""The conversions of copy and block copy: to_value, to_ascii, to_binary, to_text (click-facts, sections 3 and 8)."""
+"""The conversions of copy and block copy: to_value, to_ascii, to_binary, to_text (click-facts [copy.convert])."""
 
 from __future__ import annotations
 
@@ -78,11 +78,11 @@ def _blocks(option: str) -> Iterator[Cell]:
 _NUMBERS = ("DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "SD")
 _ENDS = {"None": "none", '"$0D"': "$0D", '"$13"': "$13", "13": "$0D", '"A"': "$41", "0": "$00", "127": "$7F"}
 _DIGITS = {"DS": 5, "TD": 5, "SD": 5, "DD": 10, "CTD": 10, "DH": 4, "XD": 4, "YD": 4}
-"""The digits of a number whose zeros are not suppressed (section 8)."""
+"""The digits of a number whose zeros are not suppressed (click-facts [value.number-text])."""
 
 
 def _settings() -> Iterator[Cell]:
-    """Exponential text is for floating-point numbers, and never with leading zeros (laddercodec has no code for it)."""
+    """Exponential text is for floating-point numbers, and never with leading zeros (click-facts [copy.exponential])."""
     for bank in _NUMBERS:
         for is_suppressed in (True, False):
             for is_exponential in (True, False):

@@ -1,4 +1,4 @@
-"""Copy, block copy and fill (click-facts, sections 3 and 6)."""
+"""Copy, block copy and fill (click-facts [copy.block, copy.fill, copy.single])."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def _typed(source: Operand, target: Operand) -> tuple[str, str]:
 
 # -- copy -------------------------------------------------------------------------------------------------------------
 
-# Section 6 says "any register or constant"; a text is a constant for TXT only (section 3).
+# click-facts [copy.bit-constant, copy.single]; a text is a constant for TXT only.
 _SINGLE = table("""
     X Y C T CT SC                                       -> Y C
     DS DD DH DF XD YD TD CTD SD TXT integer hex real    -> DS DD DH DF YD TD CTD SD TXT

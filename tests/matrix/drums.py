@@ -1,4 +1,4 @@
-"""Drum sequencers (click-facts, section 3, "Drums")."""
+"""Drum sequencers (click-facts [drum.inputs, drum.lists, drum.presets, drum.registers])."""
 
 from __future__ import annotations
 

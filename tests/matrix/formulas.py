@@ -1,4 +1,4 @@
-"""Formulas: what calc and math_hex read, calculate and write (click-facts, section 4)."""
+"""Formulas: what calc and math_hex read, calculate and write (click-facts [math.functions, math.operators])."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Send and receive (click-facts, section 3, "Send/receive")."""
+"""Send and receive (click-facts [message.banks, message.flags, message.targets])."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """How the tables are written: operands with their tokens, what a slot takes, which banks go to which.
 
-Nothing here comes from clickgen: banks, limits and tokens are those of click-facts, sections 1, 3 and 6.
+Nothing here comes from clickgen: banks, limits and tokens are those of docs/click-facts.md.
 """
 
 from __future__ import annotations
@@ -16,7 +16,8 @@ POINTED = "C DS DD DH DF XD YD TD CTD TXT"
 NEVER_WRITTEN = "X T CT XD"
 WRITABLE_SC = (50, 51, 53, 55, 60, 61, 65, 66, 67, 75, 76, 120, 121, 303, 304, 323, 324)
 DOUBTED_SC = (305, 306, 325, 326)
-"""Writable in one list taken from an export, read-only in that of CLICK PLUS 3.41 (click-facts, section 1)."""
+"""Writable in one list taken from an export, read-only in that of CLICK PLUS 3.41
+(click-facts [bank.writable-sc-disputed])."""
 WRITABLE_SD = (
     *(29, 31, 32, 34, 35, 36, 40, 41, 42, 50, 51, 60, 61, 106, 107, 108, 112, 113, 114),
     *(140, 141, 142, 143, 144, 145, 146, 147, 214, 215),
@@ -95,7 +96,7 @@ CONSTANTS = (integer(5), hexadecimal(0x00FF), real("1.5"), text("A"), code(0x0D)
 
 
 def address(bank: str, number: int) -> str:
-    """X and Y have three digits (click-facts, section 1)."""
+    """X and Y have three digits (click-facts [bank.ranges])."""
     return f"{bank}{number:03}" if bank in ("X", "Y") else f"{bank}{number}"
 
 

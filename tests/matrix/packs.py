@@ -1,4 +1,7 @@
-"""Pack and unpack: bits, words and text (click-facts, sections 3 and 6)."""
+"""Pack and unpack: bits, words and text.
+
+click-facts [copy.pack-bits, copy.pack-text, copy.pack-words, copy.unpack]
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Search (click-facts, section 3, "Search")."""
+"""Search (click-facts [search.forms, search.result])."""
 
 from __future__ import annotations
 

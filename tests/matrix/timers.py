@@ -1,4 +1,4 @@
-"""Timers and counters (click-facts, section 3, "Timers, counters")."""
+"""Timers and counters (click-facts [counter.forms, counter.setpoint, timer.setpoint])."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def _timer_matrices(name: str) -> Matrices:
 
 
 def _counter(name: str, counter: Operand, setpoint: Operand, codes: str = "", is_reset: bool = True) -> Cell:
-    """A bare wire is no input (section 0): a reset that is left out is never on."""
+    """A bare wire is no input (click-facts [grid.pin-contact]): a reset that is left out is never on."""
     tokens = [f"{_COUNTERS[name]}({counter.token},CTD{counter.token.lstrip('CT')},preset={setpoint.token})"]
     arguments = [counter.source, setpoint.source]
     if name == "ctud":
@@ -116,7 +116,7 @@ _CHAINS = [
     action("ctu(ct[1], 5).reset(c[2])", "count_up(CT1,CTD1,preset=5)", "C2", ".reset()"),
     action("ctd(ct[2], 5).reset(c[2])", "count_down(CT2,CTD2,preset=5)", "C2", ".reset()"),
     action("ctud(ct[3], 5).down(c[3]).reset(c[2])", "count_up(CT3,CTD3,preset=5)", "C3", ".down()", "C2", ".reset()"),
-    # What has no such input: a reset on ton and tof, an input down on ctu and ctd (section 3).
+    # What has no such input: a reset on ton and tof, an input down on ctu and ctd (click-facts [counter.forms]).
     *(action(f"{name}(t[4], 5).reset(c[2])", codes="CG109") for name in ("ton", "tof")),
     *(action(f"{name}(ct[4], 5).down(c[3]).reset(c[2])", codes="CG109") for name in ("ctu", "ctd")),
     *(

@@ -1,12 +1,15 @@
-"""Loops, subroutines, the end of the scan, and what outlasts a power failure."""
+"""Loops, subroutines, the end of the scan, and what outlasts a power failure.
+
+click-facts [control.call, control.for, control.for-off, scan.power-up, scan.skipped]
+"""
 
 from __future__ import annotations
 
 from .scenario import Scenario, power_up, scans, scenario
 
 BODY_WITHOUT_CONDITIONS = "it drops the conditions of the rungs in a loop"
-BODY_SWITCHED_OFF = "it runs the body without power, where CLICK goes past it (section 5)"
-TIMERS_KEPT = "its timers are retentive; TD and T are not (section 1)"
+BODY_SWITCHED_OFF = "it runs the body without power, where CLICK is taken to go past it (click-facts [control.for-off])"
+TIMERS_KEPT = "its timers are retentive; TD and T are not (click-facts [bank.defaults])"
 COLUMN_IGNORED = "it does not read the column Retentive of single addresses"
 
 CONTROL: tuple[Scenario, ...] = (

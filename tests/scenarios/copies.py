@@ -1,4 +1,7 @@
-"""The copy family on numbers and bits: it clamps where formulas wrap around."""
+"""The copy family on numbers and bits: it clamps where formulas wrap around.
+
+click-facts [copy.clamp, copy.fill, copy.pack-words, copy.wild-pointer]
+"""
 
 from __future__ import annotations
 

@@ -1,10 +1,13 @@
-"""Counters: the vendor counts edges, others say every scan; an edge in the program makes both the same."""
+"""Counters: the vendor counts edges, others say every scan; an edge in the program makes both the same.
+
+click-facts [counter.count-down, counter.edges, counter.limits]
+"""
 
 from __future__ import annotations
 
 from .scenario import Scenario, scans, scenario
 
-EVERY_SCAN = "it counts in every scan, the vendor once for each change from off to on (trap 6)"
+EVERY_SCAN = "it counts in every scan, the vendor once for each change from off to on (click-facts [counter.edges])"
 FROM_ZERO = "it counts from zero down to minus the preset, the vendor from a preloaded value down to the preset"
 
 COUNTERS: tuple[Scenario, ...] = (

@@ -1,4 +1,7 @@
-"""Drum sequencers. What they hold before their first reset, and after their last step, no source says."""
+"""Drum sequencers. What they hold before their first reset, and after their last step, no source says.
+
+click-facts [drum.work]
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Formulas: they wrap around where copies clamp."""
+"""Formulas: they wrap around where copies clamp.
+
+click-facts [math.division, math.float, math.overflow, math.trigonometry]
+"""
 
 from __future__ import annotations
 

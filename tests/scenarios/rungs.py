@@ -1,4 +1,7 @@
-"""Contacts, coils, and what a rung looks at before its first action."""
+"""Contacts, coils, and what a rung looks at before its first action.
+
+click-facts [scan.conditions, scan.edges, scan.io]
+"""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ Cell = Value | Sequence[Value]
 
 @dataclass(frozen=True)
 class Disagreement:
-    """pyrung does something else than click-facts says; clickgen follows click-facts."""
+    """pyrung does something else than docs/click-facts.md says, which clickgen follows."""
 
     address: str
     click: Value

@@ -1,4 +1,7 @@
-"""Table search and shift registers."""
+"""Table search and shift registers.
+
+click-facts [search.continuous, search.result, shift.work]
+"""
 
 from __future__ import annotations
 

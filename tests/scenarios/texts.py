@@ -1,4 +1,7 @@
-"""Text: one character for each TXT address."""
+"""Text: one character for each TXT address.
+
+click-facts [copy.convert, text.cell, value.float-text, value.number-text]
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Timers: they count the time of each scan, the first one included."""
+"""Timers: they count the time of each scan, the first one included.
+
+click-facts [timer.off-delay, timer.on-delay, timer.retentive]
+"""
 
 from __future__ import annotations
 

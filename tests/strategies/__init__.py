@@ -1,4 +1,5 @@
 """Random programs: small models of what was generated, their text in the language, and strategies over them.
 
-Nothing here uses clickgen: tokens and meanings are written down once more, from the specification and click-facts.
+Nothing here uses clickgen: tokens and meanings are written down once more, from docs/language.md and
+docs/click-facts.md.
 """

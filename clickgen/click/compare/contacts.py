@@ -47,7 +47,8 @@ def operand_name(operand: Operand) -> str:
 
 
 def _compared(compare: Compare) -> Literal:
-    """Sides are exchanged only between values of one kind: how CLICK converts one for the other nobody knows."""
+    """Sides are exchanged only between values of one kind: how CLICK converts one for the other nobody knows
+    (click-facts [compare.mixed])."""
     left, right, op = compare.left, compare.right, compare.op
     kind = _kind(left)
     if kind and kind == _kind(right):

@@ -100,7 +100,10 @@ class Run:
         return looks
 
     def _arrives(self, contact: Contact | Compare) -> bool:
-        """True for what CLICK or another device changes in its own time; terminals aside."""
+        """True for what CLICK or another device changes in its own time; terminals aside.
+
+        click-facts [message.later, scan.system-points]
+        """
         return not _is_immediate(contact) and is_volatile(contact, self.surroundings.received)
 
     def powers(self, logic: Logic) -> list[list[int]]:
@@ -146,7 +149,7 @@ class Run:
                 if len(self._parts) > 1 and loops(box) and not (is_last and box is part.outputs[-1]):
                     yield f"{said_by(box).token} stands between the rungs"
                 if leaves_early(box) and not is_last:
-                    # Within one rung CLICK may run the outputs below it; no source says.
+                    # Within one rung CLICK may run the outputs below it: click-facts [control.return-below]
                     yield f"{said_by(box).token} stands above outputs of the same rung, and is drawn in a rung before"
                 if touched_by(box).meets(dropped):
                     yield f"{said_by(box).token} may touch a scratch bit"

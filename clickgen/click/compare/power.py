@@ -1,7 +1,7 @@
 """Power through the squares of a drawn rung, in any logic: sets of situations, decision diagrams.
 
-Power goes to the right through contacts and wires; a downward wire ties the left edges of two squares (click-facts,
-section 5). Every square leads to the next column, so one sweep over the columns finds all there is.
+Power goes to the right through contacts and wires; a downward wire ties the left edges of two squares (click-facts
+[grid.power, grid.wires]). Every square leads to the next column, so one sweep over the columns finds all there is.
 """
 
 from __future__ import annotations

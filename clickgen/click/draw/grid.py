@@ -1,9 +1,10 @@
 """Drawing a CLICK rung: series and parallel contacts, branches and boxes placed in a grid of 31 columns.
 
-A downward wire stands at the left edge of its cell and ties that edge to the left edge of the cell below (click-facts,
-section 5). So the picture is made of *boundaries*: boundary c is the left edge of column c, boundary 0 the power rail,
-boundary 31 the edge of the output column. A contact joins two boundaries of one row; a tie joins rows at one boundary.
-Where parallel legs merge and outputs split at the same boundary they share one tie, as native captures do.
+A downward wire stands at the left edge of its cell and ties that edge to the left edge of the cell below (click-facts
+[grid.wires]). So the picture is made of *boundaries*: boundary c is the left edge of column c, boundary 0 the power
+rail, boundary 31 the edge of the output column. A contact joins two boundaries of one row; a tie joins rows at one
+boundary. Where parallel legs merge and outputs split at the same boundary they share one tie, as CLICK draws it
+(click-facts [grid.shared-tie]).
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from clickgen.ir.program import Action, Branch, Item
 COLUMNS = 31
 """Condition columns A to AE."""
 MAX_ROWS = 32
-"""Rows of one rung, tall boxes at their full height (click-facts, section 5)."""
+"""Rows of one rung, tall boxes at their full height (click-facts [grid.rows])."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +48,7 @@ class DoesNotFit(Exception):
 def draw(condition: Condition, items: tuple[Item, ...]) -> Grid:
     """The grid of one CLICK rung. Raises DoesNotFit when it is too wide or too tall.
 
-    An instruction with pins must be the only item, without branches (click-facts, trap 3).
+    An instruction with pins must be the only item, without branches (click-facts [grid.one-branch]).
     """
     canvas = _Canvas()
     if len(items) == 1 and isinstance(items[0], Action) and items[0].spec.pins:
@@ -127,10 +128,11 @@ class _Canvas:
         return entries or starts, max(below - row, net.height if net is not None else 1)
 
     def pinned_box(self, net: Net | None, action: Action) -> None:
-        """A box whose inputs are rows of their own: legs of its enable stand above it, those of its last pin below.
+        """A box whose inputs are rows of their own: legs of its enable stand above it, those of its last pin below
+        (click-facts [grid.pin-legs, grid.pin-rows]).
 
-        Every pin input needs a contact (click-facts, trap 2): SC1 is always on, ~SC1 never. An enable gets one too,
-        unless the box is known to run without it.
+        Every pin input needs a contact (click-facts [grid.pin-contact]): SC1 is always on, ~SC1 never. An enable gets
+        one too, unless the box is known to run without it.
         """
         spec = action.spec
         enable = net if net is not None or spec.bare_enable else Leaf(ALWAYS_CONTACT)
@@ -174,7 +176,8 @@ class _Canvas:
     def lead(self, row: int, start: int, action: Action) -> None:
         """The wire from the last contact to an instruction. To a box of several rows it takes a column at least.
 
-        laddercodec 0.2.2 cannot decode what it encodes of a contact in the last column before such a box.
+        laddercodec 0.2.2 cannot decode what it encodes of a contact in the last column before such a box
+        (click-facts [grid.free-column]).
         """
         if start >= COLUMNS and action.height > 1:
             raise DoesNotFit

@@ -61,7 +61,10 @@ def is_range(contact: Contact) -> bool:
 
 
 def bits(contact: Contact) -> list[Contact]:
-    """A range contact as one contact for each of its bits: CLICK has no range contacts (click-facts, section 3)."""
+    """A range contact as one contact for each of its bits: CLICK has no range contacts.
+
+    click-facts [contact.ranges]
+    """
     operand = contact.operand
     is_immediate = isinstance(operand, Immediate)
     target = operand.target if isinstance(operand, Immediate) else operand

@@ -1,4 +1,4 @@
-"""Operands, contacts and instructions as CLICK's ladder tokens (click-facts, section 3)."""
+"""Operands, contacts and instructions as CLICK's ladder tokens (click-facts [token.constants])."""
 
 from __future__ import annotations
 
@@ -159,7 +159,7 @@ def _remote(remote: Remote) -> str:
 
 
 def _options(options: Options) -> str:
-    """All three settings of to_text are always written (click-facts, section 3)."""
+    """All three settings of to_text are always written (click-facts [copy.to-text])."""
     if options.name != "to_text":
         return f",{CONVERSION}={options.name}"
     code = "none" if options.termination_code is None else f"${options.termination_code:02X}"

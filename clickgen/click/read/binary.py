@@ -1,7 +1,8 @@
 """CLICK's own files to drawn rungs, by laddercodec: captures of the clipboard, and program files (``Scr*.tmp``).
 
-laddercodec takes codes that it does not know for others: a port for ``cpu2``, a unit for milliseconds. So every rung is
-held against its bytes, and one that is read otherwise than they say is refused (capture.py, program_file.py).
+laddercodec takes codes that it does not know for others: a port for ``cpu2`` (click-facts [message.ports]), a unit
+for milliseconds. So every rung is held against its bytes, and one that is read otherwise than they say is refused
+(capture.py, program_file.py).
 """
 
 from __future__ import annotations
@@ -18,16 +19,16 @@ from typing import TYPE_CHECKING, TypeVar
 from clickgen.click.draw.grid import COLUMNS
 from clickgen.click.ladder_csv import HEADER
 from clickgen.click.read.grid import DrawnRung, Ladder, read_ladder
-from clickgen.click.read.kinds import PROGRAM_MAGIC
 from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.rtf import left_out
 from clickgen.device.banks import Kind, parse_address
+from clickgen.device.project_file import PROGRAM_MAGIC
 
 if TYPE_CHECKING:
     from laddercodec import Rung
     from laddercodec.instructions import AfToken
 
-    from clickgen.click.read.capture import CutRung
+    from clickgen.click.read.capture import Cut, CutRung
 
 _T = TypeVar("_T")
 _INDEX_AT = 0x40
@@ -98,7 +99,7 @@ def read_clipboard(data: bytes, file: str) -> Ladder:
         rungs = decoded if isinstance(decoded, list) else [decoded]
         is_whole = _guarded(lambda whole: _is_whole(whole, rungs), data, file)
     except LadderProblem as problem:
-        return Ladder((), (problem,))
+        return Ladder((), (_too_wide(cut(data), file) or problem,))
     said = cut(data)
     comments = [rung.comment for rung in said.rungs] + [b""] * len(rungs)
 
@@ -115,6 +116,18 @@ def read_clipboard(data: bytes, file: str) -> Ladder:
     return ladder
 
 
+def _too_wide(said: Cut, file: str) -> LadderProblem | None:
+    """A rung that laddercodec 0.2.2 encodes and cannot decode (findings/laddercodec-31-contacts.sh).
+
+    It looks for another filler after a box of two rows or more that has a contact in the last column before it.
+    """
+    for number, rung in enumerate(said.rungs if not said.fault else (), 1):
+        if any(row[-2].blob is not None and row[-1].header.height > 1 for row in rung.rows):
+            limit = "laddercodec 0.2.2 cannot decode 31 contacts before a box of two rows or more"
+            return LadderProblem(f"rung {number} is not damaged, but {limit}", file, 0, number, "CG710")
+    return None
+
+
 def _with_problem(ladder: Ladder, message: str, file: str) -> Ladder:
     return Ladder(ladder.rungs, (*ladder.problems, LadderProblem(message, file)))
 
@@ -126,7 +139,7 @@ def _difference(said: CutRung, rung: Rung) -> str:
     from clickgen.click.read.capture import cut, differences
 
     try:
-        # Each alone: a file of them has limits, and laddercodec does not tell of all (click-facts, section 0).
+        # Each alone: a file of them has limits, and laddercodec does not tell of all (click-facts [limit.rows]).
         written = cut(encode(replace(rung, comment=None, comment_rtf=None)))
     except Exception as error:
         return _unproven(_words(error))
@@ -194,7 +207,8 @@ def _guarded_proof(proof: Callable[[int, Rung], str], number: int, rung: Rung) -
 def _named(token: AfToken) -> AfToken:
     """A pack or unpack by the word that its banks have.
 
-    The bytes do not say bits or words; laddercodec goes by the letter C, and takes X001 to X016 for words.
+    The bytes do not say bits or words; laddercodec goes by the letter C, and takes X001 to X016 for words
+    (click-facts [copy.pack-names]).
     """
     from laddercodec.instructions import Pack, Unpack
 

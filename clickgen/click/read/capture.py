@@ -1,8 +1,8 @@
 """A capture of the clipboard, cut into its cells byte by byte, and each rung held against what laddercodec writes.
 
-The form is that of laddercodec 0.2.2 (topology.py, cell.py): a head, then rows of 32 cells. Each rung begins with a row
-of its own, whose first cell holds the comment. Every cell says which row and column it is, and its end says where the
-next one belongs, so that a cut is right or fails.
+The form is that of laddercodec 0.2.2 (click-facts [click-file.captures]): a head, then rows of 32 cells. Each rung
+begins with a row of its own, whose first cell holds the comment. Every cell says which row and column it is, and its
+end says where the next one belongs, so that a cut is right or fails.
 """
 
 from __future__ import annotations

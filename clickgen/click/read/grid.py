@@ -1,7 +1,7 @@
 """A ladder CSV to rungs: rows of squares, the boxes of the output column with their pins, comments.
 
-What laddercodec reads is read the same way, a wire through blank squares included (click-facts, section 5). What is
-damaged becomes a problem of its rung, or of the file where it belongs to none.
+What laddercodec reads is read the same way, a wire through blank squares included (click-facts [grid.blank-wires]).
+What is damaged becomes a problem of its rung, or of the file where it belongs to none.
 """
 
 from __future__ import annotations

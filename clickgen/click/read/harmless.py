@@ -1,4 +1,5 @@
-"""Where CLICK's bytes and laddercodec's differ and the instruction is the same all the same, each with the reason.
+"""Where CLICK's bytes and laddercodec's differ and the instruction is the same all the same, each with the reason
+(click-facts [click-file.harmless]).
 
 Found in the captures and program files that laddercodec 0.2.2 carries as fixtures: 192 captures and 41 program files
 of CLICK, 1889 and 1558 instructions. A difference that is not here is told, and its rung refused.
@@ -92,7 +93,8 @@ HARMLESS = (
 )
 
 DRAWN_TALLER = ("Email", "Home", "Position", "Velocity")
-"""Boxes that CLICK draws three rows tall and laddercodec writes as one; nothing else stands in their rows."""
+"""Boxes that CLICK draws three rows tall and laddercodec writes as one; nothing else stands in their rows
+(click-facts [grid.heights])."""
 
 WIRED_LATER = ("Cnt", "Drum", "SR")
 """Boxes whose wire into the first row CLICK keeps apart: it is off where a row was put in above the wired one."""

@@ -1,8 +1,8 @@
 """A drawn rung as a graph: nodes are edges of squares that wires join, arcs the contacts between them.
 
-A downward wire ties the left edges of two squares. A contact and a wire carry power to the right (click-facts, section
-5), so a wire joins its two ends only where power could not come back through it to something else; a wire where it
-could stays an arc of its own.
+A downward wire ties the left edges of two squares. A contact and a wire carry power to the right (click-facts
+[grid.power, grid.wires]), so a wire joins its two ends only where power could not come back through it to something
+else; a wire where it could stays an arc of its own.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 laddercodec 0.2.2 reads these files and writes none, so what it read is compared with the file instruction by
 instruction, in the fields of the clipboard's form. CLICK leaves fields out that have their usual value
-(laddercodec, decode_program.py).
+(click-facts [click-file.program]).
 """
 
 from __future__ import annotations

@@ -13,10 +13,10 @@ from pathlib import Path
 from clickgen.click.read.binary import ProgramHeader, program_header, read_clipboard, read_program
 from clickgen.click.read.calls import call_of
 from clickgen.click.read.grid import DrawnRung, Ladder, decode_ladder, read_ladder
-from clickgen.click.read.kinds import HEAD_BYTES, PROGRAM_MAGIC, Kind, kind_of, other_kind
+from clickgen.click.read.kinds import HEAD_BYTES, Kind, kind_of, other_kind
 from clickgen.click.read.problem import LadderProblem
 from clickgen.device.limits import SUBROUTINE_NAME_MAX
-from clickgen.device.project_file import is_click_project
+from clickgen.device.project_file import PROGRAM_MAGIC, is_click_project
 from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.workspace import read_file, read_start
 
@@ -28,7 +28,8 @@ _PROGRAM_ENDINGS = (".tmp", ".scr")
 _CAPTURE = ".clipboard"
 """The ending of a copy that laddercodec's tools make of a routine: ``Heat.clipboard.csv``, ``Heat.clipboard.bin``."""
 _MAIN_INDEX = 1
-"""The highest prog_idx of main: 1 in every native program file; laddercodec's manual says 0."""
+"""The highest prog_idx of main: 1 in every native program file (click-facts [click-file.program]); laddercodec's manual
+says 0."""
 _BYTES_MAX = 1 << 27
 """128 MiB: far more than the ladder of any project, and little enough to read at once."""
 _READS = "a folder with main.csv, or with the Scr*.tmp files of a project"
@@ -141,7 +142,7 @@ def _program(header: ProgramHeader, path: Path, ladder: Ladder) -> DrawnRoutine:
 
 
 def _usable(stem: str) -> str:
-    """A name that CLICK takes for a subroutine (click-facts, section 5)."""
+    """A name that CLICK takes for a subroutine (click-facts [limit.subroutine-names])."""
     return re.sub(r"[^A-Za-z0-9_ -]", "_", stem)[:SUBROUTINE_NAME_MAX].strip() or "subroutine"
 
 
@@ -150,6 +151,7 @@ def _usable(stem: str) -> str:
 
 def _folder(path: Path) -> Project:
     entries = sorted(entry for entry in path.iterdir() if not entry.name.startswith("."))
+    _refuse_devices(entries)
     tables = [entry for entry in entries if entry.suffix.casefold() == ".csv" and entry.is_file()]
     nicknames = next((table for table in tables if table.name.casefold() == "nicknames.csv"), None)
     if any(table.stem.casefold() == MAIN for table in tables):
@@ -160,6 +162,14 @@ def _folder(path: Path) -> Project:
     project = next((entry for entry in entries if is_click_project(b"", entry.name)), None)
     which = f" (and {project.name} is a project, which only CLICK opens)" if project else ""
     raise CouldNotRun(f"{path} holds neither main.csv nor a program file of CLICK{which}; import reads {_READS}")
+
+
+def _refuse_devices(entries: Iterable[Path]) -> None:
+    """What is named like ladder or a table and is neither file nor folder is not passed over."""
+    for entry in entries:
+        is_asked = entry.suffix.casefold() in (".csv", *_PROGRAM_ENDINGS)
+        if is_asked and entry.exists() and not (entry.is_file() or entry.is_dir()):
+            raise CouldNotRun(f"{_shown(entry)} is a pipe or a device, not a file")
 
 
 def _bundle(path: Path, entries: Sequence[Path], tables: Sequence[Path], nicknames: Path | None) -> Project:
@@ -179,6 +189,7 @@ def _bundle(path: Path, entries: Sequence[Path], tables: Sequence[Path], nicknam
 def _subroutine_files(entries: Sequence[Path]) -> list[Path]:
     folders = [entry for entry in entries if entry.name.casefold() == "subroutines" and entry.is_dir()]
     files = [file for folder in folders for file in sorted(folder.iterdir()) if not file.name.startswith(".")]
+    _refuse_devices(files)
     tables = [file for file in files if file.suffix.casefold() == ".csv" and file.is_file()]
     return [file for file in tables if not _is_copy(file, tables)]
 

@@ -1,4 +1,4 @@
-"""What laddercodec leaves out of a comment, which CLICK keeps as RTF."""
+"""What laddercodec leaves out of a comment, which CLICK keeps as RTF (click-facts [click-file.comments])."""
 
 from __future__ import annotations
 

@@ -107,7 +107,7 @@ def specs_of(token: str) -> list[Spec]:
 
 
 def height_of(token: str) -> int:
-    """The rows of an instruction (click-facts, section 3); 1 for what nobody knows."""
+    """The rows of an instruction (click-facts [grid.heights]); 1 for what nobody knows."""
     heights = [spec.height for spec in specs_of(token)]
     return max(heights, default=rows_of(token))
 
@@ -123,7 +123,7 @@ def pin_row_of(token: str, pin: str) -> int:
 
 
 def is_own_input_below(token: str) -> bool:
-    """True for a down counter: its own input is the middle one of three (native captures)."""
+    """True for a down counter: its own input is the middle one of three (click-facts [grid.down-counter])."""
     return any(template.spec is CTD for template in _templates().get(token.partition("(")[0], ()))
 
 
@@ -171,7 +171,8 @@ def _action(spec: Spec, given: Mapping[str, str | Condition], span: Span) -> Act
         if text is None or (param.kind is ParamKind.FLAG and text == "0"):
             continue
         value = value_of(param, text, span, "hex" if spec is MATH_HEX else "decimal") if isinstance(text, str) else text
-        # A constant step of a jump is the language's alone: CLICK jumps to the one that a register holds.
+        # A constant step of a jump is the language's alone: CLICK jumps to the one that a register holds
+        # (click-facts [drum.inputs]).
         if value is None or (param.of_pin and isinstance(value, Integer)):
             return None
         args[param.name] = value

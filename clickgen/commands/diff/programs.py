@@ -95,7 +95,7 @@ def _values(
         found = differing(before, after)
         if "initial" in found:
             yield ValueChange(address, "initial value", before.initial or "nothing", after.initial or "nothing")
-        # A current value is kept as its timer or counter is (click-facts, section 1).
+        # A current value is kept as its timer or counter is (click-facts [bank.current-values]).
         if "retentive" in found and address.bank not in CURRENT_VALUE_OF:
             yield ValueChange(address, "retentive", *("Yes" if row.retentive else "No" for row in (before, after)))
 

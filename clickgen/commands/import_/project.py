@@ -145,7 +145,7 @@ def _nicknames(project: Project, target: Target, given: Path | None) -> Nickname
     for path in (given, project.nicknames):
         if path is not None:
             return nicknames_of(path, str(path))
-    if target.table.is_file():
+    if target.table.exists() and not target.table.is_dir():
         return nicknames_of(target.table, str(target.table), is_kept=True)
     return no_nicknames()
 
@@ -283,8 +283,11 @@ class _Import:
 _HELP = {
     "CG701": "mend the file, or export it again; --keep-going leaves a marked rung in its place",
     "CG702": "change it in CLICK and import again, or use --keep-going, which leaves a marked rung in its place",
-    "CG703": "please report this with the rung; --keep-going leaves a marked rung in its place",
+    "CG703": "if CLICK drew the rung, please report it with the file; if another program wrote the file, draw the rung "
+    "as CLICK does, or use --keep-going, which leaves a marked rung in its place",
     "CG708": "draw the rung again in CLICK, or use --keep-going, which leaves a marked rung in its place",
+    "CG710": "in CLICK, put some of the contacts on a bit in a rung before and copy the rungs again; or copy the "
+    "others without this one, and write it by hand",
     "CG709": "look whether the comment says in the program what it says in CLICK",
     "CG704": "what it does is the same: look whether it was meant so",
     "CG705": "there is nothing to do",

@@ -156,7 +156,10 @@ def calls_of(piece: RungImport) -> Iterator[str]:
 
 
 def is_complete(routine: ImportedRoutine) -> bool:
-    """True when the routine ends as CLICK wants it: main somewhere with ``end()``, a subroutine with ``return``."""
+    """True when the routine ends as CLICK wants it: main somewhere with ``end()``, a subroutine with ``return``.
+
+    click-facts [control.end, control.return]
+    """
     closing = END if routine.is_main else RETURN
     pieces = routine.pieces if routine.is_main else routine.pieces[-1:]
     return any(not piece.rungs or any(_is_unconditional(rung, closing) for rung in piece.rungs) for piece in pieces)

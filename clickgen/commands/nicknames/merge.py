@@ -37,7 +37,8 @@ from clickgen.table.rows import Row, is_scratch
 __all__ = ["KINDS", "SWAPPED", "Change", "Conflict", "Merge", "merge"]
 
 OWN_BANKS = ("SC", "SD")
-"""What CLICK does with such rows on import is unknown (click-facts, section 1): they are neither taken nor written."""
+"""What CLICK does with such rows on import is unknown (click-facts [nickname-file.system-rows]): they are neither taken
+nor written."""
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
 from clickgen.settings import TABLE_NAME
 from clickgen.table.blocks import renamed_mark
 from clickgen.table.rows import Row, is_scratch
+from clickgen.text.wording import escaped
 
 _LISTING, _SOURCES = "listing.txt", "sources.json"
 
@@ -54,9 +55,11 @@ def prove_same(before: BuildResult, after: BuildResult, old: str, new: str, is_b
         **before.files,
         TABLE_NAME: nickname_csv(rows.values()),
         _LISTING: listing(
-            before.program.stem, before.routines, {row.address: row.nickname for row in rows.values() if row.nickname}
+            escaped(before.program.stem),
+            before.routines,
+            {row.address: row.nickname for row in rows.values() if row.nickname},
         ),
-        _SOURCES: source_map(before.routines, map(renamed, before.scratch_rows), list(before.files), base),
+        _SOURCES: source_map(before.routines, map(renamed, before.scratch_rows), before.files, base),
     }
     found = _by_address(after.rows)
     differing = [name for name in {**expected, **after.files} if expected.get(name) != after.files.get(name)]

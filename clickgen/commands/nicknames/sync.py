@@ -107,8 +107,8 @@ class _Table:
         named = [row for row in table.own_rows if row.nickname and not BANKS[row.address.bank].settings_fixed]
         unused = [row for row in named if not any(_is_used(row, result) for result in users)]
         gone = {row.address for row in unused}
-        pairs = ((left.new.address, left.old.address) for result in own for left in result.left)
-        self._left |= {came: old for came, old in pairs if old in gone}
+        pairs = [left for result in own for left in result.left if left.is_half or left.old.address in gone]
+        self._left |= {left.new.address: left.old.address for left in pairs}
         removed: list[Row] = []
         kept: dict[Address, str] = {}
         for row in unused if prune else ():

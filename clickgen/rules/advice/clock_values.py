@@ -17,6 +17,7 @@ from clickgen.logic.conditions import HOLDS
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
 
+# click-facts [system.clock, system.clock-set]
 CODE = "CG552"
 
 _COPIES_MAX = 8

@@ -1,4 +1,5 @@
-"""Two messages that may want one port at the same time: the second is not sent, or fails."""
+"""Two messages that may want one port at the same time: the second is not sent, or fails
+(click-facts [message.busy])."""
 
 from __future__ import annotations
 
@@ -7,6 +8,7 @@ from itertools import product
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import STARTING, Facts, Placed
+from clickgen.facts.idle import never_run
 from clickgen.facts.uses import addresses_of
 from clickgen.instructions import communication, drums
 from clickgen.instructions.coils import OUT, RESET, SET
@@ -18,7 +20,6 @@ from clickgen.ir.program import Action, actions_in
 from clickgen.ir.walk import leaves
 from clickgen.logic.conditions import are_exclusive, terms_of
 from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.advice.double_coils import never_run
 from clickgen.rules.rule import Rule, Wrong
 
 CODE = "CG546"
@@ -26,7 +27,7 @@ CODE = "CG546"
 _MANY = 50
 """A message is compared with so many others on its port before it."""
 _READY = frozenset(Address("SC", number) for number in (90, 100, 102))
-"""_Port_1_Ready_Flag to _Port_3_Ready_Flag: who asks one of them waits for the port (E341)."""
+"""_Port_1_Ready_Flag to _Port_3_Ready_Flag: who asks one of them waits for the port (click-facts [system.ready])."""
 _OWN_FLAGS = ("sending", "receiving", "success", "error")
 
 

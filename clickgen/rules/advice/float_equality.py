@@ -15,6 +15,7 @@ from clickgen.ir.program import FormulaText
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
 
+# click-facts [value.floats]
 CODE = "CG520"
 
 _WHOLE = (Kind.INT16, Kind.INT32, Kind.HEX)

@@ -17,6 +17,7 @@ from clickgen.logic.conditions import are_exclusive, can_hold
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
 
+# click-facts [math.no-value]
 CODE = "CG553"
 
 

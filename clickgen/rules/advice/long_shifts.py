@@ -9,6 +9,7 @@ from clickgen.formula.values import value_of
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
 
+# click-facts [math.shift-counts]
 CODE = "CG558"
 
 _BITS = 16

@@ -112,7 +112,7 @@ def _report(facts: Facts, problems: Diagnostics, use: _Use, writer: _Writer, is_
     span, bank, number = use.pointer.span, BANKS[use.pointer.bank], writer.number
     there = writer.placed.action.span.seen_from(span)
     said = f"is {number} after {there}" if is_sure else f"may still be {number} from {there}"
-    # What CLICK does then: click-facts, section 8, "Bad pointer".
+    # What CLICK does then: click-facts [copy.wild-pointer]
     problems.add(
         CODE,
         span,

@@ -12,10 +12,11 @@ from clickgen.logic.conditions import implies
 from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.rules.rule import Rule, Wrong
 
+# click-facts [scan.edges]
 CODE = "CG514"
 
 _CLOCKS = frozenset(Address("SC", number) for number in range(3, 10))
-"""CLICK's clocks: a tick that nobody saw is not missed."""
+"""CLICK's clocks: a tick that nobody saw is not missed (click-facts [system.clocks])."""
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:

@@ -31,10 +31,11 @@ _BARRIERS = frozenset(spec.name for spec in (CALL, END, RETURN, FOR, NEXT, RAW))
 """What runs behind these is not what stands behind them, or nobody knows what they read."""
 _BANKS = ("C", "DS", "DD", "DH", "DF", "TXT")
 _CERTAIN = ("+", "-", "*", "/", "AND", "OR", "XOR", "LSH", "RSH", "LRO", "RRO")
-"""The operators that give a result whatever their operands are (click-facts, section 4)."""
+"""The operators that give a result whatever their operands are (click-facts [math.division, math.overflow])."""
 _COPY_FLAGS = frozenset(filter(None, map(parse_address, COPY_FLAGS)))
 _FLAGS = _COPY_FLAGS | frozenset(filter(None, map(parse_address, (*MATH_FLAGS, "SC46"))))
-"""The system bits that a write may be there for, its value aside; SC46 is CLICK's _Math_Operation_Error."""
+"""The system bits that a write may be there for, its value aside; SC46 is CLICK's _Math_Operation_Error
+(click-facts [scan.flags])."""
 _RUNGS_MAX = 20
 _RANGES_MAX = 8
 """A write further back is not looked for."""
@@ -212,14 +213,15 @@ def _replaces(action: Action) -> bool:
         )
     source, target = action.args["source"], form_of(action.args["destination"])
     if action.spec is COPY_PACK and isinstance(source, Range) and form_of(source) in BITS:
-        # What becomes of the bits above those that are packed, no source says.
+        # What becomes of the bits above those that are packed is not certain (click-facts [copy.pack-high-bits]).
         return len(source) == (32 if target in ("DD", "DF") else 16)
-    # A text that is no number leaves the target as it is.
+    # A text that is no number leaves the target as it is (click-facts [copy.no-number]).
     return not _becomes_text(action) and (form_of(source) != "TXT" or target == "TXT")
 
 
 def _becomes_text(action: Action) -> bool:
-    """True for a number that is copied to a text without a word about how: no source says how much that fills."""
+    """True for a number that is copied to a text without a word about how: no source says how much that fills
+    (click-facts [value.number-text-length])."""
     if action.spec is not COPY or "options" in action.args or form_of(action.args["destination"]) != "TXT":
         return False
     return form_of(action.args["source"]) not in ("TXT", TEXT, CHARACTER)

@@ -10,6 +10,7 @@ from clickgen.ir.operands import Operand, form_of
 from clickgen.problems.diagnostics import Diagnostics, did_you_mean
 from clickgen.rules.rule import Rule, Wrong
 
+# click-facts [timer.unowned]
 CODE = "CG521"
 
 _INSTRUCTIONS = {"T": "ton, tof, rton or rtof", "CT": "ctu, ctd or ctud"}

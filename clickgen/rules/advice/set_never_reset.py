@@ -39,7 +39,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 
 def _stays_on(facts: Facts, bit: Address) -> bool:
-    # Some SC bits are commands to the CLICK, which turns them off itself.
+    # Some SC bits are commands to the CLICK, which turns them off itself (click-facts [bank.writable-sc]).
     if bit.bank not in ("Y", "C") or facts.uses.is_pointed(bit.bank, is_written=True):
         return False
     return all(placed.spec is SET for placed in facts.writers(bit))

@@ -13,6 +13,7 @@ from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
 from clickgen.rules.rule import Rule, Wrong
 from clickgen.text.source import Span
 
+# click-facts [copy.pack-bits, copy.pack-high-bits]
 CODE = "CG519"
 
 _SHORT = (15, 31)

@@ -1,4 +1,5 @@
-"""A branch that looks at what its own rung writes: CLICK has looked at it before the first action ran."""
+"""A branch that looks at what its own rung writes: CLICK has looked at it before the first action ran
+(click-facts [scan.conditions])."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ from clickgen.text.source import Span
 CODE = "CG511"
 
 _RESTS = (0, timers.PRESET_MAX)
-"""The values at which a timer stands still: at rest, and where it counts no further (click-facts, section 8)."""
+"""The values at which a timer stands still: at rest, and where it counts no further (click-facts [timer.on-delay])."""
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:

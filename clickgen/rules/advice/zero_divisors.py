@@ -49,7 +49,7 @@ def _register(node: Node) -> Cell | None:
 
 
 def _happens(op: str) -> str:
-    # What is known of a division is in click-facts, section 4; of MOD nothing is.
+    # click-facts [math.division, math.mod-sign]
     if op == "MOD":
         return "MOD by 0 has no result: nobody knows what CLICK puts into"
     return "division by 0: CLICK sets SC40 (_Division_Error) and puts 0 into"

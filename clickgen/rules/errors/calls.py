@@ -1,4 +1,4 @@
-"""Every called subroutine exists; only main calls (click-facts, section 5)."""
+"""Every called subroutine exists; only main calls (click-facts [control.call])."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rung comments stay within CLICK's limit and come out as they were written (click-facts, section 5)."""
+"""Rung comments stay within CLICK's limit and come out as they were written (click-facts [limit.comment])."""
 
 from __future__ import annotations
 

@@ -1,9 +1,10 @@
-"""Compared values are of one class: decimal, hexadecimal or text (click-facts, section 3)."""
+"""Compared values are of one class: decimal, hexadecimal or text (click-facts [compare.classes])."""
 
 from __future__ import annotations
 
 from clickgen.device.banks import BANKS, Kind
 from clickgen.facts.facts import Facts
+from clickgen.facts.kinds import same_kind
 from clickgen.facts.values import range_fault, value_class
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Constant, Integer, Single, Text
@@ -34,7 +35,7 @@ def _check(facts: Facts, compare: Compare, problems: Diagnostics) -> None:
     for constant, other in ((left, right), (right, left)):
         # Any other constant beside a hexadecimal word is hexadecimal by now.
         if isinstance(constant, Integer) and kind_of(other) is Kind.HEX:
-            problems.add("CG302", constant.span, range_fault(constant, Kind.HEX), "the comparison could never change")
+            problems.add("CG302", constant.span, range_fault(constant, Kind.HEX), _word(facts, compare, constant))
             return
     classes = value_class(left), value_class(right)
     if classes[0] != classes[1]:
@@ -42,7 +43,7 @@ def _check(facts: Facts, compare: Compare, problems: Diagnostics) -> None:
             "CG303",
             compare.span,
             f"a {classes[0]} value and a {classes[1]} value cannot be compared",
-            "copy one to a register of the other's kind in a rung before, or write the constant in its form",
+            same_kind(facts, compare),
         )
         return
     for constant, other in ((left, right), (right, left)):
@@ -51,6 +52,15 @@ def _check(facts: Facts, compare: Compare, problems: Diagnostics) -> None:
             problems.add("CG302", constant.span, fault, "the comparison could never change")
         elif isinstance(constant, Text) and len(constant.value) != 1:
             problems.add("CG302", constant.span, "a TXT address holds one character", _search(facts, compare, other))
+
+
+def _word(facts: Facts, compare: Compare, constant: Integer) -> str:
+    """The way out for ``dh.A == -1``: the word with the same bits."""
+    if not -0x8000 <= constant.value < 0:
+        return "the comparison could never change"
+    word = f"0x{constant.value + 0x10000:04X}"
+    left, right = (word if side is constant else facts.text(side.span) for side in (compare.left, compare.right))
+    return f"the comparison could never change; the same bits are {left} {compare.op} {right}"
 
 
 def _search(facts: Facts, compare: Compare, register: Single) -> str:

@@ -1,4 +1,4 @@
-"""Immediate contacts are inputs (click-facts, section 3)."""
+"""Immediate contacts are inputs (click-facts [contact.immediate])."""
 
 from __future__ import annotations
 

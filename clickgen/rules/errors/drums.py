@@ -1,4 +1,4 @@
-"""A drum's lists fit together, and a jump knows its step (click-facts, section 3, "Drums")."""
+"""A drum's lists fit together, and a jump knows its step (click-facts [drum.inputs, drum.lists])."""
 
 from __future__ import annotations
 

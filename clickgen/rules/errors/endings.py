@@ -1,4 +1,7 @@
-"""main has an unconditional end() (C0201); each subroutine ends in an unconditional return (C0105)."""
+"""main has an unconditional end() (C0201); each subroutine ends in an unconditional return (C0105).
+
+click-facts [control.end, control.return]
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Formulas read registers of their own kind: decimal or hexadecimal (click-facts, section 4)."""
+"""Formulas read registers of their own kind: decimal or hexadecimal (click-facts [math.kinds])."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Loops are closed, are in no other loop, and close in a rung of their own (C0103, C0009)."""
+"""Loops are closed, are in no other loop, and close in a rung of their own (C0103, C0009).
+
+click-facts [control.loops, control.next, timer.in-loop]
+"""
 
 from __future__ import annotations
 
@@ -46,7 +49,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 
 def _check_call(facts: Facts, call: Placed, outer: Action, problems: Diagnostics) -> None:
-    """CLICK allows no loop in a loop (C0103). Whether it finds one through a call, no source says."""
+    """CLICK allows no loop in a loop (C0103). Whether it finds one through a call, no source says.
+
+    click-facts [control.loops]
+    """
     name = call.action.word("subroutine")
     inner = next((each for each in facts.actions if each.spec is FOR and each.routine.name == name), None)
     if inner is not None:

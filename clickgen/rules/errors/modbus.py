@@ -1,4 +1,7 @@
-"""What a send or receive moves fits both ends: bits to bits, registers to registers, within Modbus' limits."""
+"""What a send or receive moves fits both ends: bits to bits, registers to registers, within Modbus' limits.
+
+click-facts [message.count, modbus.requests]
+"""
 
 from __future__ import annotations
 
@@ -116,6 +119,7 @@ def _check_manual(remote: Remote, problems: Diagnostics) -> None:
 
 
 def _check_writable(remote: Remote, is_send: bool, problems: Diagnostics) -> None:
+    # click-facts [bank.read-only, message.remote-system]
     if not is_send:
         return
     if isinstance(remote, RemoteModbus) and _register_type(remote) in READ_ONLY_TYPES:

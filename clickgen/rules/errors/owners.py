@@ -1,4 +1,4 @@
-"""One timer or counter number has one instruction (C010A, C010B)."""
+"""One timer or counter number has one instruction (C010A, C010B; click-facts [timer.owner])."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Inputs of boxes: what is left out is never on, and what belongs to an input comes with it."""
+"""Inputs of boxes: what is left out is never on, and what belongs to an input comes with it.
+
+click-facts [counter.forms, drum.inputs, grid.pin-contact]
+"""
 
 from __future__ import annotations
 

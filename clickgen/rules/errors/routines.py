@@ -11,6 +11,7 @@ from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.text.wording import quoted
 
 _MAIN = "main"
+# click-facts [limit.subroutine-names]
 _NAME = re.compile(r"[A-Za-z0-9_ -]+")
 _DEVICES = frozenset(("con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))))
 """Names that Windows, where CLICK runs, takes for devices: no file can have them."""

@@ -1,4 +1,4 @@
-"""A search goes forward through one bank, and compares like with like (click-facts, section 3)."""
+"""A search goes forward through one bank, and compares like with like (click-facts [search.forms])."""
 
 from __future__ import annotations
 

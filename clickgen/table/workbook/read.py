@@ -52,6 +52,7 @@ from clickgen.table.workbook.cells import Cell, Line, Sheet, sheets_of
 from clickgen.table.workbook.titles import HEADER_ROWS, AddressList, Field, lists_of
 from clickgen.table.workbook.values import (
     address_of,
+    addresses_in,
     initial_of,
     is_spare,
     looks_like_address,
@@ -161,6 +162,9 @@ class _Reader:
             return [(Field.ADDRESS, at)] if cells else []
         place = sheet.span(line, at.column)
         address = address_of(at.text)
+        if address is None and (several := addresses_in(at.text)):
+            self._add("CG601", place, _several_addresses(at, several))
+            return []
         if address is None:
             if Field.NICKNAME in cells or (cells and looks_like_address(at.text)):
                 self._add("CG601", place, _no_address(at))
@@ -302,6 +306,8 @@ class _Reader:
         left_out = " and is left out" if is_comment else ""
         message = f"the {what.value} in {spans[0].cell} is {fault}{left_out}{others}"
         way_out = _WAYS_OUT.get(fault, "write what it should say as plain text")
+        if fault.startswith("an error"):
+            way_out += ", or clear the cell; a point without a nickname is SPARE"
         self._add("CG604" if is_comment else "CG601", spans[0], Fault(message, way_out))
 
     def _strange_list(self, sheet: Sheet, line: Line, cell: Cell) -> None:
@@ -375,6 +381,13 @@ def _value_of(address: Address, what: Field, cell: Cell) -> str | bool | Fault:
     if retentive is None:
         return Fault(f"the retentive setting of {address} reads {short(cell.shown)}", "write Yes or No")
     return retention_fault(address, retentive) or retentive
+
+
+def _several_addresses(cell: Cell, named: tuple[str, ...]) -> Fault:
+    return Fault(
+        f"{short(cell.shown)} are several addresses, and a row of a list is one",
+        f"write a row for each of them, {named[0]} and so on to {named[-1]}, with a nickname of its own or SPARE",
+    )
 
 
 def _no_address(cell: Cell) -> Fault:

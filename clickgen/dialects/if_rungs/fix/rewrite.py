@@ -19,6 +19,7 @@ from clickgen.dialects.if_rungs.read.nodes import (
     index_of,
     is_literal,
     keywords,
+    literal,
     name_of,
     terms,
     word,
@@ -39,11 +40,28 @@ def python_logic(node: Node) -> tuple[str, str, Sequence[cst.BaseExpression]] | 
         found = terms(node)
         return ("and", "all", found) if isinstance(node.operator, cst.And) else ("or", "any", found)
     if isinstance(node, cst.UnaryOperation) and isinstance(node.operator, cst.Not | cst.BitInvert):
-        return "not" if isinstance(node.operator, cst.Not) else "~", "nc", [node.expression]
+        is_word = isinstance(node.operator, cst.BitInvert) and _is_number(node.expression)
+        return None if is_word else ("not" if isinstance(node.operator, cst.Not) else "~", "nc", [node.expression])
     if isinstance(node, cst.BinaryOperation) and isinstance(node.operator, cst.BitAnd | cst.BitOr):
         both = [node.left, node.right]
-        return ("&", "all", both) if isinstance(node.operator, cst.BitAnd) else ("|", "any", both)
+        is_and = isinstance(node.operator, cst.BitAnd)
+        # Of two registers one is not zero when any of their bits is on; 1 & 2 is 0, though both are not.
+        if any((is_and or is_literal(term)) and _is_number(term) for term in both):
+            return None
+        return ("&", "all", both) if is_and else ("|", "any", both)
     return None
+
+
+def _is_number(node: Node) -> bool:
+    """True for a word or a number, of which ``&``, ``|`` and ``~`` take the single bits."""
+    if isinstance(node, cst.Attribute | cst.Subscript):
+        bank = BANK_NAMES.get(_bank_of(node))
+        return bank is not None and not bank.is_bit
+    if isinstance(node, cst.BinaryOperation):
+        return _is_number(node.right)
+    if isinstance(node, cst.UnaryOperation):
+        return not isinstance(node.operator, cst.Not) and _is_number(node.expression)
+    return is_literal(node) and not isinstance(literal(node), bool)
 
 
 class Rewritten(NamedTuple):
@@ -79,6 +97,12 @@ def terms_in(node: Node, function: str = "all", wanted: bool = True) -> Iterator
 def has_opposite(context: Context, node: Node) -> bool:
     """True for a single condition whose opposite the language can say."""
     return _Rewriter(context).opposite(node) is not None
+
+
+def opposite_text(context: Context, node: Node) -> str:
+    """The opposite of a single condition; "" where the language has none."""
+    piece = _Rewriter(context).opposite(node)
+    return piece.whole if piece is not None else ""
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,13 @@ from dataclasses import replace
 
 import libcst as cst
 
-from clickgen.dialects.if_rungs.read.conditions import FUNCTIONS, as_condition, fits_condition, read_condition
+from clickgen.dialects.if_rungs.read.conditions import (
+    FUNCTIONS,
+    fits_condition,
+    pin_readings,
+    propose_turned,
+    read_condition,
+)
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.modbus import read_remote, read_target
 from clickgen.dialects.if_rungs.read.nodes import (
@@ -26,6 +32,7 @@ from clickgen.dialects.if_rungs.read.operands import read_operand, shorten
 from clickgen.dialects.if_rungs.read.options import read_options
 from clickgen.dialects.if_rungs.read.places import has_parameters
 from clickgen.dialects.if_rungs.trade import UNITS as UNIT_WORDS
+from clickgen.dialects.if_rungs.ways_out.formulas import is_formula
 from clickgen.dialects.if_rungs.ways_out.hints import own, replaced
 from clickgen.instructions.maths import MATH_HEX
 from clickgen.instructions.spec import Param, ParamKind, Spec
@@ -51,8 +58,8 @@ _COMPARISONS = {
 }
 
 
-def read_argument(context: Context, spec: Spec, param: Param, node: Node) -> Value | None:
-    """The value of one argument; None with problems."""
+def read_argument(context: Context, spec: Spec, param: Param, node: Node, target: str = "") -> Value | None:
+    """The value of one argument; None with problems. ``target`` is where the result goes, as the person wrote it."""
     kind = param.kind
     if kind is ParamKind.OPERAND:
         return read_operand(context, node, spec.signature)
@@ -63,7 +70,7 @@ def read_argument(context: Context, spec: Spec, param: Param, node: Node) -> Val
     if kind is ParamKind.PIN:
         return _read_pin(context, spec, param, node)
     if kind is ParamKind.FORMULA:
-        return _read_formula(context, spec, param, node)
+        return _read_formula(context, spec, param, node, target)
     if kind is ParamKind.OPTIONS:
         return read_options(context, node, spec.signature)
     if kind is ParamKind.TARGET:
@@ -135,25 +142,29 @@ def _read_pin(context: Context, spec: Spec, param: Param, node: Node) -> Value |
     if isinstance(node, cst.Lambda) and not has_parameters(node.params):
         return read_condition(context, node.body)
     condition = node.body if isinstance(node, cst.Lambda) else node
-    is_nothing = literal(condition) is None
-    shown = "c.Name" if is_nothing else as_condition(context, condition) or shorten(context.text(condition))
     fault = f"{param.name!r} of {spec.name} must be a condition behind lambda:"
     fix = None
-    if not isinstance(node, cst.Lambda) and not is_nothing and fits_condition(context, context.text(node)):
+    if not isinstance(node, cst.Lambda) and fits_condition(context, context.text(node)):
         start = context.span(node)
         fix = Fix((Edit(start._replace(end_line=start.line, end_col=start.col), "lambda: "),))
         # Around a condition on several lines the parentheses belong to it.
         fix = fix if start.line == start.end_line else None
-    context.problem("CG115", node, fault, f"write {param.name}=lambda: {shown} in {spec.signature}", fix)
+    readings = [] if context.is_trial else pin_readings(context, condition)
+    shown = [f"{param.name}=lambda: {reading.text}" for reading in readings] or [f"{param.name}=lambda: c.Name"]
+    before = f"{readings[0].rungs}, and " if readings and readings[0].before else ""
+    ways = f"{shown[0]} for all of them, {shown[1]} for one of them," if len(shown) > 1 else shown[0]
+    context.problem("CG115", node, fault, f"{before}write {ways} in {spec.signature}", fix)
+    if readings and fix is None:
+        propose_turned(context, "CG115", node, readings[0])
     return None
 
 
-def _read_formula(context: Context, spec: Spec, param: Param, node: Node) -> Value | None:
+def _read_formula(context: Context, spec: Spec, param: Param, node: Node, target: str) -> Value | None:
     is_hex = spec is MATH_HEX
     if not isinstance(node, cst.BaseExpression) or text_value(node) is None:
         text = _as_formula(context, node)
         quote = "'" if '"' in text else '"'
-        is_right = bool(text) and not ("'" in text and '"' in text) and _is_formula(context, text, is_hex)
+        is_right = bool(text) and not ("'" in text and '"' in text) and is_formula(context, text, is_hex)
         if is_right:
             written = f"{quote}{text}{quote}"
             is_plain = not has_placeholders(node) and _is_plain(node)
@@ -163,7 +174,7 @@ def _read_formula(context: Context, spec: Spec, param: Param, node: Node) -> Val
         return None
     from clickgen.formula import parse_formula
 
-    formula = parse_formula(context.embedded(node), "hex" if is_hex else "decimal", context.problems)
+    formula = parse_formula(context.embedded(node), "hex" if is_hex else "decimal", context.problems, target)
     return FormulaText(formula, context.span(node)) if formula is not None else None
 
 
@@ -188,18 +199,6 @@ def _as_formula(context: Context, node: Node) -> str:
 def _is_bare(part: cst.FormattedStringExpression) -> bool:
     """True for ``{ds.A}`` without a format behind it."""
     return part.format_spec is None and part.conversion is None and part.equal is None
-
-
-def _is_formula(context: Context, text: str, is_hex: bool) -> bool:
-    """True for the text of a formula without a fault."""
-    from clickgen.formula import parse_formula
-
-    trial = context.of_text(f"{text!r}")
-    node = trial.expression()
-    if node is None:
-        return False
-    parsed = parse_formula(trial.embedded(node), "hex" if is_hex else "decimal", trial.problems)
-    return parsed is not None and not trial.problems.found
 
 
 def _is_plain(node: Node) -> bool:

@@ -9,7 +9,7 @@ import libcst as cst
 
 from clickgen.device.banks import READ_ONLY
 from clickgen.dialects.if_rungs.read.arguments import read_argument
-from clickgen.dialects.if_rungs.read.conditions import read_series
+from clickgen.dialects.if_rungs.read.conditions import fits_condition, read_series
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import (
     Node,
@@ -27,7 +27,8 @@ from clickgen.dialects.if_rungs.read.operands import shorten
 from clickgen.dialects.if_rungs.read.options import modifier_of, read_modifier
 from clickgen.dialects.if_rungs.read.searches import read_range_comparison
 from clickgen.dialects.if_rungs.trade import ARGUMENTS
-from clickgen.dialects.if_rungs.ways_out import no_call
+from clickgen.dialects.if_rungs.ways_out import hints, no_call
+from clickgen.dialects.if_rungs.ways_out.misgiven import misgiven
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.data import SEARCH, SEARCH_RANGE
 from clickgen.instructions.spec import REQUIRED, Access, Param, ParamKind, Spec
@@ -128,6 +129,10 @@ class _Call:
 
     def read(self) -> dict[str, Value] | None:
         """The arguments; None with problems."""
+        wrong = misgiven(self._context, self._spec, self._node, partial(fits_action, self._context))
+        if wrong is not None:
+            self._context.problem(wrong.code, wrong.node, wrong.message, wrong.help)
+            return None
         self._bind_positional()
         self._bind_keywords()
         chained = {name for link in self._links if (name := self._bind_link(link))}
@@ -209,7 +214,10 @@ class _Call:
         if not nodes:
             self._fault("CG110", place, f".{method}() needs a condition", f"write .{method}(c.Name) behind")
         elif any(isinstance(node, cst.Lambda) or is_starred(node) for node in nodes):
-            self._fault("CG115", nodes[0], f"the conditions of .{method}(...) stand one by one, without lambda")
+            inner = [node.body if isinstance(node, cst.Lambda) else node for node in nodes]
+            shown = ", ".join(self._context.text(node) for node in inner)
+            hint = f"write .{method}({shown}):" if fits_condition(self._context, f"all({shown})") else ""
+            self._fault("CG115", nodes[0], f"the conditions of .{method}(...) stand one by one, without lambda", hint)
         elif own and (number := whole_number(nodes[-1])) is not None:
             hint = f"write {next(iter(own))}={number}:"
             self._fault("CG115", nodes[-1], f"a number is no condition of .{method}(...)", hint)
@@ -245,7 +253,9 @@ class _Call:
         if modifier and param.name == self._spec.matrix[0]:
             self._read_modified(param, *modifier)
             return
-        value = read_argument(self._context, self._spec, param, node)
+        target = self._bound.get("destination")
+        shown = hints.own(self._context, target) if target is not None else ""
+        value = read_argument(self._context, self._spec, param, node, shown)
         if value is None:
             self._faults += 1
         else:

@@ -24,6 +24,9 @@ from clickgen.dialects.if_rungs.read.nodes import (
 )
 from clickgen.dialects.if_rungs.read.operands import looks_like_address, read_address, read_operand, shorten
 from clickgen.dialects.if_rungs.ways_out import no_condition
+from clickgen.dialects.if_rungs.ways_out.binding import binds_otherwise
+from clickgen.dialects.if_rungs.ways_out.hints import bank_of, is_condition, own
+from clickgen.dialects.if_rungs.ways_out.meant import Meant, meant
 from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real, form_of
 from clickgen.ir.proposals import Proposal
@@ -39,6 +42,8 @@ COMPARISONS: dict[type[Node], str] = {
     cst.GreaterThan: ">",
     cst.GreaterThanEqual: ">=",
 }
+_RANGE_MAX = 8
+"""Of a longer range a message does not name each address."""
 FUNCTIONS = ("all", "any", "nc", "re", "fe")
 _EDGES = {function: edge for edge, function in EDGE_FUNCTIONS.items()}
 _WAY_OUT = "a condition is a bit, a comparison, all(...), any(...), nc(...), re(...) or fe(...)"
@@ -78,11 +83,7 @@ def _read_term(context: Context, node: Node) -> Condition | None:
         return _read_function(context, node, name)
     logic = python_logic(node)
     if logic:
-        rewritten = None if context.is_trial else _rewritten(context, node)
-        help = _WAY_OUT if rewritten or context.is_trial else _in_the_way(context, node)
-        context.problem("CG105", node, f"{logic[0]} is not part of the language", help)
-        if rewritten:
-            context.proposals.append(_proposal(context, "CG105", context.span(node), rewritten))
+        _refuse_logic(context, node, logic[0])
     elif literal(node) is True:
         context.problem(
             "CG107",
@@ -92,15 +93,66 @@ def _read_term(context: Context, node: Node) -> Condition | None:
         )
     else:
         fault = "this call is not a condition" if isinstance(node, cst.Call) else "this is not a condition"
+        if _said_otherwise(context, node, "CG107", fault):
+            return None
         help, fix = no_condition.way_out(context, node, partial(fits_condition, context))
         context.problem("CG107", node, fault, help or _WAY_OUT, fix)
     return None
 
 
+def _refuse_logic(context: Context, node: Node, word: str) -> None:
+    """Python's and, or and not: rewritten where that is plain, said where a rung before is needed."""
+    fault = f"{word} is not part of the language"
+    rewritten = None if context.is_trial else _rewritten(context, node)
+    if rewritten is None and _said_otherwise(context, node, "CG105", fault):
+        return
+    help = _WAY_OUT if rewritten or context.is_trial else _in_the_way(context, node)
+    context.problem("CG105", node, fault, help)
+    if rewritten:
+        context.proposals.append(_proposal(context, "CG105", context.span(node), rewritten))
+
+
+def _said_otherwise(context: Context, node: Node, code: str, fault: str) -> bool:
+    """Report an expression with what it means in the language, where that is certain; False without a word."""
+    said = _meant(context, node)
+    if said is None:
+        return False
+    context.problem(code, node, fault, said.way_out)
+    propose_turned(context, code, node, said)
+    return True
+
+
+def propose_turned(context: Context, code: str, node: Node, said: Meant) -> None:
+    """Have the judge of fixes say it where something that is turned round has no opposite, such as a block."""
+    trial = context.aside()
+    leaves = [_read_term(trial, term) for term in said.turned]
+    turned = tuple(leaf for leaf in leaves if isinstance(leaf, Contact | Compare))
+    if turned:
+        context.proposals.append(Proposal(code, context.span(node), (), "", turned))
+
+
+def pin_readings(context: Context, node: Node) -> list[Meant]:
+    """What an expression can mean as the condition of an input: one thing, for a list two; none where it is open."""
+    fits = partial(fits_condition, context)
+    if literal(node) is True:
+        return [Meant("True", (), ())]
+    return no_condition.readings_of(context, node, fits)
+
+
+def _meant(context: Context, node: Node, wanted: bool = True) -> Meant | None:
+    """What an expression means as a condition; None in a trial, and where that is not certain."""
+    return None if context.is_trial else meant(context, node, partial(fits_condition, context), wanted)
+
+
 def _rewritten(context: Context, node: Node, wanted: bool = True) -> Rewritten | None:
-    """An expression, or its opposite, in the language; None where that would be no condition."""
+    """An expression, or its opposite, in the language; None where that is no condition, or needs a rung before."""
     rewritten = in_language(context, node, wanted)
-    return rewritten if rewritten and fits_condition(context, rewritten.text) else None
+    if rewritten and fits_condition(context, rewritten.text):
+        return rewritten
+    said = None if "#" in context.text(node) else _meant(context, node, wanted)
+    if said is None or said.before or not said.is_exact:
+        return None
+    return Rewritten(said.text, Edit(context.span(node), said.text), said.turned)
 
 
 def _proposal(context: Context, code: str, place: Span, rewritten: Rewritten) -> Proposal:
@@ -130,7 +182,12 @@ def as_condition(context: Context, node: Node) -> str:
     if fits_condition(context, text):
         return text
     rewritten = _rewritten(context, node)
-    return rewritten.text if rewritten is not None and _has_plain_opposites(context, rewritten) else ""
+    if rewritten is None:
+        said = _meant(context, node)
+        if said is None or said.before:
+            return ""
+        rewritten = Rewritten(said.text, Edit(context.span(node), said.text), said.turned)
+    return rewritten.text if _has_plain_opposites(context, rewritten) else ""
 
 
 def rewrites(context: Context, node: Node) -> bool:
@@ -232,9 +289,21 @@ def _refuse_pointer(context: Context, node: Node) -> None:
 
 def _read_comparison(context: Context, node: cst.Comparison) -> Condition | None:
     fits = partial(fits_condition, context)
+    if not context.is_trial and binds_otherwise(context, node):
+        fault = "& and | are not part of the language, and bind before a comparison in Python"
+        if _said_otherwise(context, node, "CG105", fault):
+            return None
     if len(node.comparisons) > 1:
         help, fix = no_condition.unchained(context, node, fits)
+        if fix is None and _said_otherwise(context, node, "CG106", "comparisons do not chain"):
+            return None
         context.problem("CG106", node, "comparisons do not chain", help, fix)
+        return None
+    sides = (node.left, node.comparisons[0].comparator)
+    if any(is_condition(side) and not looks_like_address(side) for side in sides):
+        fault = "a condition is on or off, and is not compared"
+        if not _said_otherwise(context, node, "CG303", fault):
+            context.problem("CG303", node, fault, no_condition.compared_condition(context, node, fits))
         return None
     bit = no_condition.compared_bit(context, node, fits)
     if bit is not None:
@@ -243,9 +312,16 @@ def _read_comparison(context: Context, node: cst.Comparison) -> Condition | None
     target = node.comparisons[0]
     operator = COMPARISONS.get(target.operator.__class__)
     if operator is None:
-        help = no_condition.listed_values(context, node, fits) or "the comparisons: == != < <= > >="
-        context.problem("CG107", node, "CLICK has no such comparison", help)
+        fault = "CLICK has no such comparison"
+        if not _said_otherwise(context, node, "CG107", fault):
+            help = no_condition.searched(context, node, fits) or "the comparisons: == != < <= > >="
+            context.problem("CG107", node, fault, help)
         return None
+    if any(map(_is_calculated, sides)):
+        wrong = next(side for side in sides if _is_calculated(side))
+        fault = f"{shorten(context.text(wrong))} is not an address or a constant"
+        if _said_otherwise(context, node, "CG113", fault):
+            return None
     left = read_operand(context, node.left)
     right = read_operand(context, target.comparator)
     if left is None or right is None:
@@ -266,6 +342,12 @@ def _read_comparison(context: Context, node: cst.Comparison) -> Condition | None
     assert not isinstance(left, Range | Immediate)
     assert not isinstance(right, Range | Immediate)
     return Compare(operator, left, right, context.span(node))
+
+
+def _is_calculated(node: Node) -> bool:
+    """True for what is neither an address nor a constant, which may have a sign."""
+    value = node.expression if isinstance(node, cst.UnaryOperation) else node
+    return not is_literal(value) and not (looks_like_address(value) and value is node)
 
 
 def _refuse_compared(context: Context, node: cst.Comparison, bit: no_condition.ComparedBit) -> None:
@@ -314,18 +396,41 @@ def _read_bit_function(context: Context, node: cst.Call, name: str, argument: No
         _refuse_pointer(context, argument)
         return None
     if not isinstance(operand, Named | Cell | Range | Immediate) or not BANKS[operand.bank].is_bit:
-        way = "compare a register: ds.A == 0" if name == "nc" else "edges belong to bits"
-        context.problem("CG107", argument, f"{name}() takes a bit", way)
+        context.problem("CG107", argument, f"{name}() takes a bit", _of_no_bit(context, name, argument))
         return None
     if name == "nc":
         return Contact(operand, context.span(node), negated=True)
     if isinstance(operand, Range):
-        context.problem("CG107", argument, f"{name}() takes one bit, not a range", f"any({name}(c[1]), {name}(c[2]))")
+        context.problem("CG107", argument, f"{name}() takes one bit, not a range", _each_of(name, operand))
         return None
     if isinstance(operand, Immediate):
-        context.problem("CG308", argument, "an edge contact is never immediate", f"{name}(x[1])")
+        shown = own(context, argument).removesuffix(".immediate")
+        context.problem("CG308", argument, "an edge contact is never immediate", f"write {name}({shown or 'x[1]'})")
         return None
     return Contact(operand, context.span(node), edge=_EDGES[name])
+
+
+def _of_no_bit(context: Context, name: str, argument: Node) -> str:
+    """The way out for ``nc(ds.A)`` and ``re(ds.A)``."""
+    text, bank = own(context, argument), bank_of(argument)
+    if bank is not None and bank.kind is Kind.TEXT:
+        text = f'{text} {"!=" if name == "nc" else "=="} "A"'
+        return f"compare a character: {text}" if name == "nc" else _edge_of(name, text)
+    if name == "nc":
+        return f"compare a register: {text or 'ds.A'} == 0"
+    return f"edges belong to bits; {_edge_of(name, text or 'ds.A')}"
+
+
+def _edge_of(name: str, condition: str) -> str:
+    return f"put the condition on a bit in a rung before, if {condition}: out(c.Edge), and write {name}(c.Edge)"
+
+
+def _each_of(name: str, span: Range) -> str:
+    """``any(re(c[1]), re(c[2]))`` for a range."""
+    dsl = BANKS[span.bank].dsl
+    if len(span) > _RANGE_MAX:
+        return f"write {name}(...) of each bit: {name}({dsl}[{span.first}])"
+    return f"write any({', '.join(f'{name}({dsl}[{address.number}])' for address in span.addresses())})"
 
 
 def _without_function(context: Context, node: cst.Call, name: str, argument: Node) -> tuple[str, Fix | None]:
@@ -339,14 +444,14 @@ def _without_function(context: Context, node: cst.Call, name: str, argument: Nod
             written = rewritten._replace(edit=Edit(context.span(node), rewritten.text))
             context.proposals.append(_proposal(context, "CG107", context.span(argument), written))
             return _WAY_OUT, None
-    if "#" in text or not fits_condition(context, f"all({text})"):
-        return no_condition.way_out(context, argument, partial(fits_condition, context))[0] or f"{name}(c.A)", None
-    turned = {"re": "fe", "fe": "re"}.get(name, "")
-    if (
-        turned
-        and isinstance(argument, cst.Call)
-        and text.startswith("nc(")
-        and fits_condition(context, turned + text[2:])
-    ):
-        return f"write {turned}{text[2:]}", None
-    return f"put the condition on a bit in a rung before, if {text}: out(c.Edge), and write {name}(c.Edge)", None
+    said = None if "#" in text else _meant(context, node)
+    if said is not None:
+        propose_turned(context, "CG107", argument, said)
+        return said.way_out, None
+    asked = text if fits_condition(context, f"all({text})") else as_condition(context, argument)
+    if asked and "#" not in asked:
+        return _edge_of(name, asked), None
+    said = _meant(context, argument)
+    if said is not None and not said.before:
+        return _edge_of(name, said.text), None
+    return no_condition.way_out(context, argument, partial(fits_condition, context))[0] or f"{name}(c.A)", None

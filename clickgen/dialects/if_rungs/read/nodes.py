@@ -261,6 +261,12 @@ def on_one_line(node: Node) -> str:
     return shown
 
 
+def code(node: cst.BaseExpression) -> tuple[str, ...]:
+    """What an expression consists of, without the blanks and comments in it and the parentheses around it."""
+    bare = node.with_changes(lpar=(), rpar=())
+    return tuple(token for token in _tokens(bare) if not token.startswith("#") and token.strip(" \t\f\n\\"))
+
+
 def _tokens(node: Node) -> list[str]:
     state = CodegenState(default_indent="    ", default_newline="\n")
     node._codegen(state)

@@ -27,7 +27,7 @@ MODIFIERS = {f"as_{name.removeprefix('to_')}": name for name in CONVERSIONS}
 
 _FLAGS = ("suppress_zero", "exponential")
 _SETTINGS = (*_FLAGS, "termination_code")
-"""Of to_text (click-facts, section 3)."""
+"""Of to_text (click-facts [copy.to-text])."""
 _CHARACTER_CODE = re.compile(r"\$([0-7][0-9A-Fa-f])")
 
 

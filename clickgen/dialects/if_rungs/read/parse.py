@@ -14,6 +14,7 @@ import tokenize
 import warnings
 from collections.abc import Callable, Iterator
 
+from clickgen.device.project_file import no_program
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.source import FORM_FEED, SourceFile, Span
 
@@ -23,7 +24,8 @@ MAX_DEPTH = 100
 _TERMS_MAX = 1000
 """Terms of one ``and`` or ``or``, and pieces of one string: level for Python and nested for libcst."""
 _BITS_MAX = 64
-"""CLICK's largest integers have 32 bits. Past some thousand digits Python cannot even print one."""
+"""CLICK's largest integers have 32 bits (click-facts [value.integers]). Past some thousand digits Python cannot even
+print one."""
 _LARGEST = "DD holds -2147483648..2147483647; DF holds larger numbers, written 1.0E+12"
 _LONG_NUMBER = re.compile(r"[0-9A-Fa-f_]{17,}")
 """No literal of more than 64 bits is shorter than this in hexadecimal, the densest notation."""
@@ -31,6 +33,11 @@ _LONG_NUMBER = re.compile(r"[0-9A-Fa-f_]{17,}")
 
 def decode(path: str, data: bytes, problems: Diagnostics) -> SourceFile | None:
     """The source file behind these bytes (UTF-8, with or without a byte order mark), or None with a problem."""
+    foreign = no_program(data, path)
+    if foreign is not None:
+        kind, way = foreign
+        problems.add("CG101", Span(path, 1, 1, 1, 2), f"this is {kind}, and no program", way)
+        return None
     data = data.removeprefix(b"\xef\xbb\xbf")
     try:
         text = _lines(data.decode())

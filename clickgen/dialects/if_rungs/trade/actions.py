@@ -2,13 +2,30 @@
 
 from __future__ import annotations
 
-from clickgen.dialects.if_rungs.trade.advice import EDGE, SIZE, TWO_RUNGS, table
+from clickgen.dialects.if_rungs.trade.advice import (
+    CLAMP,
+    EDGE,
+    LATER,
+    LIMIT,
+    LIMITED,
+    LIMITS,
+    MAX,
+    MIN,
+    OTHER_WAY,
+    OWN_SIZE,
+    SELECT,
+    SIZE,
+    TWO_RUNGS,
+    table,
+)
 
 _OUT, _SET, _RESET = ("out(y.Motor)",), ("set(y.Motor)",), ("reset(y.Motor)",)
 _TON, _TOF = "ton(t.Delay, setpoint=5, unit=Ts)", "tof(t.RunOn, setpoint=5, unit=Ts)"
 _RTON = "rton(t.Hours, setpoint=5, unit=Th, reset=lambda: c.Serviced)"
 _CTU, _CTD = "ctu(ct.Parts, setpoint=10, reset=lambda: c.Clear)", "ctd(ct.Left, setpoint=10, reset=lambda: c.Filled)"
 _CTUD = "ctud(ct.Stock, setpoint=10, count_down=lambda: re(x[2]), reset=lambda: c.Clear)"
+_SR = ("if x[2]: reset(c.A)", "if x[1]: set(c.A)", "if x[1]: set(c.A)", "if x[2]: reset(c.A)")
+_RS = ("if x[1]: set(c.A)", "if x[2]: reset(c.A)", "if x[2]: reset(c.A)", "if x[1]: set(c.A)")
 _SUB = "a subroutine stands at the top level: @sub on the line above def fill():, and is called with {}"
 _WAIT = "a scan never waits: start a timer, {}, and let another rung stand on its bit: {}"
 
@@ -41,33 +58,56 @@ ACTIONS = table(
         "",
     ),
     (
-        "sr flipflop",
-        "set and reset are rungs of their own and the later one wins; with set dominant: first {}, then {}",
-        ("if x[2]: reset(c.A)", "if x[1]: set(c.A)"),
+        "sr",
+        f"{LATER} IEC's SR is set dominant: first {{}}, then {{}}; Siemens' SR is reset dominant: {OTHER_WAY}",
+        _SR,
         "",
     ),
     (
         "rs",
-        "set and reset are rungs of their own and the later one wins; with reset dominant: first {}, then {}",
-        ("if x[1]: set(c.A)", "if x[2]: reset(c.A)"),
+        f"{LATER} IEC's RS is reset dominant: first {{}}, then {{}}; Siemens' RS is set dominant: {OTHER_WAY}",
+        _RS,
+        "",
+    ),
+    (
+        "flipflop bistable",
+        f"{LATER} with set dominant: first {{}}, then {{}}; with reset dominant: {OTHER_WAY}",
+        _SR,
+        "",
+    ),
+    ("keep", f"{LATER} KEEP is reset dominant: first {{}}, then {{}}", _RS[:2], ""),
+    (
+        "mps mrd mpp lps lrd lpp",
+        "a branch needs no stack: it is an if under another if, {}",
+        ("if c.A: set(c.B)",),
         "",
     ),
     # Timers and counters
-    ("on_delay ondelay delay_on tond tonx tmr tim sd_timer", "write {}: an on-delay timer", (_TON,), "ton($*)"),
-    ("off_delay offdelay delay_off toff", "write {}: an off-delay timer", (_TOF,), "tof($*)"),
-    ("rto tonr rtot ret_on retentive_timer acc_timer", "write {}: a retentive timer", (_RTON,), "rton($*)"),
+    (
+        "on_delay ondelay delay_on tond tonx tmr tmrf tim timh sd_timer s_odt",
+        "write {}: an on-delay timer",
+        (_TON,),
+        "ton($*)",
+    ),
+    ("off_delay offdelay delay_off toff s_offdt", "write {}: an off-delay timer", (_TOF,), "tof($*)"),
+    (
+        "rto tonr rtot ret_on retentive_timer acc_timer tmra tmraf ttim s_odts",
+        "write {}: a retentive timer",
+        (_RTON,),
+        "rton($*)",
+    ),
     ("timer", "an on-delay timer is {}, an off-delay timer {}, a retentive one {}", (_TON, _TOF, _RTON), ""),
     (
-        "tp pulse pulse_timer monostable",
+        "tp pulse pulse_timer monostable s_pulse s_pext",
         "CLICK has no pulse timer; three rungs make one: {}, {} and {}",
         ("if re(x[1]): set(c.Pulse)", "if c.Pulse: ton(t.PulseTime, setpoint=500)", "if t.PulseTime: reset(c.Pulse)"),
         "",
     ),
     ("wait sleep delay pause dwell", _WAIT, (_TON, "t.Delay"), ""),
-    ("count_up countup cnt_up", "write {}: an up counter", (_CTU,), "ctu($*)"),
-    ("count_down countdown cnt_down", "write {}: a down counter", (_CTD,), "ctd($*)"),
+    ("count_up countup cnt_up s_cu", "write {}: an up counter", (_CTU,), "ctu($*)"),
+    ("count_down countdown cnt_down s_cd", "write {}: a down counter", (_CTD,), "ctd($*)"),
     ("counter count cnt ctr", "a counter counts up, {}, down, {}, or both ways, {}", (_CTU, _CTD, _CTUD), ""),
-    ("count_up_down updown udc", "write {}: a counter for both ways", (_CTUD,), ""),
+    ("count_up_down updown udc cntr s_cud", "write {}: a counter for both ways", (_CTUD,), ""),
     # Copies
     ("mov move movw movd mvw mvd assign let", "write {}: a copy of one value", ("copy(ds.A, ds.B)",), "copy($1, $2)"),
     (
@@ -107,7 +147,7 @@ ACTIONS = table(
     ("mod modulo", "write {}: a remainder", ('calc("ds.A MOD ds.B", ds.C)',), 'calc("$1 MOD $2", $3)'),
     ("neg", "write {}: the opposite number", ('calc("-ds.A", ds.B)',), 'calc("-$1", $2)'),
     ("sqr sqrt", "write {}: a square root", ('calc("SQRT(df.A)", df.B)',), 'calc("SQRT($1)", $2)'),
-    ("abs", SIZE, ("copy(ds.A, ds.Size)", 'if ds.Size < 0: calc("-ds.Size", ds.Size)'), ""),
+    ("abs", SIZE, ("copy(ds.A, ds.Size)", 'if ds.Size < 0: calc("-ds.Size", ds.Size)'), OWN_SIZE),
     ("avg ave average mean", "write {}: a mean value", ('calc("SUM(ds[1:11]) / 10", ds.Mean)',), ""),
     ("sum total", "write {}: a sum", ('calc("SUM(ds[1:11])", ds.Total)',), ""),
     (
@@ -144,6 +184,13 @@ ACTIONS = table(
         ('math_hex("dh.A XOR dh.B", dh.C)',),
         'math_hex("$1 XOR $2", $3)',
     ),
+    (
+        "xnor bxnor wxnr",
+        "write {}: words combined bit by bit",
+        ('math_hex("NOT (dh.A XOR dh.B)", dh.C)',),
+        'math_hex("NOT ($1 XOR $2)", $3)',
+    ),
+    ("zrst", "write {}: a range of bits turned off", ("reset(c[1:9])",), ""),
     ("shl", "write {}: a word shifted to the left", ('math_hex("dh.A SHL 1", dh.B)',), 'math_hex("$1 SHL $2", $3)'),
     ("shr", "write {}: a word shifted to the right", ('math_hex("dh.A SHR 1", dh.B)',), 'math_hex("$1 SHR $2", $3)'),
     ("rol", "write {}: a word rotated to the left", ('math_hex("LRO(dh.A, 1)", dh.B)',), ""),
@@ -158,31 +205,47 @@ ACTIONS = table(
         "max",
         TWO_RUNGS,
         ("if ds.A >= ds.B: copy(ds.A, ds.C)", "if ds.A < ds.B: copy(ds.B, ds.C)"),
-        "",
+        MAX,
     ),
     (
         "min",
         TWO_RUNGS,
         ("if ds.A <= ds.B: copy(ds.A, ds.C)", "if ds.A > ds.B: copy(ds.B, ds.C)"),
-        "",
+        MIN,
     ),
-    ("limit clamp lim", TWO_RUNGS, ("if ds.A < 0: copy(0, ds.A)", "if ds.A > 100: copy(100, ds.A)"), ""),
-    ("sel select", TWO_RUNGS, ("if nc(c.Pick): copy(ds.A, ds.C)", "if c.Pick: copy(ds.B, ds.C)"), ""),
+    ("limit lim", LIMITS, LIMITED, LIMIT),
+    ("clamp", LIMITS, LIMITED, CLAMP),
+    ("sel select", TWO_RUNGS, ("if nc(c.Pick): copy(ds.A, ds.C)", "if c.Pick: copy(ds.B, ds.C)"), SELECT),
     ("mux", "a pointer chooses one of a table: {}", ("copy(ds[ds.Index], ds.C)",), ""),
     # Program control
-    ("jsr gosub cal calls call_sub sbr_call", "write {}: a call of a subroutine", ("call(fill)",), "call($1)"),
+    (
+        "jsr gosub gts sbs cal calls callp call_sub sbr_call",
+        "write {}: a call of a subroutine",
+        ("call(fill)",),
+        "call($1)",
+    ),
     ("sbr subroutine subr function proc", _SUB, ("call(fill)",), ""),
-    ("ret rts rtn", "a subroutine ends in {}", ("return",), ""),
-    ("jmp goto jump lbl label jme", "CLICK has no jumps: put the rungs into a subroutine, and {}", ("call(fill)",), ""),
-    ("mcr mc mcs", "CLICK has no master control: put the condition into each rung, {}", ("all(c.Zone, x[1])",), ""),
+    ("ret rts rtn sret", "a subroutine ends in {}", ("return",), ""),
+    (
+        "jmp goto jump cj lbl label jme",
+        "CLICK has no jumps: put the rungs into a subroutine, and {}",
+        ("call(fill)",),
+        "",
+    ),
+    (
+        "mcr mc mcs mls mlr ilc",
+        "CLICK has no master control: put the condition into each rung, {}",
+        ("all(c.Zone, x[1])",),
+        "",
+    ),
     ("nop noop", "a rung that does nothing holds {}", ("pass",), ""),
     ("afi", "sc[1] is always on, so that a rung under {} never runs", ("nc(sc[1])",), ""),
-    ("tnd fin endc", "write {}: the end of the scan", ("end()",), ""),
+    ("tnd fin fend endc", "write {}: the end of the scan", ("end()",), ""),
     ("next endfor end_for loop_end", "write {}: the end of a loop", ("next_loop()",), ""),
     ("loop repeat forloop", "write {}: a loop", ("for _ in range(ds.Count): pass",), ""),
     # Tables, shift registers, drums, messages
     (
-        "bsl bsr shiftreg shift_register sft",
+        "bsl bsr shiftreg shift_register sft shrb",
         "write {}: a shift register",
         ("shift(c[1:9], clock=lambda: c.Clock, reset=lambda: c.Clear)",),
         "",

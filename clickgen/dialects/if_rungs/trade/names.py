@@ -79,7 +79,8 @@ def bank_hint(name: str, index: str = "") -> str:
 MEMBERS = {
     word: kind
     for words, kind in (
-        ("done dn q qu output out bit done_bit finished expired status is_done on is_on state value_bit", "bit"),
+        ("done dn q qu output out bit done_bit status is_done on is_on state value_bit", "bit"),
+        ("finished expired elapsed_bit timed_out timedout", "expired"),
         ("acc accum accumulator et cv current value val count elapsed elapsed_time current_value present", "current"),
         ("pre preset pt pv sp setpoint", "setpoint"),
         ("en in_ enabled enable ena cu cd", "enabled"),

@@ -8,11 +8,24 @@ from collections.abc import Callable, Sequence
 import libcst as cst
 
 from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
+from clickgen.device.nicknames import nickname_fault
 from clickgen.dialects.if_rungs.read.context import Context, Located
-from clickgen.dialects.if_rungs.read.nodes import ADDRESSES, Node, every, keyword_name, name_of, word
-from clickgen.dialects.if_rungs.trade import ARGUMENTS, MEMBERS, Advice, advice, bank_hint
+from clickgen.dialects.if_rungs.read.nodes import (
+    ADDRESSES,
+    Node,
+    called,
+    every,
+    keyword_name,
+    literal,
+    name_of,
+    terms,
+    whole_number,
+    word,
+)
+from clickgen.dialects.if_rungs.trade import ARGUMENTS, CONDITIONS, MEMBERS, Advice, advice, bank_hint
 from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
-from clickgen.problems.diagnostics import Edit, Fix
+from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.text.source import SourceFile
 
 Fits = Callable[[str], bool]
 """True for code that the language takes in this place."""
@@ -21,9 +34,16 @@ BANK_NAMES = {bank.dsl: bank for bank in BANKS.values()}
 _OWN_MAX = 120
 """So much of a person's own code is repeated in a message."""
 
+_HEX_WORD = re.compile(r"([A-Fa-f][0-9A-Fa-f]{0,7})[hH]")
 _FLAT = re.compile(r"([A-Za-z]+?)([0-9]{1,4}[uU]?)")
+"""A text that may be an address: ``"ds.A"``."""
 _SURE_MEMBERS = frozenset(("done", "dn", "q", "acc", "accum", "accumulator", "et", "cv", "current"))
 """Members of a timer or counter that mean one thing only."""
+
+
+def expression_of(text: str) -> cst.BaseExpression | None:
+    """The expression that a text is; None where it is none."""
+    return Context(SourceFile("", text), Diagnostics()).expression()
 
 
 def own(context: Context, node: Located) -> str:
@@ -65,8 +85,19 @@ def own_code(
     # In a formula an argument that calculates would need parentheses of its own.
     if '"' in found.own and not all(_is_operand(one, "math_hex" in found.own) for one in arguments):
         return ""
-    written = found.written(texts) if all(texts) else ""
-    return written if written and fits(written) else ""
+    written = found.written(texts, is_action=True) if all(texts) else ""
+    actions = [piece.partition(": ")[2] if piece.startswith("if ") else piece for piece in written.split("\n")]
+    return written if written and all(map(fits, actions)) else ""
+
+
+def around_value(word: str, arguments: Sequence[Node]) -> Sequence[Node]:
+    """The limits of LIM around its value, which other functions, such as ``between``, take first."""
+    if len(arguments) != 3 or advice(word, CONDITIONS) != CONDITIONS["lim"]:
+        return arguments
+    registers = [argument for argument in arguments if isinstance(argument, cst.Attribute | cst.Subscript)]
+    value = registers[0] if len(registers) == 1 else arguments[word.lower() == "lim"]
+    low, high = [argument for argument in arguments if argument is not value]
+    return low, value, high
 
 
 def _is_operand(node: Node, is_hex: bool) -> bool:
@@ -115,6 +146,9 @@ def name_hint(name: str) -> str:
     exact = flat_address(name)
     if exact:
         return f"write {exact}"
+    word = _HEX_WORD.fullmatch(name)
+    if word and (not word[1].isalpha() or word[1].isupper() or len(set(word[1])) == 1):
+        return f"a hexadecimal number begins with 0x: 0x{int(word[1], 16):04X}"
     match = _FLAT.fullmatch(name)
     if match and match[1].lower() in BANK_NAMES:
         bank = BANK_NAMES[match[1].lower()]
@@ -129,8 +163,11 @@ def text_hint(value: str, bank: str = "c") -> str:
     exact = flat_address(value)
     if exact:
         return f"write {exact}, without quotes"
+    inner = expression_of(value) if "." in value or "[" in value else None
+    if inner is not None and bank_of(inner) is not None:
+        return f"write {value.strip()}, without quotes"
     shown = f".{value}" if value.isidentifier() else f'["{value}"]'
-    if not value or len(value) > 24 or not value.isprintable() or '"' in value or "\\" in value:
+    if nickname_fault(value) is not None or '"' in value:
         return "an address is written ds[5] or ds.Name, without quotes around it"
     return f"a nickname follows its bank, without quotes around it all: {bank}{shown}"
 
@@ -174,6 +211,50 @@ def has_bits(node: Node) -> bool:
     return any(bank is not None and bank.is_bit for bank in banks)
 
 
+# -- conditions -------------------------------------------------------------------------------------------------------
+
+_ALWAYS = frozenset(("true", "on", "always"))
+_NEVER = frozenset(("false", "off", "never"))
+
+
+def truth_of(node: Node) -> bool | None:
+    """What a value means for a bit: True, 1, on; None for anything else."""
+    value = literal(node)
+    if isinstance(value, int) and value in (0, 1):
+        return bool(value)
+    lower = value.lower() if isinstance(value, str) else name_of(node).lower()
+    return True if lower in _ALWAYS else False if lower in _NEVER else None
+
+
+def is_condition(node: Node) -> bool:
+    """True for what is on or off: a bit, a comparison, a function of conditions, and what joins such."""
+    if isinstance(node, cst.Attribute | cst.Subscript):
+        bank = bank_of(node)
+        return bank is not None and bank.is_bit
+    if isinstance(node, cst.Comparison):
+        return True
+    if isinstance(node, cst.Call):
+        name = called(node)
+        found = advice(name, CONDITIONS)
+        return name in ("all", "any", "nc", "re", "fe") or (found is not None and bool(found.own))
+    if isinstance(node, cst.BooleanOperation):
+        return any(map(is_condition, terms(node)))
+    if isinstance(node, cst.UnaryOperation):
+        return isinstance(node.operator, cst.Not | cst.BitInvert) and is_condition(node.expression)
+    if isinstance(node, cst.BinaryOperation):
+        is_joined = isinstance(node.operator, cst.BitAnd | cst.BitOr | cst.BitXor | cst.Add | cst.Multiply)
+        return is_joined and is_condition(node.left) and is_condition(node.right)
+    return isinstance(node, cst.IfExp) and is_condition(node.body)
+
+
+def number_of(node: Node | None) -> int | None:
+    """A whole number with its sign; None for anything else."""
+    if isinstance(node, cst.UnaryOperation) and isinstance(node.operator, cst.Minus):
+        inner = number_of(node.expression)
+        return None if inner is None else -inner
+    return whole_number(node)
+
+
 # -- members ----------------------------------------------------------------------------------------------------------
 
 
@@ -188,8 +269,10 @@ def member_hint(context: Context, node: cst.Attribute, bank: Bank, rest: str) ->
         text = base
     elif kind == "current":
         text = f"{value}{rest}"
-    elif kind == "timing" and bank.name == "T":
-        text = f"all({value}{rest} > 0, nc({base}))"
+    elif kind in ("timing", "expired") and bank.name == "T":
+        return _while_timing(context, base, f"{value}{rest}", kind), None
+    elif kind == "expired":
+        text = base
     elif bank.is_bit and kind in ("off", "rising", "falling"):
         text = {"off": "nc", "rising": "re", "falling": "fe"}[kind] + f"({base})"
     elif kind == "immediate" and bank.name in ("X", "Y"):
@@ -200,7 +283,7 @@ def member_hint(context: Context, node: cst.Attribute, bank: Bank, rest: str) ->
     elif kind == "enabled" and value:
         return "CLICK has no such bit: test what the rung of the instruction tests", None
     elif kind == "reset" and value:
-        return reset_hint(bank.name, base), None
+        return reset_hint(bank.name, base, timers_of(context, base)), None
     else:
         return "", None
     if value and word(node.attr).lower() in _SURE_MEMBERS:
@@ -208,13 +291,43 @@ def member_hint(context: Context, node: cst.Attribute, bank: Bank, rest: str) ->
     return f"write {text}", fix
 
 
+def timers_of(context: Context, bit: str) -> frozenset[str]:
+    """The instructions of this file that own a timer, as its text has them: ``ton``, ``tof``, ``rton``, ``rtof``."""
+    pattern = rf"\b(r?to[nf])\s*\(\s*(?:timer\s*=\s*)?{re.escape(bit)}\s*[,)]"
+    text = context.source.text
+    return frozenset(
+        found[1].lower()
+        for found in re.finditer(pattern, text, re.IGNORECASE)
+        if "#" not in text[text.rfind("\n", 0, found.start()) + 1 : found.start()]
+    )
+
+
+def _while_timing(context: Context, bit: str, current: str, kind: str) -> str:
+    """How ``t.A.tt`` and ``t.A.expired`` are written, which depends on the instruction that owns the timer.
+
+    The bit of an off-delay is on while it counts and goes off at its end (click-facts [timer.off-delay]).
+    """
+    running = {"ton": f"all({current} > 0, nc({bit}))", "tof": f"all({current} > 0, {bit})"}
+    kept = "a retentive timer keeps its value while its rung is off, so add the condition of that rung"
+    running["rton"] = f"{running['ton']}; {kept}"
+    ended = {"ton": bit, "rton": bit, "tof": f"nc({bit})"}
+    table = running if kind == "timing" else ended
+    owners = {owner.replace("rtof", "tof") for owner in timers_of(context, bit)}
+    if len(owners) == 1:
+        return f"write {table[owners.pop()]}"
+    return f"of an on-delay (ton) write {table['ton']}, of an off-delay (tof) {table['tof']}"
+
+
 def _counter(name: str, setpoint: str) -> str:
     return f"ctu({name}, setpoint={setpoint}, reset=lambda: c.Clear)"
 
 
-def reset_hint(bank: str, shown: str) -> str:
-    """How a timer or a counter is reset: ``reset(t.A)`` does not do it."""
+def reset_hint(bank: str, shown: str, owners: frozenset[str] = frozenset()) -> str:
+    """How a timer or a counter is reset: ``reset(t.A)`` does not do it. ``owners`` are its instructions, if known."""
     if bank in ("CT", "CTD"):
         return f"a counter has an input for its reset: {_counter(shown, '10')}"
     retentive = f"rton({shown}, setpoint=5, unit=Ts, reset=lambda: c.Clear)"
-    return f"a ton is reset when its rung goes off; a retentive timer has an input for it: {retentive}"
+    if owners == {"tof"}:
+        return f"a tof is reset when its rung comes on; a retentive timer has an input for it: {retentive}"
+    plain = "" if owners <= {"ton", "rton"} and owners else ", a tof when it comes on"
+    return f"a ton is reset when its rung goes off{plain}; a retentive timer has an input for it: {retentive}"

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import libcst as cst
 
-from clickgen.device.banks import Bank, Kind
+from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Bank, Kind
 from clickgen.dialects.if_rungs.fix.rewrite import python_logic
 from clickgen.dialects.if_rungs.read.calls import fits_action
 from clickgen.dialects.if_rungs.read.conditions import as_condition, fits_condition, rewrites
@@ -20,13 +22,19 @@ from clickgen.dialects.if_rungs.read.nodes import (
     elements,
     index_of,
     is_literal,
+    is_name,
     literal,
     name_of,
     text_value,
     whole_number,
+    word,
 )
-from clickgen.dialects.if_rungs.trade import ACTIONS, advice
+from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, MEMBERS, advice
+from clickgen.dialects.if_rungs.ways_out.binding import join
 from clickgen.dialects.if_rungs.ways_out.hints import bank_of, has_bits, own, replaced
+from clickgen.dialects.if_rungs.ways_out.meant import meant
+from clickgen.dialects.if_rungs.ways_out.no_call import routine_named
+from clickgen.dialects.if_rungs.ways_out.unwritable import instead, is_known_owner, of_current_value, why_unwritable
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.problems.diagnostics import Edit, Fix, did_you_mean
 
@@ -110,13 +118,28 @@ def _assignment(context: Context, node: cst.Assign | cst.AugAssign | cst.AnnAssi
     bank = bank_of(target)
     shown, text = own(context, target), own(context, value) if value is not None else ""
     general = "to set a value write copy(value, address) or calc(formula, address)"
+    if isinstance(node, cst.AnnAssign) and value is None:
+        rung = _rung(context, target, [node.annotation.annotation])
+        return WayOut(f"write {rung}", "a condition stands in an if") if rung else WayOut(general)
     if len(targets) > 1 or value is None or not text or not shown:
         return WayOut(general)
     if bank is None:
         name = name_of(target)
         return WayOut(_no_variable(name, value, text) if name else general)
+    member = _current_value_of(context, target)
+    if member and isinstance(node, cst.Assign) and fits_action(context, f"copy({text}, {member})"):
+        return WayOut(f"write copy({text}, {member})", f"{shown} is written {member} here")
+    if why_unwritable(target):
+        return _unwritable(context, node, target, value, text)
     if bank.is_bit and isinstance(node, cst.Assign):
         return _bit(context, node, shown, value, text)
+    if (
+        bank.name in CURRENT_VALUE_OF
+        and isinstance(node, cst.Assign)
+        and fits_action(context, f"copy({text}, {shown})")
+    ):
+        fix = replaced(context, node, f"copy({text}, {shown})", is_safe=False)
+        return WayOut(of_current_value(context, target, text), fix=fix if is_known_owner(context, target) else None)
     if isinstance(node, cst.AugAssign):
         return _counted(context, node, bank, shown, text)
     written = f"copy({text}, {shown})"
@@ -127,6 +150,11 @@ def _assignment(context: Context, node: cst.Assign | cst.AugAssign | cst.AnnAssi
         return WayOut(
             f"a bit becomes a number in two rungs: if {text}: copy(1, {shown}) and if nc({text}): copy(0, {shown})"
         )
+    chosen = advice(called(value), FORMULAS)
+    if isinstance(value, cst.Call) and chosen is not None and chosen.has_several:
+        written = chosen.written([own(context, one) for one in arguments(value)], shown)
+        if written:
+            return WayOut(chosen.of(written))
     written = formula_call(bank, text, shown)
     if written and not has_bits(value) and fits_action(context, written):
         return WayOut(f"write {written}", fix=replaced(context, node, written, is_safe=False))
@@ -175,10 +203,13 @@ def _is_exact(bank: Bank, value: Node) -> bool:
     return bank_of(value) is bank
 
 
+STATES = {"true": "set", "1": "set", "on": "set", "false": "reset", "0": "reset", "off": "reset"}
+"""What a bit is given, and the instruction that does it."""
+
+
 def _bit(context: Context, node: cst.Assign, shown: str, value: Node, text: str) -> WayOut:
     """A bit that is assigned: turned on or off, or driven by what is on the right."""
-    word = str(literal(value)) if is_literal(value) else text
-    state = {"true": "set", "1": "set", "on": "set", "false": "reset", "0": "reset", "off": "reset"}.get(word.lower())
+    state = _state(value, text)
     if state == "set":
         ways = f"write set({shown}) to turn it on until it is reset, or out({shown}) to have it follow the rung"
         fix = replaced(context, node, f"set({shown})", is_safe=False)
@@ -187,6 +218,42 @@ def _bit(context: Context, node: cst.Assign, shown: str, value: Node, text: str)
         return WayOut(f"write reset({shown})", fix=replaced(context, node, f"reset({shown})", is_safe=False))
     condition = _as_it_is(context, value) or "c.A"
     return WayOut(f"drive it under its condition: if {condition}: out({shown})")
+
+
+def _state(value: Node, text: str) -> str:
+    """``set`` or ``reset`` for a value that a bit is given; "" for any other."""
+    word = str(literal(value)) if is_literal(value) else text
+    return STATES.get(word.lower(), "")
+
+
+def _unwritable(
+    context: Context, node: cst.Assign | cst.AugAssign | cst.AnnAssign, target: Node, value: Node, text: str
+) -> WayOut:
+    """An assignment to what nothing in a program writes: ``x[1] = 1``."""
+    message = f"{own(context, target)} is {why_unwritable(target)}: no instruction writes it"
+    bank = bank_of(target)
+    if bank is not None and not bank.is_bit:
+        if isinstance(node, cst.AugAssign):
+            formula = f"{own(context, target)} {_SIGNS.get(node.operator.__class__, '')} {text}"
+            written = formula_call(bank, formula, "dh.Name" if bank.kind is Kind.HEX else "ds.Name")
+            if written and fits_action(context, written):
+                return WayOut(f"write a register of the program: {written}", message)
+        fits = fits_action(context, f"copy({text}, dd.Name)") and bank_of(value) is not bank
+        return WayOut(instead(context, target, "copy", text if fits else ""), message)
+    state = _state(value, text)
+    if state:
+        return WayOut(instead(context, target, state), message)
+    condition = _as_it_is(context, value) or "c.A"
+    return WayOut(f"{instead(context, target, 'out')}, in a rung of its own: if {condition}: out(c.Name)", message)
+
+
+def _current_value_of(context: Context, target: Node) -> str:
+    """``td[1]`` for ``t[1].acc``; "" for anything else."""
+    if not isinstance(target, cst.Attribute) or MEMBERS.get(word(target.attr).lower()) != "current":
+        return ""
+    owner = bank_of(target.value)
+    value = VALUE_BANK.get(owner.name, "").lower() if owner is not None else ""
+    return value + own(context, target.value)[len(owner.dsl) :] if owner is not None and value else ""
 
 
 def _no_variable(name: str, value: Node, text: str) -> str:
@@ -213,12 +280,19 @@ def _no_variable(name: str, value: Node, text: str) -> str:
 
 def _expression(context: Context, node: cst.Expr) -> WayOut:
     value = node.value
-    if name_of(value):
-        return _word(name_of(value))
+    if is_name(value):
+        routine = routine_named(context, name_of(value))
+        return WayOut(f"write call({routine})") if routine else _word(name_of(value))
+    acted = driven(context, value)
+    if acted:
+        return WayOut(f"write {acted}", "an action stands under its condition, not behind it")
     if isinstance(value, cst.BinaryOperation) and isinstance(value.operator, cst.FloorDivide):
         return _slashes(context, value)
     if text_value(value) is not None:
         return WayOut("a comment begins with #; directly above the rung it is the rung's comment in CLICK")
+    bare = _bare_call(context, value)
+    if bare:
+        return WayOut(f"write {bare}", "an instruction has its arguments in parentheses")
     if isinstance(value, cst.Tuple | cst.List) and all(isinstance(one, cst.Call) for one in elements(value)):
         return WayOut("each action stands on a line of its own, without commas between them")
     if isinstance(value, cst.ListComp | cst.GeneratorExp | cst.SetComp | cst.DictComp):
@@ -236,6 +310,66 @@ def _expression(context: Context, node: cst.Expr) -> WayOut:
     if condition:
         return WayOut(f"a condition stands in an if: write if {condition}:")
     return WayOut()
+
+
+def driven(context: Context, value: cst.BaseExpression) -> str:
+    """``x[1] and out(y[1])`` and ``out(y[1]) if x[1] else None`` as rungs; "" for anything else."""
+    if isinstance(value, cst.IfExp):
+        rungs = [
+            _rung(context, value.test, [action], holds)
+            for holds, action in ((True, value.body), (False, value.orelse))
+            if not is_literal(action)
+        ]
+        return " and ".join(rungs) if all(rungs) else ""
+    logic = ("", "all", elements(value)) if isinstance(value, cst.Tuple) else python_logic(value)
+    if logic is None or logic[1] == "nc":
+        return ""
+    terms = [term for part in logic[2] for term in _flat_terms(part, logic[1])]
+    actions = [term for term in terms if _action(context, term)]
+    asked = [term for term in terms if term not in actions]
+    if not actions:
+        return ""
+    if not asked:
+        return " and on a line of its own ".join(_action(context, action) for action in actions)
+    test = join(context, cst.Or if logic[1] == "any" else cst.And, asked)
+    # Python goes on behind an or where the condition before it does not hold.
+    return _rung(context, test, actions, logic[1] == "all")
+
+
+def _flat_terms(node: cst.BaseExpression, function: str) -> Iterator[cst.BaseExpression]:
+    logic = python_logic(node)
+    if logic and logic[1] == function:
+        for term in logic[2]:
+            yield from _flat_terms(term, function)
+    else:
+        yield node
+
+
+def _action(context: Context, node: Node) -> str:
+    """The action that a call is: ``OUT(y[1])`` as ``out(y[1])``, ``fill()`` as ``call(fill)``; "" for none."""
+    name, text = called(node), own(context, node)
+    if not isinstance(node, cst.Call) or not name:
+        return ""
+    routine = "" if node.args else routine_named(context, name)
+    text = f"call({routine})" if routine else name.lower() + text.removeprefix(name) if text else ""
+    return text if text and fits_action(context, text) else ""
+
+
+def _rung(context: Context, test: Node, actions: Sequence[Node], wanted: bool = True) -> str:
+    """``if x[1]: out(y[1])``; "" where one of the parts is none."""
+    said = meant(context, test, partial(fits_condition, context), wanted)
+    texts = [_action(context, action) for action in actions]
+    return f"if {said.text}: {'; '.join(texts)}" if said is not None and not said.before and all(texts) else ""
+
+
+def _bare_call(context: Context, value: cst.BaseExpression) -> str:
+    """``copy(-1, ds.A)`` for ``copy -1, ds.A``, which Python reads as a subtraction; "" for anything else."""
+    first = elements(value)[0] if isinstance(value, cst.Tuple) and value.elements else value
+    if not isinstance(first, cst.BinaryOperation) or not isinstance(first.operator, cst.Subtract):
+        return ""
+    name, text = name_of(first.left), own(context, value)
+    written = f"{name}({text.removeprefix(name).strip()})"
+    return written if name in INSTRUCTIONS and text and fits_action(context, written) else ""
 
 
 _CONDITIONS = (
@@ -259,6 +393,9 @@ def _word(name: str) -> WayOut:
     if lower in ENDINGS:
         return WayOut("an if ends where its lines stop being indented: leave this out")
     found = advice(lower, ACTIONS)
+    asked = None if found else advice(lower, CONDITIONS)
+    if asked is not None:
+        return WayOut(f"a condition stands in the if: {asked.shown}")
     return WayOut(found.shown if found else did_you_mean(name, (*INSTRUCTIONS, "return", "pass")))
 
 

@@ -18,6 +18,7 @@ from clickgen.dialects.if_rungs.ways_out.hints import (
     own_code,
     replaced,
     reset_hint,
+    timers_of,
     trade_advice,
 )
 from clickgen.instructions import INSTRUCTIONS
@@ -55,7 +56,7 @@ def no_instruction(context: Context, node: cst.Call, fits: Fits) -> tuple[str, F
         text = _renamed(context, node, lower)
         fix = replaced(context, func, lower, is_safe=True)
         return f"it is written in small letters: {text or INSTRUCTIONS[lower].signature}", fix
-    routine = _routine(context, name)
+    routine = routine_named(context, name)
     if routine and not (given and lower in ACTIONS):
         fix = replaced(context, node, f"call({routine})", is_safe=routine == name and not node.args)
         return f"a subroutine is called with call({routine})", fix
@@ -67,7 +68,8 @@ def no_instruction(context: Context, node: cst.Call, fits: Fits) -> tuple[str, F
         return f"{lower}(...) is a condition: write if {own(context, node) or f'{lower}(c.A)'}:", None
     bank = _bank_of(context, given[0]) if given else None
     if lower in _RESETS and bank is not None and bank.name in ("T", "CT"):
-        return reset_hint(bank.name, own(context, given[0])), None
+        shown = own(context, given[0])
+        return reset_hint(bank.name, shown, timers_of(context, shown)), None
     told = trade_advice(context, name, ACTIONS, given, fits, keywords(node))
     if told:
         return told, _rename(context, node, name, fits)
@@ -85,7 +87,8 @@ def _renamed(context: Context, node: cst.Call, name: str) -> str:
 def _rename(context: Context, node: cst.Call, name: str, fits: Fits) -> Fix | None:
     """The fix that writes a word of the trade as it is called here, with the same arguments."""
     found = advice(name, ACTIONS)
-    text = own_code(context, found, arguments(node), fits, keywords(node)) if found else ""
+    is_one = found is not None and not found.has_several
+    text = own_code(context, found, arguments(node), fits, keywords(node)) if found and is_one else ""
     span = context.span(node)
     return replaced(context, node, text, is_safe=False) if text and span.line == span.end_line else None
 
@@ -111,12 +114,12 @@ def _of_address(context: Context, node: cst.Call, func: cst.Attribute, fits: Fit
             return f"an instruction is called, and the address is its argument: {text}"
         bank = _bank_of(context, holder)
         if name == "reset" and bank is not None and bank.name in ("T", "CT"):
-            return reset_hint(bank.name, own(context, holder))
+            return reset_hint(bank.name, own(context, holder), timers_of(context, own(context, holder)))
     told = trade_advice(context, word(func.attr), ACTIONS, (), fits)
     return told or f"an instruction is called by its name alone: {INSTRUCTIONS['out'].example}; {_LIST}"
 
 
-def _routine(context: Context, name: str) -> str:
+def routine_named(context: Context, name: str) -> str:
     """The function of this file, or one that it imports, which a call means; "" for none."""
     word = re.escape(name)
     text = context.source.text

@@ -10,32 +10,48 @@ from typing import NamedTuple
 import libcst as cst
 
 from clickgen.device.banks import BANKS
+from clickgen.device.nicknames import nickname_fault
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import (
     ADDRESSES,
     Node,
+    arguments,
     called,
     comparison,
     elements,
     index_of,
     is_literal,
+    is_name,
     literal,
     name_of,
     text_value,
-    values,
     whole_number,
     word,
 )
 from clickgen.dialects.if_rungs.read.operands import address_hint
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, advice
-from clickgen.dialects.if_rungs.ways_out.hints import Fits, bank_of, has_bits, own, own_advice, replaced, trade_advice
+from clickgen.dialects.if_rungs.ways_out.hints import (
+    Fits,
+    around_value,
+    bank_of,
+    flat_address,
+    has_bits,
+    is_condition,
+    number_of,
+    own,
+    own_advice,
+    replaced,
+    trade_advice,
+    truth_of,
+)
+from clickgen.dialects.if_rungs.ways_out.meant import SIGNS, Meant, meant
+from clickgen.dialects.if_rungs.ways_out.no_call import routine_named
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.ir.operands import Immediate, Operand, Range
-from clickgen.problems.diagnostics import Edit, Fix, did_you_mean
+from clickgen.problems.diagnostics import Diagnostics, Edit, Fix, did_you_mean
+from clickgen.text.source import SourceFile
 
 _FUNCTIONS = ("all", "any", "nc", "re", "fe")
-_ALWAYS = frozenset(("true", "on", "always"))
-_NEVER = frozenset(("false", "off", "never"))
 _SIGNS = {"==": True, "!=": False, "is": True, "is not": False}
 _COMPARED: dict[type[Node], str] = {
     cst.Equal: "==",
@@ -47,6 +63,10 @@ _COMPARED: dict[type[Node], str] = {
     cst.GreaterThan: ">",
     cst.GreaterThanEqual: ">=",
 }
+_NO_CALCULATION = (
+    'a condition does not calculate: put a rung before it, if True: calc("ds.A * 2", dd.Result), '
+    "and write dd.Result > 5"
+)
 _RANGE_MAX = 8
 """Of a longer range a message does not name each address."""
 
@@ -55,20 +75,19 @@ def way_out(context: Context, node: Node, fits: Fits) -> tuple[str, Fix | None]:
     """The way out for an expression that is no condition, and a fix where the meaning is certain."""
     if context.is_trial:
         return "", None
+    name = name_of(node)
     if isinstance(node, cst.Call):
         return _called(context, node, fits)
-    name, value = name_of(node), literal(node)
-    meant = name.lower()
-    if value in (0, 1, False):
-        meant = "true" if value == 1 else "false"
-    if meant in _ALWAYS or meant in _NEVER:
-        return CONDITIONS["always" if meant in _ALWAYS else "never"].shown, None
-    if isinstance(node, cst.Tuple | cst.List):
-        texts = [own(context, element) for element in elements(node)]
-        series, parallel = (f"{function}({', '.join(texts)})" for function in ("all", "any"))
-        return (
-            (f"in series write {series}, in parallel {parallel}", None) if all(texts) and fits(series) else ("", None)
-        )
+    truth = truth_of(node)
+    if truth is not None:
+        return CONDITIONS["always" if truth else "never"].shown, None
+    readings = readings_of(context, node, fits)
+    if len(readings) == 2:
+        return f"in series write {readings[0].text}, in parallel {readings[1].text}", None
+    if readings and is_literal(node):
+        return f"a condition stands without quotes: {readings[0].way_out}", None
+    if literal(node) is None:
+        return "a rung that always runs stands under if True:", None
     if isinstance(node, cst.Lambda):
         text = own(context, node.body)
         return (f"lambda: is for the inputs of a box; write {text} alone" if fits(text) else ""), None
@@ -79,31 +98,70 @@ def way_out(context: Context, node: Node, fits: Fits) -> tuple[str, Fix | None]:
     known = advice(name, CONDITIONS) if name else None
     if known is not None:
         return known.shown, None
+    routine = routine_named(context, name) if name else ""
+    if routine:
+        return f"a subroutine is called under the if: call({routine})", None
     if name and not address_hint(node):
         return f"a nickname follows its bank: x.{name}, y.{name} or c.{name}", None
     return address_hint(node), None
 
 
+def readings_of(context: Context, node: Node, fits: Fits) -> list[Meant]:
+    """What an expression can mean as a condition: one thing, for a list two; none where nothing is certain."""
+    if isinstance(node, cst.Tuple | cst.List) and len(node.elements) > 1:
+        terms = [meant(context, element, fits) for element in elements(node)]
+        kept = [term for term in terms if term is not None and not term.before]
+        texts = ", ".join(term.text for term in kept)
+        turned = tuple(leaf for term in kept for leaf in term.turned)
+        return [Meant(f"{name}({texts})", turned, ()) for name in ("all", "any")] if len(kept) == len(terms) else []
+    quoted = text_value(node)
+    if quoted is not None:
+        text = _unquoted(quoted, fits)
+        return [Meant(text, (), ())] if text else []
+    said = meant(context, node, fits)
+    return [said] if said is not None else []
+
+
+def _unquoted(value: str, fits: Fits) -> str:
+    """The condition that somebody put in quotes: ``"x[2]"``, ``"c.A and c.B"``, ``"Reset"``; "" for another text."""
+    context = Context(SourceFile("", value), Diagnostics())
+    flat, inner = flat_address(value), context.expression()
+    if flat:
+        return flat if fits(flat) else ""
+    if is_name(inner) or nickname_fault(value) is None:
+        cell = f"c.{value}" if value.isidentifier() else f'c["{value}"]'
+        return cell if nickname_fault(value) is None and fits(cell) else ""
+    if inner is None or is_literal(inner):
+        return ""
+    said = meant(context, inner, fits)
+    return said.text if said is not None and not said.before and not said.turned else ""
+
+
 def _called(context: Context, node: cst.Call, fits: Fits) -> tuple[str, Fix | None]:
-    func, given = node.func, values(node)
+    func, given = node.func, arguments(node)
     if isinstance(func, cst.Attribute | cst.Subscript):
         text = own(context, func)
         if not given and text and fits(text):
             return f"an address is not called: write {text}", None
         if isinstance(func, cst.Attribute):
-            return trade_advice(context, word(func.attr), CONDITIONS, (func.value, *given), fits), None
+            method = word(func.attr)
+            return trade_advice(context, method, CONDITIONS, around_value(method, (func.value, *given)), fits), None
         return "", None
     name = called(node)
     lower = name.lower()
     if lower in _FUNCTIONS:
         return f"it is written in small letters: {lower}(...)", replaced(context, func, lower, is_safe=True)
-    told = trade_advice(context, name, CONDITIONS, given, fits)
+    told = trade_advice(context, name, CONDITIONS, around_value(name, given), fits)
     if told:
         return told, None
+    routine = routine_named(context, name)
+    if routine:
+        return f"a subroutine is called under the if: call({routine})", None
     if lower in INSTRUCTIONS or lower in ACTIONS:
         spec = INSTRUCTIONS.get(lower)
         found = advice(lower, ACTIONS)
         shown = spec.example if spec else found.code[0] if found and found.code else ""
+        shown = own(context, node) if name in INSTRUCTIONS and node.args and own(context, node) else shown
         return f"an action stands under the if, not in it: {shown}", None
     return address_hint(node) or did_you_mean(name, _FUNCTIONS), None
 
@@ -114,22 +172,9 @@ def _calculation(context: Context, node: cst.BinaryOperation, fits: Fits) -> tup
     if isinstance(node.operator, cst.Subtract) and isinstance(left, cst.Attribute) and right:
         return f"CLICK takes no - in a nickname: write {own(context, left)}_{right}", None
     if has_bits(node):
-        return _algebra(context, node, fits), None
-    text = own(context, node)
-    if not text or "'" in text:
-        return "", None
-    quote = "'" if '"' in text else '"'
-    return f"calculate it in a rung before, calc({quote}{text}{quote}, ds.Result), and test ds.Result != 0", None
-
-
-def _algebra(context: Context, node: cst.BinaryOperation, fits: Fits) -> str:
-    """``c.A + c.B`` and ``c.A * c.B``, as boolean algebra writes or and and."""
-    function = _ALGEBRA.get(node.operator.__class__)
-    text = f"{function}({own(context, node.left)}, {own(context, node.right)})"
-    return f"bits do not calculate; write {text}" if function and fits(text) else ""
-
-
-_ALGEBRA: dict[type[Node], str] = {cst.Add: "any", cst.Multiply: "all"}
+        series, parallel = (f"{name}({own(context, left)}, {own(context, node.right)})" for name in ("all", "any"))
+        return f"bits do not calculate; in series write {series}, in parallel {parallel}" if fits(series) else "", None
+    return _NO_CALCULATION, None
 
 
 # -- comparisons ------------------------------------------------------------------------------------------------------
@@ -191,7 +236,9 @@ def compared_bit(context: Context, node: cst.Comparison, fits: Fits) -> Compared
     is_terminal = isinstance(left, cst.Attribute) and word(left.attr) == "immediate" and _is_bit(left.value)
     if bank is not None and not bank.is_bit and isinstance(state, bool):
         return ComparedBit(f"write {text} {'!=' if state is _SIGNS.get(sign, True) else '=='} 0")
-    if bank is None or not (_is_bit(left) or (is_terminal and _truth(right) is not None)) or not fits(text):
+    if bank is not None and bank.is_bit and not _is_bit(left) and truth_of(right) is not None and fits(text):
+        return ComparedBit(_compared_bits(left, text, truth_of(right) is _SIGNS.get(sign, True)))
+    if bank is None or not (_is_bit(left) or (is_terminal and truth_of(right) is not None)) or not fits(text):
         return None
     if _is_bit(right):
         other = own(context, right)
@@ -203,7 +250,7 @@ def compared_bit(context: Context, node: cst.Comparison, fits: Fits) -> Compared
         return ComparedBit(
             f"write {written}" if sign in _SIGNS and text and other and fits(written) else bit_help(text)
         )
-    value = _truth(right)
+    value = truth_of(right)
     if value is None or sign not in _SIGNS or not text:
         current = {"T": "td", "CT": "ctd"}.get(bank.name)
         if current and sign and text:
@@ -218,17 +265,21 @@ def compared_bit(context: Context, node: cst.Comparison, fits: Fits) -> Compared
     return ComparedBit(f"write {wanted}", fix, None if wanted == text else left)
 
 
+def _compared_bits(node: Node, text: str, is_on: bool) -> str:
+    """The way out for ``c[1:3] == True``; all of them off and not all of them on are two things."""
+    index = index_of(node) if isinstance(node, cst.Subscript) else None
+    if is_on or not isinstance(index, cst.Slice):
+        return f"write {text}" if is_on else bit_help(text)
+    bank, one = bank_of(node), ""
+    start, stop = number_of(index.lower), number_of(index.upper)
+    if bank is not None and start is not None and stop is not None:
+        cells = [f"nc({bank.dsl}[{number}])" for number in range(start, stop)]
+        one = f", any({', '.join(cells)}) where one of them is to be off" if 1 < len(cells) <= _RANGE_MAX else ""
+    return f"write nc({text}) where all of them are to be off{one}"
+
+
 def bit_help(text: str) -> str:
     return f"write {text or 'c.A'} where it is to be on, nc({text or 'c.A'}) where it is to be off"
-
-
-def _truth(node: Node) -> bool | None:
-    """What a value means for a bit: True, 1, on; None for anything else."""
-    value = literal(node)
-    if isinstance(value, int) and value in (0, 1):
-        return bool(value)
-    lower = value.lower() if isinstance(value, str) else name_of(node).lower()
-    return True if lower in _ALWAYS else False if lower in _NEVER else None
 
 
 def _is_bit(node: Node) -> bool:
@@ -239,19 +290,28 @@ def _is_bit(node: Node) -> bool:
     return bank is not None and bank.is_bit and bool(name_of(getattr(node, "value", None)))
 
 
-def listed_values(context: Context, node: cst.Comparison, fits: Fits) -> str:
-    """``ds.A in (1, 2)`` as ``any(ds.A == 1, ds.A == 2)``; "" for any other comparison."""
-    operator, listed = node.comparisons[0].operator, node.comparisons[0].comparator
-    left = own(context, node.left)
-    if isinstance(operator, cst.Is | cst.IsNot):
-        sign = "==" if isinstance(operator, cst.Is) else "!="
-        text = f"{left} {sign} {own(context, listed)}"
-        return f"write {text}" if fits(text) else ""
-    if not isinstance(operator, cst.In | cst.NotIn) or not isinstance(listed, cst.Tuple | cst.List | cst.Set):
+def searched(context: Context, node: cst.Comparison, fits: Fits) -> str:
+    """``ds.A in ds[1:50]`` by a search; "" for any other comparison."""
+    operator, span = node.comparisons[0].operator, node.comparisons[0].comparator
+    if not isinstance(operator, cst.In | cst.NotIn) or not isinstance(span, cst.Subscript | cst.Attribute):
         return ""
-    sign, function = ("==", "any") if isinstance(operator, cst.In) else ("!=", "all")
-    text = f"{function}({', '.join(f'{left} {sign} {own(context, value)}' for value in elements(listed))})"
-    return f"write {text}" if len(text) < 200 and fits(text) else ""
+    left, found = own(context, node.left), "c.Found" if isinstance(operator, cst.In) else "nc(c.Found)"
+    bank = bank_of(span)
+    if bank is None or bank.is_bit or not left or not fits(f"all({left} == 0)"):
+        return ""
+    search = f"search({own(context, span)} == {left}, result=ds.FoundAt, found=c.Found)"
+    return f"put a rung before it, if True: {search}, and write {found}"
+
+
+def compared_condition(context: Context, node: cst.Comparison, fits: Fits) -> str:
+    """The way out for ``re(x[1]) == False``, and other conditions of which the language has no opposite."""
+    operator, right = node.comparisons[0].operator, node.comparisons[0].comparator
+    sides = [side for side in (node.left, right) if is_condition(side)]
+    other = right if sides[0] is node.left else node.left
+    said, truth = meant(context, sides[0], fits), truth_of(other)
+    if said is None or said.before or operator.__class__ not in SIGNS or truth is None:
+        return "a condition is written alone; for its opposite put it on a bit: if c.A: out(c.Result), and nc(c.Result)"
+    return f"put it on a bit in a rung before, if {said.text}: out(c.Result), and write nc(c.Result)"
 
 
 def compared_range(context: Context, node: cst.Comparison, side: Operand, fits: Fits) -> str:

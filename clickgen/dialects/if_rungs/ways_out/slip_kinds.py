@@ -17,7 +17,7 @@ from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import elements
 from clickgen.dialects.if_rungs.trade import ACTIONS, UNITS, advice, bank_hint
 from clickgen.dialects.if_rungs.ways_out.hints import BANK_NAMES, bit_of_word
-from clickgen.dialects.if_rungs.ways_out.misplaced import way_out
+from clickgen.dialects.if_rungs.ways_out.misplaced import STATES, way_out
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.durations import in_units
 
@@ -52,7 +52,7 @@ class Line(NamedTuple):
 _HEAD = re.compile(r"\s*(?:if|elif|while)\b\s*", re.IGNORECASE)
 
 
-def _condition(line: Line, text: str) -> str:
+def condition_of(line: Line, text: str) -> str:
     """``write if all(...):`` for the text of an if without its slip; what is wrong with it then, or ""."""
     expression = text.strip().rstrip(":;").strip()
     context = line.context.of_text(expression, is_trial=False)
@@ -66,7 +66,7 @@ def _condition(line: Line, text: str) -> str:
     return fault.help if fault else ""
 
 
-def _without(line: Line, edits: list[tuple[int, int, str]]) -> str:
+def without(line: Line, edits: list[tuple[int, int, str]]) -> str:
     """The text of the line after these edits."""
     parts, done = [], 0
     for start, end, new in edits:
@@ -75,7 +75,7 @@ def _without(line: Line, edits: list[tuple[int, int, str]]) -> str:
     return "".join([*parts, line.text[done:]])
 
 
-def _after_head(text: str) -> str:
+def after_head(text: str) -> str:
     head = _HEAD.match(text)
     rest = text[head.end() :] if head else ""
     comment = re.search(r":\s*#", rest)
@@ -101,7 +101,7 @@ def logic(line: Line, match: re.Match[str]) -> Told:
     if _binds_otherwise(line.code):
         way = "write what belongs together with all(...) in series, any(...) in parallel and nc(...) for the opposite"
         return Told(f"{match[0]} is not part of the language", way, match.span())
-    help = _condition(line, _after_head(_without(line, edits)))
+    help = condition_of(line, after_head(without(line, edits)))
     general = "in series write all(c.A, c.B), in parallel any(c.A, c.B), for the opposite nc(c.A)"
     return Told(
         f"{match[0]} is not part of the language",
@@ -128,7 +128,7 @@ def comparison(*pairs: tuple[str, str]) -> Callable[[Line, re.Match[str]], Told]
     def tell(line: Line, match: re.Match[str]) -> Told:
         sign = table[match[0]]
         edit = (*match.span(), sign)
-        help = _condition(line, _after_head(_without(line, [edit])))
+        help = condition_of(line, after_head(without(line, [edit])))
         return Told(f"{match[0]} is no comparison here", help or f"write {sign}", match.span(), (edit,))
 
     return tell
@@ -140,14 +140,14 @@ def equals(line: Line, match: re.Match[str]) -> Told | None:
     if _depth(line.code[:start]) > 0 and not re.search(r"\w\[|\(\s*$", line.code[:start]):
         return None
     edit = (start, match.end("sign"), "==")
-    help = _condition(line, _after_head(_without(line, [edit])))
+    help = condition_of(line, after_head(without(line, [edit])))
     return Told("a comparison is written with two equals signs", help or "write ==", edit[:2], (edit,))
 
 
 def then_word(line: Line, match: re.Match[str]) -> Told:
     start = match.start("word")
     edit = (len(line.code[:start].rstrip()), match.end("word"), ":")
-    help = _condition(line, _after_head(line.text[:start]))
+    help = condition_of(line, after_head(line.text[:start]))
     is_last = not line.code[match.end("word") :].strip(" ;")
     edits = (edit,) if is_last and not line.code[:start].rstrip().endswith(":") else ()
     return Told("an if ends with a colon, not with then", help or "write if c.A:", match.span("word"), edits)
@@ -169,7 +169,7 @@ def capitals(line: Line, match: re.Match[str]) -> Told | None:
     if word == word.lower():
         return None
     edit = (*match.span("word"), word.lower())
-    shown = _without(line, [edit]).strip()
+    shown = without(line, [edit]).strip()
     return Told(f"{word.lower()} is written in small letters", f"write {shown}", match.span("word"), (edit,))
 
 
@@ -181,7 +181,7 @@ def no_colon(line: Line, match: re.Match[str]) -> Told | None:
     edit = (len(code) - is_semicolon, len(code), ":")
     shown = line.text[: edit[0]].strip()
     if match["word"] in ("if", "elif", "while"):
-        help = _condition(line, _after_head(line.text[: edit[0]])) or f"write {shown}:"
+        help = condition_of(line, after_head(line.text[: edit[0]])) or f"write {shown}:"
     else:
         help = "write def main():" if match["word"] == "def" and "(" not in code else f"write {shown}:"
     edits = () if match["word"] == "def" and "(" not in code else (edit,)
@@ -190,7 +190,7 @@ def no_colon(line: Line, match: re.Match[str]) -> Told | None:
 
 def comma(line: Line, match: re.Match[str]) -> Told | None:
     """``if c.A, c.B:``"""
-    context = line.context.of_text(_after_head(line.text).strip().rstrip(":"))
+    context = line.context.of_text(after_head(line.text).strip().rstrip(":"))
     node = context.expression()
     if not isinstance(node, cst.Tuple):
         return None
@@ -198,7 +198,7 @@ def comma(line: Line, match: re.Match[str]) -> Told | None:
     if decimal:
         return Told("decimals are written with a point", f"write {decimal[1]}.{decimal[2]}", decimal.span())
     text = f"all({', '.join(context.text(one) for one in elements(node))})"
-    help = _condition(line, text) or "in series write all(c.A, c.B), in parallel any(c.A, c.B)"
+    help = condition_of(line, text) or "in series write all(c.A, c.B), in parallel any(c.A, c.B)"
     return Told("a comma joins no conditions", help, match.span("sign"))
 
 
@@ -225,6 +225,7 @@ def bit_of(line: Line, match: re.Match[str]) -> Told | None:
     word = line.text[match.start("bank") : match.end("index")]
     if bank.is_bit:
         return Told("an address has no bits", f"write {word}", match.span())
+    # click-facts [contact.forms]
     return Told("CLICK has no bits of words", bit_of_word(word, bank, int(match["number"])), match.span())
 
 
@@ -309,7 +310,7 @@ def assigned(line: Line, match: re.Match[str]) -> Told | None:
 
 def _equals_sign(line: Line, match: re.Match[str]) -> Told:
     edit = (*match.span(), "==")
-    help = _condition(line, _after_head(_without(line, [edit])))
+    help = condition_of(line, after_head(without(line, [edit])))
     return Told("a comparison is written with two equals signs", help or "write ==", match.span(), (edit,))
 
 
@@ -331,6 +332,41 @@ def bare_call(line: Line, match: re.Match[str]) -> Told | None:
     if not text or not fits_action(line.context, text):
         text = INSTRUCTIONS[name].example if name in INSTRUCTIONS else found.code[0] if found and found.code else ""
     return Told("an instruction has its arguments in parentheses", f"write {text}", match.span("name"))
+
+
+_GAP = re.compile(r"(?<=[\w\])\"'])\s+(?=[\w\"'-])")
+_GAPS_MAX = 6
+"""A line with more gaps is no call whose commas are missing."""
+
+
+def missing_comma(line: Line, match: re.Match[str]) -> Told | None:
+    """``copy(5 ds.A)`` and ``copy 5 ds.A``: commas in some of the gaps make an action of it."""
+    name, is_open = match["name"].lower(), match["open"] == "("
+    if name not in INSTRUCTIONS:
+        return None
+    code = re.sub(r'"( *)"', lambda text: f'"{"x" * len(text[1])}"', line.code)
+    gaps = [gap for gap in _GAP.finditer(code) if gap.start() >= match.end("name") and gap.end() > match.end()]
+    if not gaps or len(gaps) > _GAPS_MAX:
+        return None
+    edits = [(gap.start(), gap.end(), ", ") for gap in gaps]
+    start = line.plain.find("#")
+    bare = line if start < 0 else line._replace(text=line.text[:start])
+    text = without(bare, [edit for edit in edits if start < 0 or edit[1] <= start]).strip().rstrip(" ;")
+    if not is_open:
+        text = f"{name}({text[len(name) :].strip()})"
+    if not fits_action(line.context, text):
+        return None
+    fixed = tuple(edits) if is_open and match["name"] == name else ()
+    return Told("a comma is missing here", f"write {text}", gaps[0].span(), fixed)
+
+
+def coil_value(line: Line, match: re.Match[str]) -> Told | None:
+    """``out(y[1] = True)``"""
+    address = line.text[match.start("address") : match.end("address")].strip()
+    action = {**STATES, "true": match["name"], "1": match["name"], "on": match["name"]}.get(match["value"].lower())
+    if action is None or not fits_action(line.context, f"{action}({address})"):
+        return None
+    return Told(f"{match['name']} takes no value", f"write {action}({address})", match.span("sign"))
 
 
 def arrow(_: Line, match: re.Match[str]) -> Told:
@@ -374,15 +410,45 @@ _SIGNS = {
 SIGN = re.compile(f"[{''.join(_SIGNS)}]")
 
 
+def _plain(text: str) -> tuple[tuple[int, int, str], ...]:
+    """The plain signs in the place of the others, outside of texts and comments: what stands in quotes stays as it is.
+
+    Nothing where a text would end elsewhere than the person sees it end.
+    """
+    edits: list[tuple[int, int, str]] = []
+    at = 0
+    while at < len(text) and text[at] != "#":
+        quote = text[at] if text[at] in ("'", '"') else _SIGNS.get(text[at], "")
+        if quote not in ("'", '"'):
+            if text[at] in _SIGNS:
+                edits.append((at, at + 1, quote))
+            at += 1
+            continue
+        end = _end_of_text(text, at, quote)
+        if end is None or quote in text[at + 1 : end] or "\\" in text[at + 1 : end]:
+            return ()
+        edits += [(place, place + 1, quote) for place in (at, end) if text[place] != quote]
+        at = end + 1
+    return tuple(edits)
+
+
+def _end_of_text(text: str, start: int, quote: str) -> int | None:
+    """Where a text in quotes of any kind ends: at the same plain quote, or at the next one that closes."""
+    if text[start] == quote and (plain := text.find(quote, start + 1)) >= 0:
+        return plain
+    closing = (at for at in range(start + 1, len(text)) if quote in (text[at], _SIGNS.get(text[at])))
+    return next(closing, None)
+
+
 def typographic(line: Line, match: re.Match[str]) -> Told:
-    edits = tuple((*found.span(), _SIGNS[found[0]]) for found in SIGN.finditer(line.code))
+    edits = _plain(line.text)
     plain = _SIGNS[match[0]]
     if plain in ('"', "'"):
         help = f"write straight quotes, {plain}"
         return Told("these quotes come from a word processor", help, match.span(), edits)
     if not plain.strip():
         return Told("this blank comes from a word processor", "write a plain blank", match.span(), edits)
-    meant = _condition(line, _after_head(_without(line, list(edits))))
+    meant = condition_of(line, after_head(without(line, list(edits))))
     return Told("this sign is not on a keyboard", meant or f"write {plain}", match.span(), edits)
 
 
@@ -419,7 +485,7 @@ def semicolon(line: Line, _: re.Match[str]) -> Told | None:
     if place is None:
         return None
     edit = (place, place + 1, ",")
-    text = _without(line, [edit]).strip().rstrip(";")
+    text = without(line, [edit]).strip().rstrip(";")
     is_right = fits_action(line.context, text)
     help = f"write {text}" if is_right else "write copy(5, ds.A)"
     return Told("arguments are separated by commas", help, edit[:2], (edit,) if is_right else ())

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.ways_out import slip_kinds as kinds
+from clickgen.dialects.if_rungs.ways_out import slip_words as words
 from clickgen.dialects.if_rungs.ways_out.slip_kinds import Line, Told
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
@@ -86,6 +87,13 @@ SLIPS: tuple[Slip, ...] = (
         kinds.says("this is the mark of a merge conflict", "keep one of the two versions, and take the marks away"),
         ("<<<<<<< HEAD", "=======", ">>>>>>> branch"),
     ),
+    Slip(words.ACTED, words.acted, ("out(y[1]) if x[1]", "if x[1] then out(y[1])", "x[1] -> out(y[1])")),
+    Slip(words.BETWEEN, words.between, ("if ds.A between 1 and 5:", "if ds.A not between 1 and 5 and x[1]:")),
+    Slip(words.COMPARED, words.compared, ("if ds.A greater than 5:", "if ds.A is at least 5:", "if ds.A equals 5:")),
+    Slip(words.STATE, words.state, ("if x[1] on:", "if x[1] is off and x[2] on:")),
+    Slip(words.HALF, words.half, ("if ds.A > 5 and < 10:",)),
+    Slip(words.LISTED, words.listed, ("if ds.A in 1, 2, 3:",)),
+    Slip(words.HEAD, words.missing_word, ("if x[1] x[2]:", "if nc(x[1]) c.A:", "if c.A c.B:")),
     Slip(
         _re(r"(?:^|\s|;)(?P<sign>//)|(?P<other>/\*|\(\*|^\s*\*/)"),
         lambda line, match: (
@@ -166,7 +174,17 @@ SLIPS: tuple[Slip, ...] = (
         ("if c.1st:", "if c.if:"),
     ),
     Slip(
-        _re(rf"{kinds.BANK}\.(?P<name>[A-Za-z_]\w{{0,30}} [A-Za-z0-9_]\w{{0,30}})\b(?!\s*[(=])"),
+        _re(r"^\s*(?P<name>[A-Za-z_]\w*)\s*(?P<open>\(|\s)(?=.*[\w\])\"']\s+[\w\"'-])"),
+        kinds.missing_comma,
+        ("copy(5 ds.A)", "copy(ds.A ds.B)", "ton(t.A 5)", "copy 5 ds.A", "copy ds.A ds.B", "out(y[1] oneshot=True)"),
+    ),
+    Slip(
+        _re(r"^\s*(?P<name>out|set|reset)\s*\((?P<address>[^=()]{1,120}?)\s*(?P<sign>:?=)\s*(?P<value>\w{1,8})\s*\)"),
+        kinds.coil_value,
+        ("out(y[1] = True)", "set(c.A = 0)"),
+    ),
+    Slip(
+        _re(rf"{kinds.BANK}\.(?P<name>[A-Za-z_]\w{{0,30}} [A-Za-z0-9_]\w{{0,30}})\b(?!\s*[(=.\[])"),
         kinds.quoted_name,
         ("if c.My Name:",),
     ),
@@ -282,7 +300,8 @@ SLIPS: tuple[Slip, ...] = (
     ),
     Slip(
         _re(
-            r"^\s*(?P<word>LD[NIPF]?|STR[N]?|ANDN?|ORN?|ANI|ORI|ANB|ORB|MPS|MRD|MPP|OUT|SET|RST|TON|CTU|ST)\s+[%A-Za-z_]"
+            r"^\s*(?P<word>LD[NIPF]?|LDNOT|STR(?:N|PD|ND)?|AND(?:N|P|F|PD|ND|NOT)?|OR(?:N|P|F|PD|ND|NOT)?|ANI|ORI|ANB|ORB"
+            r"|X?NOR|XORN?|MPS|MRD|MPP|OUT|SET|RST|TON|CTU|ST|A|AN|O|ON|X|XN|FP|FN|S|R)\s+[%A-Za-z_]"
         ),
         kinds.says(
             "an instruction list is no program here",
@@ -314,9 +333,9 @@ SLIPS: tuple[Slip, ...] = (
         ("out(y[1]) out(y[2])",),
     ),
     Slip(
-        _re(r"^\s*(?P<name>[A-Za-z_]\w*)\s+(?P<argument>[A-Za-z_\"][^=]*)$"),
+        _re(r"^\s*(?P<name>[A-Za-z_]\w*)\s+(?P<argument>[A-Za-z_\"'0-9-][^=]*)$"),
         kinds.bare_call,
-        ("out y[1]", "call fill", "set y[1]"),
+        ("out y[1]", "call fill", "set y[1]", "copy 5, ds.A", "copy -1, ds.A"),
     ),
     Slip(
         _re(r"\(.*;"),
