@@ -9,15 +9,13 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
 
-from clickgen.click.ladder_csv import ladder_csv
 from clickgen.device.banks import Address
 from clickgen.device.limits import ROWS_AND_RUNGS_MAX, RUNGS_MAX
 from clickgen.dialects.if_rungs.read.imports import importers, read_program
 from clickgen.dialects.if_rungs.read.parse import decode
+from clickgen.emit.built import BuiltProgram
 from clickgen.emit.folder import ForeignFiles, stale_files
-from clickgen.emit.listing import listing
-from clickgen.emit.nickname_csv import nickname_csv
-from clickgen.emit.sourcemap import source_map
+from clickgen.emit.registry import Outputs
 from clickgen.facts.facts import Facts
 from clickgen.fixes.verdict import judge_proposals
 from clickgen.instructions.raw import RAW
@@ -30,7 +28,7 @@ from clickgen.problems.diagnostics import CouldNotRun, Diagnostic, Diagnostics
 from clickgen.resolve.left_names import Left, left_names, report_left
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.rules.errors import RULES, scratch_bits
-from clickgen.settings import TABLE_NAME, Settings
+from clickgen.settings import Settings
 from clickgen.table.address_table import AddressTable
 from clickgen.table.blocks import Block, marked_blocks
 from clickgen.table.layers import beside_workbook
@@ -38,7 +36,6 @@ from clickgen.table.read import TableUnreadable, read_table
 from clickgen.table.record import left_in, placed_in, read_record, record_beside, with_placed
 from clickgen.table.rows import Row
 from clickgen.text.source import SourceFile
-from clickgen.text.wording import escaped
 from clickgen.text.write import put_in_place
 from clickgen.workspace import read_file, read_if_there
 
@@ -49,8 +46,8 @@ __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "KnownNames", "Settings"
 class BuildResult:
     """What a build made, in memory.
 
-    ``files`` maps each output's path inside the output folder (``main.csv``, ``subroutines/auto.csv``) to its text;
-    it is empty when there are errors.
+    ``files`` maps each output's path inside the output folder (``main.csv``, ``subroutines/auto.csv``) to its text; a
+    text is made when it is asked for. It is empty when there are errors.
     """
 
     program: Path
@@ -58,13 +55,10 @@ class BuildResult:
     """The program files as they were read."""
     diagnostics: tuple[Diagnostic, ...]
     files: Mapping[str, str]
-    routines: tuple[ClickRoutine, ...]
+    built: BuiltProgram
+    """What the outputs are made from; without routines and rows when there are errors."""
     new_rows: tuple[Row, ...]
     """The addresses that clickgen chose in this build, scratch included."""
-    rows: tuple[Row, ...]
-    """Every row of the address table as it should be after the build; empty when there are errors."""
-    scratch_rows: tuple[Row, ...]
-    """Those of ``rows`` that clickgen needs for itself in this program."""
     facts: Facts | None
     """The program without names, as far as it could be read."""
     table_path: Path
@@ -74,6 +68,21 @@ class BuildResult:
     """The file as it was read; None where there was none."""
     left: tuple[Left, ...] = ()
     """The names that left the program while others came."""
+
+    @property
+    def routines(self) -> tuple[ClickRoutine, ...]:
+        """The program in CLICK rungs; empty when there are errors."""
+        return self.built.routines
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """Every row of the address table as it should be after the build; empty when there are errors."""
+        return self.built.rows
+
+    @property
+    def scratch_rows(self) -> tuple[Row, ...]:
+        """Those of ``rows`` that clickgen needs for itself in this program."""
+        return self.built.scratch
 
     @property
     def table(self) -> bytes:
@@ -222,8 +231,7 @@ class _Build:
     scratch: Scratch = field(default_factory=Scratch)
     scratch_rows: tuple[Row, ...] = ()
     routines: tuple[ClickRoutine, ...] = ()
-    parts: dict[str, tuple[ClickRung, ...]] = field(default_factory=dict)
-    files: dict[str, str] = field(default_factory=dict)
+    ladders: dict[str, tuple[ClickRung, ...]] = field(default_factory=dict)
     new_rows: tuple[Row, ...] = ()
     left: tuple[Left, ...] = ()
 
@@ -242,16 +250,14 @@ def build(
     in the result's ``diagnostics``. Raises CouldNotRun when the program or the table cannot be read.
     """
     state = _run(path, settings or Settings(nicknames, nicknames is not None, frozen), STAGES)
-    ok = not state.problems.has_errors
+    built = _built(state)
     return BuildResult(
         state.path,
         state.sources,
         state.problems.in_order(),
-        state.files if ok else {},
-        state.routines if ok else (),
-        state.new_rows if ok else (),
-        tuple(_rows(state).values()) if ok else (),
-        state.scratch_rows if ok else (),
+        Outputs(built) if built.routines else {},
+        built,
+        state.new_rows if built.routines else (),
         state.facts,
         state.table_path,
         state.table,
@@ -508,7 +514,7 @@ def _divide(state: _Build) -> None:
         digits = len(str(len(parts)))
         for number, part in enumerate(parts, 1):
             stem = "main" if routine.is_main else f"subroutines/{routine.name}"
-            state.parts[f"{stem}_{number:0{digits}}.csv" if number > 1 else f"{stem}.csv"] = part
+            state.ladders[f"{stem}_{number:0{digits}}.csv" if number > 1 else f"{stem}.csv"] = part
 
 
 def _within_limits(rungs: tuple[ClickRung, ...]) -> Iterator[tuple[ClickRung, ...]]:
@@ -535,14 +541,20 @@ def _nicknames(state: _Build) -> dict[Address, str]:
     return {row.address: row.nickname for row in _rows(state).values() if row.nickname}
 
 
-def _emit(state: _Build) -> None:
-    rows = _rows(state)
-    state.files = {name: ladder_csv(part) for name, part in state.parts.items()}
-    state.files[TABLE_NAME] = nickname_csv(rows.values())
-    state.files["listing.txt"] = listing(escaped(state.path.stem), state.routines, _nicknames(state))
-    base = os.path.dirname(state.shown)
-    names = [*state.files, "sources.json"]
-    state.files["sources.json"] = source_map(state.routines, state.scratch_rows, names, base)
+def _built(state: _Build) -> BuiltProgram:
+    """What writers make outputs from; of a program with errors there is nothing."""
+    if state.problems.has_errors or state.resolved is None:
+        return BuiltProgram(state.shown, (), ())
+    return BuiltProgram(
+        state.shown,
+        state.routines,
+        tuple(_rows(state).values()),
+        state.scratch_rows,
+        state.ladders,
+        tuple(state.resolved.blocks.values()),
+        frozenset(state.settings.reserved),
+        len(state.new_rows),
+    )
 
 
 _Stages = tuple[tuple[Callable[[_Build], None], bool], ...]
@@ -557,12 +569,11 @@ STAGES: _Stages = (
     (_place_scratch, True),
     (_find_left, True),
     (_divide, True),
-    (_emit, True),
 )
 """The stages of a build in their order, each with whether it needs a program without errors."""
 
-CHECKS: _Stages = (*(stage for stage in STAGES if stage[0] is not _emit), (_lint, True))
-"""The stages of a check: it makes no files."""
+CHECKS: _Stages = (*STAGES, (_lint, True))
+"""The stages of a check."""
 
 NAMES: _Stages = tuple(stage for stage in STAGES if stage[0] in (_read_source, _read_table, _resolve, _judge_fixes))
 """The stages that find out the names of a program."""

@@ -269,7 +269,7 @@ def test_version_loads_nothing_heavy() -> None:
 def test_the_functions_of_the_package_stay_functions(tmp_path: Path) -> None:
     """Building loads the rules, whose folder has the name of the function ``check``."""
     (tmp_path / "prog.py").write_text("def main():\n    if x[1]:\n        out(y[1])\n    if True:\n        end()\n")
-    code = "import clickgen\nassert clickgen.build('prog.py').ok\nassert not clickgen.facts('prog.py').diagnostics"
+    code = "import clickgen\nassert clickgen.build('prog.py').ok\nassert not clickgen.check('prog.py').diagnostics"
     subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=True)
 
 

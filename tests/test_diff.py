@@ -39,7 +39,7 @@ from clickgen.commands.diff.revision import named_revision
 from clickgen.commands.diff.sides import Side, program_side
 from clickgen.commands.diff.words import Wording
 from clickgen.device.banks import Address, parse_address
-from clickgen.emit.listing import Names
+from clickgen.emit.rung_words import Names
 from clickgen.ir.conditions import Contact
 from clickgen.lower.scratch import purpose_of, rung_of
 from clickgen.settings import Settings

@@ -24,8 +24,10 @@ class Job:
     @property
     def folders(self) -> list[Path]:
         """Where files are written: beside the program and its table, and in the output folder."""
+        from clickgen.emit.registry import folders
+
         table = Path(os.path.realpath(self.settings.table_of(Path(self.program))))
-        return [Path(self.program).parent, table.parent, self.folder, self.folder / "subroutines"]
+        return [Path(self.program).parent, table.parent, self.folder, *(self.folder / name for name in folders())]
 
 
 def settings_of(config: str | None) -> Config:

@@ -6,7 +6,7 @@ from clickgen.commands.diff.as_text import change_lines, summary
 from clickgen.commands.diff.changes import KINDS, Difference, RoutineChange, RungChange
 from clickgen.commands.diff.names import NameChanges
 from clickgen.commands.diff.words import WordedRung, named
-from clickgen.emit.listing import Names
+from clickgen.emit.rung_words import Names
 from clickgen.text.wording import json_text
 
 VERSION = 1

@@ -1,33 +1,33 @@
-"""sources.json: which source lines each CLICK rung comes from, and what each scratch address is for."""
+"""sources.json: the outputs of a build, the source lines of each CLICK rung, the reason for each scratch address."""
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable
 from functools import cache
 
-from clickgen.lower.split import ClickRoutine
-from clickgen.table.rows import Row
+from clickgen.emit.built import BuiltProgram
+from clickgen.emit.writer import one_file
 from clickgen.text.wording import json_text
 
+PATH = "sources.json"
 FORMAT = 1
 """The version of the file's form."""
 
 
-def source_map(routines: Iterable[ClickRoutine], scratch: Iterable[Row], files: Iterable[str], base: str) -> str:
-    """The map as JSON text with one rung on a line, so that it diffs well. Rungs count from 1 in each routine.
+def source_map(built: BuiltProgram) -> str:
+    """The map as JSON text, with one rung on a line so that it diffs well. Rungs count from 1 in each routine.
 
-    ``files`` are the outputs of this build, by which the next one knows what it may replace. Source files are named
-    relative to ``base``, the folder of the program.
+    It names the outputs of this build, so that the next one knows what it may replace. Source files are named relative
+    to the folder of the program.
     """
     rows = []
-    for routine in routines:
+    for routine in built.routines:
         rungs = [
             json_text(
                 {
                     "rung": number,
-                    "file": _relative(rung.span.path, base),
+                    "file": _relative(rung.span.path, built.folder),
                     "lines": [rung.span.line, rung.span.end_line],
                 }
             )
@@ -36,12 +36,12 @@ def source_map(routines: Iterable[ClickRoutine], scratch: Iterable[Row], files: 
         rows.append(f"    {json.dumps(routine.name)}: [\n      " + ",\n      ".join(rungs) + "\n    ]")
     reasons = [
         "    " + json.dumps({"address": str(row.address), "nickname": row.nickname, "reason": row.comment})
-        for row in sorted(scratch, key=lambda row: row.address.sort_key)
+        for row in sorted(built.scratch, key=lambda row: row.address.sort_key)
     ]
     parts = [
         f'  "format": {FORMAT}',
         '  "generator": "clickgen"',
-        f'  "files": {json.dumps(list(files))}',
+        f'  "files": {json.dumps(built.outputs)}',
         '  "routines": {\n' + ",\n".join(rows) + "\n  }",
         '  "scratch": [' + ("\n" + ",\n".join(reasons) + "\n  ]" if reasons else "]"),
     ]
@@ -49,6 +49,10 @@ def source_map(routines: Iterable[ClickRoutine], scratch: Iterable[Row], files: 
 
 
 @cache
-def _relative(path: str, base: str) -> str:
+def _relative(path: str, folder: str) -> str:
     """The same for every way to name the program, and with forward slashes on Windows too."""
-    return os.path.relpath(path, base or ".").replace(os.sep, "/")
+    return os.path.relpath(path, folder or ".").replace(os.sep, "/")
+
+
+# folder.py asks for the owner's mark before it believes any other line of the map.
+WRITER = one_file(PATH, source_map, lambda _: True, rank=90)
