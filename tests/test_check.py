@@ -230,7 +230,7 @@ def test_the_command_line_replaces_the_selection_of_the_settings(check: Check) -
 def test_files_can_have_ignores_of_their_own(check: Check) -> None:
     write("old/plc.py", DOUBLE)
     write("new/plc.py", DOUBLE)
-    write("pyproject.toml", '[tool.clickgen.facts.per-file-ignores]\n"old/*" = ["CG5"]\n')
+    write("pyproject.toml", '[tool.clickgen.check.per-file-ignores]\n"old/*" = ["CG5"]\n')
     assert [line.partition(":")[0] for line in check(".", "--output-format", "concise", "-q").out.splitlines()] == [
         "new/plc.py"
     ]

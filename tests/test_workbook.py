@@ -14,13 +14,13 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 import clickgen
 from clickgen.cli import main
+from clickgen.config import Settings
 from clickgen.emit.built import BuiltProgram
 from clickgen.emit.workbook.book import ROWS_MAX, TEXT_MAX, as_written, clean, to_bytes
 from clickgen.emit.workbook.project import Project
 from clickgen.emit.workbook.sheet import Column, Sheet
 from clickgen.emit.workbook.sheets import sheets, workbook
 from clickgen.problems.diagnostics import Diagnostics
-from clickgen.settings import Settings
 from clickgen.table.rows import Row
 from clickgen.table.workbook.read import read_workbook
 

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from clickgen.cli import complain
-from clickgen.config import Config, ProgramSettings, find_config, read_config
+from clickgen.config import Config, ProgramSettings, Settings, find_config, read_config
 from clickgen.problems.diagnostics import CouldNotRun
-from clickgen.settings import Settings
 
 
 @dataclass(frozen=True)

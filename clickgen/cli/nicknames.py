@@ -11,6 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
+from clickgen.api import build
 from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.commands.nicknames.changes import KINDS, RENAMED, SWAPPED
@@ -19,16 +20,16 @@ from clickgen.commands.nicknames.programs import Program
 from clickgen.commands.nicknames.rename import Rename, rename
 from clickgen.commands.nicknames.sync import TableSync
 from clickgen.commands.nicknames.uses import FileNames
-from clickgen.pipeline import BuildResult, build
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic, Diagnostics
 from clickgen.problems.report.frames import summary, write_problems
-from clickgen.settings import TABLE_NAME
+from clickgen.results import BuildResult
 from clickgen.table.address_table import AddressTable
-from clickgen.table.layers import is_workbook
+from clickgen.table.names import TABLE_NAME, is_workbook
 from clickgen.table.rows import Row
 from clickgen.text.source import SourceFile
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
+from clickgen.workspace import Workspace
 
 DESCRIPTION = "What concerns the address table that the PLC, the panel and the programs share."
 EXAMPLES = """\
@@ -174,7 +175,7 @@ def _check(options: argparse.Namespace) -> int:
     from clickgen.commands.nicknames.sync import sync
 
     found = _jobs(options, options.programs)
-    results = [build(job.program, settings=replace(job.settings, frozen=True)) for job in found]
+    results = [build(job.program, settings=job.settings._replace(frozen=True)) for job in found]
     told = 0
     for result in results:
         own = [problem for problem in result.diagnostics if _is_about_names(problem)]
@@ -219,7 +220,7 @@ class _Merging(NamedTuple):
 def _merge(options: argparse.Namespace) -> int:
     from clickgen.commands.nicknames.changed_rows import conflict_lines, diff_lines, never_lines, summary
     from clickgen.commands.nicknames.merge import merge
-    from clickgen.commands.nicknames.programs import Files, programs_around
+    from clickgen.commands.nicknames.programs import programs_around
     from clickgen.commands.nicknames.uses import ProgramsSay, places_in
 
     kinds = _kinds(options.accept)
@@ -229,7 +230,7 @@ def _merge(options: argparse.Namespace) -> int:
         settle(target.jobs, options.config)
     table, before = _read(path, bool(options.nicknames) and target.workbook is None, target.workbook)
     export, _ = _read(Path(options.export), must_exist=True)
-    around = programs_around(target.jobs, settings_of(options.config), Files(), [path])
+    around = programs_around(target.jobs, settings_of(options.config), Workspace(), [path])
     own = [program for program in around if program.table_key == os.path.realpath(path)]
     names = [_seen_from_here(file) for program in own for file in program.names]
     result = merge(table, export, places_in(names), ProgramsSay(names))
@@ -315,19 +316,17 @@ def _kinds(accepted: Iterable[str]) -> set[str]:
 
 def _table_to_merge(options: argparse.Namespace) -> _Merging:
     """The table that takes the export in: the one that is named, else the one of the settings."""
-    from clickgen.commands.nicknames.programs import table_of
-
     config = settings_of(options.config)
     found = jobs([], config=options.config) if config.programs else []
     named = Path(options.nicknames) if options.nicknames else None
     if named is not None and not is_workbook(named):
-        own = [job for job in found if _same(table_of(job.program, job.settings), named)]
+        own = [job for job in found if _same(job.settings.table_of(job.program), named)]
         return _Merging(named, _one_workbook(own), found)
     own = [job for job in found if named is None or _same(job.settings.nicknames, named)] or found
     others = [job for job in found if job not in own]
     if named is not None:
-        own = [replace(job, settings=replace(job.settings, nicknames=named)) for job in own]
-    tables = list(dict.fromkeys(table_of(job.program, job.settings) for job in own))
+        own = [replace(job, settings=job.settings._replace(nicknames=named)) for job in own]
+    tables = list(dict.fromkeys(job.settings.table_of(job.program) for job in own))
     if len(tables) > 1:
         raise CouldNotRun(f"the settings know {len(tables)} tables: name one of them with --nicknames")
     return _Merging(tables[0] if tables else Path(TABLE_NAME), named or _one_workbook(own), own + others)
@@ -348,20 +347,18 @@ def _one_workbook(own: Iterable[Job]) -> Path | None:
 
 def _read(path: Path, must_exist: bool, workbook: Path | None = None) -> tuple[AddressTable, bytes | None]:
     """A table, with the rows of a workbook in front, and the bytes of its file."""
-    from clickgen.commands.nicknames.tables import over_workbook
-    from clickgen.table.read import TableUnreadable, read_table
+    from clickgen.table.layers import read_layers
+    from clickgen.table.read import TableUnreadable
 
     problems = Diagnostics()
-    is_there = must_exist or os.path.lexists(path)
     try:
-        table = read_table(path, str(path), problems) if is_there else AddressTable.empty(str(path))
-        table = over_workbook(table, workbook, problems) if workbook is not None else table
+        table, before = read_layers(path, workbook, must_exist, Workspace(), problems)
     except TableUnreadable as error:
         raise CouldNotRun(str(error)) from None
     if problems.has_errors:
         write_problems(problems.in_order(), [], sys.stderr)
         raise CouldNotRun(f"{path} has {summary(problem.severity for problem in problems.found)}; nothing was written")
-    return table, table.to_bytes() if is_there else None
+    return table, before
 
 
 def _indented(lines: Iterable[str]) -> list[str]:
@@ -412,7 +409,8 @@ def _rename(options: argparse.Namespace) -> int:
 
 def _why(options: argparse.Namespace) -> int:
     from clickgen.commands.nicknames.why import suggestion, why
-    from clickgen.table.record import read_record, record_beside
+    from clickgen.table.names import record_beside
+    from clickgen.table.record import read_record
 
     found = _jobs(options, options.programs)
     results = [build(job.program, settings=job.settings) for job in found]

@@ -11,8 +11,8 @@ from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import jobs, settings_of, settle
 from clickgen.commands.nicknames.elsewhere import build_among
 from clickgen.commands.workbook.place import former, place_of
-from clickgen.pipeline import BuildResult
 from clickgen.problems.report.frames import summary, write_problems
+from clickgen.results import BuildResult
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
 

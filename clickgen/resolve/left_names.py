@@ -6,6 +6,7 @@ It is no rule: it needs the address table and the record of what clickgen placed
 from __future__ import annotations
 
 import difflib
+import os
 import shlex
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
@@ -14,6 +15,8 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
 from clickgen.problems.codes import LEFT
 from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.table.address_table import AddressTable
+from clickgen.table.record import left_in, placed_in
 from clickgen.table.rows import Row, is_scratch
 from clickgen.text.source import Span
 
@@ -21,11 +24,42 @@ _SAME = 0.5
 """Names that are at least so much alike are taken for an old and a new one, before the order decides."""
 
 
+class Asked(NamedTuple):
+    """The program and its table as commands name them; the table is "" where it is the one beside the program."""
+
+    program: str
+    table: str
+
+    @staticmethod
+    def of(program: str, nicknames: str | os.PathLike[str] | None) -> Asked:
+        """Names as seen from the working folder."""
+        return Asked(program, os.fspath(nicknames or "").removeprefix(os.getcwd() + os.sep))
+
+
 class Left(NamedTuple):
     """A name that left, and the one that most likely came in its place."""
 
     old: Row
     new: Row
+
+
+def find_left(
+    facts: Facts,
+    table: AddressTable,
+    record: bytes | None,
+    new: Iterable[Row],
+    named_elsewhere: frozenset[str],
+    asked: Asked,
+    problems: Diagnostics,
+) -> tuple[Left, ...]:
+    """The names that left a program, each reported. ``record`` is the file of what clickgen placed in the table."""
+    if record is None:
+        return ()
+    rows = [row for row in table.own_rows if row.line]
+    found = left_names(facts, rows, placed_in(record), left_in(record), new, named_elsewhere)
+    spans = {left.old.address: span for left in found if (span := table.span(left.old))}
+    report_left(facts, problems, found, asked.program, asked.table, spans)
+    return tuple(found)
 
 
 def left_names(

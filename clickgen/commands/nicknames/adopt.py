@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
-from clickgen.commands.nicknames.programs import Files, Program
+from clickgen.commands.nicknames.programs import Program
 from clickgen.commands.nicknames.prove import Side
 from clickgen.commands.nicknames.tables import Table
 from clickgen.commands.nicknames.uses import FileNames
@@ -17,8 +17,9 @@ from clickgen.facts.uses import addresses_of
 from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.table.record import left_in, placed_in, record_of
 from clickgen.table.rows import Row
+from clickgen.workspace import Workspace
 
-Edited = Callable[[FileNames, str, str, Files], bytes]
+Edited = Callable[[FileNames, str, str, Workspace], bytes]
 """A file with another name in the place of one."""
 
 
@@ -37,7 +38,7 @@ class Adoption(NamedTuple):
 
 
 def adopt(
-    old: str, new: str, members: Iterable[Program], tables: Mapping[str, Table], files: Files, edited: Edited
+    old: str, new: str, members: Iterable[Program], tables: Mapping[str, Table], files: Workspace, edited: Edited
 ) -> Adoption | None:
     """The new name at the address of the old one; None where the sources do not say the new name for the old one.
 
@@ -70,7 +71,7 @@ def adopt(
         rows.append(row)
         freed += [other] if other else []
     texts = {key: edited(file, new, alias, files) for key, file in using.items()}
-    before = Side({**files.overlay, **tables_before, **texts}, {})
+    before = Side(files.apart({**tables_before, **texts}), {})
     return Adoption(writes, rows[0], tuple(freed), alias, before) if rows else None
 
 

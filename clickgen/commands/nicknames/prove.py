@@ -6,26 +6,29 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from clickgen.api import build
 from clickgen.commands.nicknames.programs import Program
 from clickgen.device.banks import Address
 from clickgen.emit.registry import Outputs
 from clickgen.lower.scratch import renamed_reason
-from clickgen.pipeline import BuildResult, build
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
+from clickgen.results import BuildResult
 from clickgen.table.blocks import renamed_mark
 from clickgen.table.rows import Row, is_scratch
+from clickgen.workspace import Workspace
 
 
 @dataclass(frozen=True)
 class Side:
-    """The files of one side by their real paths; ``tables`` are tables read in the stead of others."""
+    """The files of one side; ``tables`` are tables that are read instead of others, by the real paths of these."""
 
-    overlay: Mapping[str, bytes]
+    workspace: Workspace
     tables: Mapping[str, Path]
 
     def build(self, program: Program) -> BuildResult:
         table = self.tables.get(program.table_key, program.settings.nicknames)
-        return build(program.path, settings=replace(program.settings, nicknames=table, overlay=self.overlay))
+        settings = program.settings._replace(nicknames=table)
+        return build(program.path, settings=settings, workspace=self.workspace.apart())
 
 
 def errors_of(result: BuildResult) -> list[Diagnostic]:
