@@ -20,10 +20,11 @@ from judges.power import condition_of, read_ladder
 from matrix import coils, conditions, conversions, copies, drums, formulas, modbus, packs, searches, timers
 from matrix.notation import WARNINGS, Cell, Matrices
 
+from clickgen.api import build
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.spec import REQUIRED, ParamKind, Spec
-from clickgen.pipeline import BuildResult, build
 from clickgen.problems.diagnostics import Diagnostic
+from clickgen.results import BuildResult
 
 MATRICES: Matrices = {
     **conditions.MATRICES,
