@@ -1,4 +1,4 @@
-"""Settings: ``clickgen.toml``, or ``[tool.clickgen]`` in the nearest ``pyproject.toml`` that has it."""
+"""The one reader of settings: ``clickgen.toml``, or ``[tool.clickgen]`` in the nearest ``pyproject.toml`` with it."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import CouldNotRun, did_you_mean
+from clickgen.table.names import TABLE_NAME, is_workbook
 from clickgen.workspace import MIB, read_file
 
 if TYPE_CHECKING:
@@ -45,6 +46,37 @@ class CheckSettings(NamedTuple):
     ignore: tuple[str, ...] = ()
     exclude: tuple[str, ...] = ()
     per_file_ignores: tuple[tuple[str, tuple[str, ...]], ...] = ()
+
+
+class Settings(NamedTuple):
+    """How one program is built, beside its own text.
+
+    ``nicknames`` names the address table; None is ``nicknames.csv`` beside the program. A workbook that it names is
+    only read: what it lacks goes into ``nicknames.csv`` beside the program. ``table_must_exist`` refuses one that is
+    not there. ``frozen`` forbids choosing addresses; ``reserved`` are never chosen. ``wants`` tells whether a check
+    should look for a code. ``is_part`` marks a file without a main that no program imports. ``named_elsewhere`` has the
+    names, in small letters, and the addresses that other programs of the table use.
+    """
+
+    nicknames: str | os.PathLike[str] | None = None
+    table_must_exist: bool = False
+    frozen: bool = False
+    reserved: tuple[Address, ...] = ()
+    wants: Callable[[str], bool] = lambda _: True
+    is_part: bool = False
+    named_elsewhere: frozenset[str] = frozenset()
+
+    @property
+    def workbook(self) -> Path | None:
+        """The workbook that is named in the place of an address table."""
+        named = Path(self.nicknames) if self.nicknames is not None else None
+        return named if named is not None and is_workbook(named) else None
+
+    def table_of(self, program: str | os.PathLike[str]) -> Path:
+        """The address table that new names of a program go into."""
+        if self.nicknames is None or self.workbook is not None:
+            return Path(program).parent / TABLE_NAME
+        return Path(self.nicknames)
 
 
 class Config(NamedTuple):

@@ -38,11 +38,11 @@ from clickgen.commands.diff.programs import diff
 from clickgen.commands.diff.revision import named_revision
 from clickgen.commands.diff.sides import Side, program_side
 from clickgen.commands.diff.words import Wording
+from clickgen.config import Settings
 from clickgen.device.banks import Address, parse_address
-from clickgen.emit.listing import Names
+from clickgen.emit.rung_words import Names
 from clickgen.ir.conditions import Contact
 from clickgen.lower.scratch import purpose_of, rung_of
-from clickgen.settings import Settings
 from clickgen.table.address_table import AddressTable
 from clickgen.table.rows import default_row, scratch_name
 

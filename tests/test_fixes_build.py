@@ -9,8 +9,8 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from clickgen.api import check
 from clickgen.dialects.if_rungs.ways_out.slips import SLIPS
-from clickgen.pipeline import check
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.edits import apply_fixes
 

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 from mended import assert_builds, body, chain, rung
 
+from clickgen.api import check
 from clickgen.cli import main
-from clickgen.pipeline import check
+from clickgen.config import Settings
 from clickgen.problems.diagnostics import Diagnostic
-from clickgen.settings import Settings
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\n"
 RECIPE = """\

@@ -16,9 +16,9 @@ from test_importing_properties import ruff_changes
 import clickgen
 from clickgen.cli import main
 from clickgen.commands.import_.project import Target, import_project
+from clickgen.config import Settings
 from clickgen.dialects.if_rungs.write.routine import write_source
 from clickgen.problems.codes import CODES
-from clickgen.settings import Settings
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))
 import golden

@@ -12,14 +12,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from clickgen.api import build
 from clickgen.cli import main as run
 from clickgen.commands.nicknames.rename import Rename, rename
 from clickgen.commands.nicknames.uses import comments_with, places_in, read_names
-from clickgen.config import Config, ProgramSettings
+from clickgen.config import Config, ProgramSettings, Settings
 from clickgen.dialects.if_rungs.read.parse import decode
-from clickgen.pipeline import build
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
-from clickgen.settings import Settings
 from clickgen.table.rows import HEADER
 from clickgen.text.write import ChangedMeanwhile, put_in_place
 

@@ -15,6 +15,7 @@ from judges.power import check_limits, check_no_backfeed, read_ladder
 from test_importing_cases import CASE_NAMES, golden_ladders
 
 import clickgen
+from clickgen.api import check
 from clickgen.cli import main
 from clickgen.click.draw.tokens import action_token, operand_token
 from clickgen.click.read.kept import fault_of, raw_of
@@ -24,7 +25,7 @@ from clickgen.instructions.raw import RAW, rows_of
 from clickgen.ir.operands import Cell, Pointer, Range
 from clickgen.ir.program import KeptToken
 from clickgen.ir.reach import touches
-from clickgen.pipeline import BuildResult, check
+from clickgen.results import BuildResult
 from clickgen.text.source import Span
 
 HERE = Span("main.csv", 1, 1, 1, 2)

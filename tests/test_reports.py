@@ -612,6 +612,25 @@ def test_a_failed_test_says_what_a_person_would_read() -> None:
     )
 
 
+@pytest.mark.parametrize(
+    ("word", "columns"),
+    [
+        ("Motor", 5),
+        ("F\u00f6rderband", 10),
+        ("\u65e5\u672c", 4),
+        ("e\u0301t\u00e9", 3),
+        ("\u0e01\u0e47", 1),  # a Thai consonant with a vowel sign above it, which Unicode does not call combining
+        ("\u07a6x", 1),
+    ],
+    ids=ascii,
+)
+def test_a_mark_stands_below_what_a_terminal_shows_there(word: str, columns: int) -> None:
+    span = Span("a.py", 1, len(word) + 2, 1, len(word) + 3)
+    report = Report((Diagnostic("CG501", "twice", span, "join"),), (), lambda *_: f"{word} x")
+    (shown,) = [line for line in render("text", report).splitlines() if line.strip(" |") == "^"]
+    assert shown == f"    | {' ' * (columns + 1)}^"
+
+
 def test_notes_are_skipped_tests_unless_they_are_denied() -> None:
     notes = many("CG506", 2)
     for deny, tag in ((False, "skipped"), (True, "failure")):

@@ -9,8 +9,8 @@ import pytest
 
 import clickgen
 from clickgen.device.system import find_system_name, system_name_of, system_nicknames, system_points
-from clickgen.pipeline import BuildResult
 from clickgen.problems.diagnostics import Diagnostic
+from clickgen.results import BuildResult
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment"
 

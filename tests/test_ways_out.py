@@ -8,12 +8,12 @@ import pytest
 from mended import found
 
 import clickgen
+from clickgen.api import check
 from clickgen.cli import main
+from clickgen.config import Settings
 from clickgen.dialects.if_rungs.ways_out import slips
-from clickgen.pipeline import check
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.problems.suggest import near_words
-from clickgen.settings import Settings
 from clickgen.text.edits import apply_fixes
 
 ENDING = "    if True:\n        end()\n"

@@ -17,9 +17,10 @@ from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.commands.nicknames.elsewhere import build_among
 from clickgen.dialects.if_rungs.spelling import Spellings
-from clickgen.pipeline import BuildResult, own_table_setting, write_all
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
 from clickgen.problems.report.frames import summary, write_problems
+from clickgen.results import BuildResult, write_all
+from clickgen.table.own_table import own_table_setting
 from clickgen.table.rows import Row
 from clickgen.text.lock import locked
 from clickgen.text.wording import counted

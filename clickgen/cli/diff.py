@@ -18,10 +18,10 @@ from clickgen.commands.diff.pairs import Pair, pairs_of
 from clickgen.commands.diff.programs import diff
 from clickgen.commands.diff.read import Wanted, absent_side, configured_in, read_side
 from clickgen.commands.diff.sides import BrokenProgram
+from clickgen.config import Settings
 from clickgen.problems.report import use_color
 from clickgen.problems.report.frames import summary as counts
 from clickgen.problems.report.frames import write_problems
-from clickgen.settings import Settings
 from clickgen.text.wording import escaped
 
 _COLORS = {"-": "31", "+": "32"}

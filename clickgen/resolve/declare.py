@@ -206,6 +206,14 @@ def rename_command(old: str, new: str) -> str:
     return f"clickgen nicknames rename {shlex.quote(old)} {shlex.quote(new)} {PROGRAM}"
 
 
+def name_program(words: str, problems: Diagnostics) -> None:
+    """Put the program and its table into the commands that the problems of declarations show."""
+    problems.found = [
+        problem._replace(help=problem.help.replace(PROGRAM, words)) if problem.code == "CG205" else problem
+        for problem in problems.found
+    ]
+
+
 def initial_of(constant: Constant, address: Address, problems: Diagnostics) -> str | None:
     """An initial value in CLICK's form; None with a problem where the address cannot begin with it."""
     initial = format_initial(address.kind, _python_value(typed(constant, address.kind)))

@@ -9,6 +9,7 @@ It is no rule: it needs the address table and the record of what clickgen placed
 from __future__ import annotations
 
 import difflib
+import os
 import re
 import shlex
 from collections.abc import Iterable, Mapping
@@ -20,11 +21,30 @@ from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use
 from clickgen.problems.codes import LEFT
 from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.table.address_table import AddressTable
+from clickgen.table.record import left_in, placed_in
 from clickgen.table.rows import Row, is_scratch
 from clickgen.text.source import Span
 
 _SAME = 0.5
 """Names that are at least so much alike are taken for an old and a new one, before the order decides."""
+
+
+class Asked(NamedTuple):
+    """The program and its table as commands name them; the table is "" where it is the one beside the program."""
+
+    program: str
+    table: str
+
+    @staticmethod
+    def of(program: str, nicknames: str | os.PathLike[str] | None) -> Asked:
+        """Names as seen from the working folder."""
+        return Asked(program, os.fspath(nicknames or "").removeprefix(os.getcwd() + os.sep))
+
+    @property
+    def words(self) -> str:
+        """The program and its table as a command line has them."""
+        return shlex.join([self.program, *(["--nicknames", self.table] if self.table else [])])
 
 
 class Left(NamedTuple):
@@ -36,6 +56,25 @@ class Left(NamedTuple):
     """True where the program says both names."""
     is_sure: bool = True
     """False where the new name may be another old one as well: that is told while it is new, and not recorded."""
+
+
+def find_left(
+    facts: Facts,
+    table: AddressTable,
+    record: bytes | None,
+    new: Iterable[Row],
+    named_elsewhere: frozenset[str],
+    asked: Asked,
+    problems: Diagnostics,
+) -> tuple[Left, ...]:
+    """The names that left a program, each reported. ``record`` is the file of what clickgen placed in the table."""
+    if record is None:
+        return ()
+    rows = [row for row in table.own_rows if row.line]
+    found = left_names(facts, rows, placed_in(record), left_in(record), new, named_elsewhere)
+    spans = {left.old.address: span for left in found if (span := table.span(left.old))}
+    report_left(facts, problems, found, asked.program, asked.table, spans)
+    return tuple(each for each in found if each.is_sure)
 
 
 def left_names(

@@ -9,7 +9,7 @@ from clickgen.commands.diff.changes import KINDS, Difference, RoutineChange, Run
 from clickgen.commands.diff.names import name_changes
 from clickgen.commands.diff.pairs import Pair
 from clickgen.commands.diff.words import WordedRung, named
-from clickgen.emit.listing import Names
+from clickgen.emit.rung_words import Names
 from clickgen.text.wording import json_text
 
 VERSION = 1

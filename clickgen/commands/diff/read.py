@@ -10,9 +10,9 @@ from pathlib import Path
 
 from clickgen.commands.diff.revision import Named, Tree, named_revision, open_tree
 from clickgen.commands.diff.sides import BrokenProgram, Side, is_program, ladder_side, program_in, program_side
-from clickgen.config import OWN_FILE, PROJECT_FILE, Config, find_config, read_config
+from clickgen.config import OWN_FILE, PROJECT_FILE, Config, Settings, find_config, read_config
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
-from clickgen.settings import TABLE_NAME, Settings
+from clickgen.table.names import TABLE_NAME
 from clickgen.table.rows import Row
 from clickgen.text.source import SourceFile, Span
 

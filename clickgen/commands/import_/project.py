@@ -22,20 +22,20 @@ from clickgen.commands.import_.routines import (
     is_complete,
     missing_subroutines,
 )
+from clickgen.config import Settings
 from clickgen.dialects.if_rungs.write.declarations import declarations
 from clickgen.dialects.if_rungs.write.files import a_file_each
 from clickgen.dialects.if_rungs.write.routine import rung_lines, write_source
 from clickgen.ir.program import Routine
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
-from clickgen.settings import Settings
 from clickgen.text.source import SourceFile, Span
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
-from clickgen.workspace import read_file, read_if_there
+from clickgen.workspace import Workspace, read_file, read_if_there
 
 if TYPE_CHECKING:
     from clickgen.commands.import_.proof import Redrawn, Verdict
-    from clickgen.pipeline import BuildResult
+    from clickgen.results import BuildResult
 
 
 @dataclass(frozen=True)
@@ -205,12 +205,11 @@ class _Import:
         self._add("CG702", message, place, "change it in CLICK and import again")
 
     def _built(self) -> BuildResult:
-        from clickgen.pipeline import build
+        from clickgen.api import build
 
         files = {path: text.encode() for path, text in self._texts(as_proof(self.routines)).items()}
         overlay = {os.path.realpath(path): data for path, data in {**files, **self._table()}.items()}
-        settings = replace(self.target.settings, overlay={**self.target.settings.overlay, **overlay})
-        return build(self.target.program, settings=settings)
+        return build(self.target.program, settings=self.target.settings, workspace=Workspace(overlay))
 
     def _table(self) -> dict[Path, bytes]:
         """The address table where it is to stand; none where names were not given, or are declared in the program."""

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
-from clickgen.commands.nicknames.programs import Files, Program
+from clickgen.commands.nicknames.programs import Program
 from clickgen.commands.nicknames.prove import Side
 from clickgen.commands.nicknames.tables import Table
 from clickgen.commands.nicknames.uses import FileNames, read_names
@@ -22,8 +22,9 @@ from clickgen.ir.program import BlockDeclaration
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
 from clickgen.table.record import left_in, placed_in, record_of
 from clickgen.table.rows import Row
+from clickgen.workspace import Workspace
 
-Edited = Callable[[FileNames, str, str, Files], bytes]
+Edited = Callable[[FileNames, str, str, Workspace], bytes]
 """A file with another name in the place of one."""
 
 
@@ -44,7 +45,7 @@ class Adoption(NamedTuple):
 
 
 def adopt(
-    old: str, new: str, members: Iterable[Program], tables: Mapping[str, Table], files: Files, edited: Edited
+    old: str, new: str, members: Iterable[Program], tables: Mapping[str, Table], files: Workspace, edited: Edited
 ) -> Adoption | None:
     """The new name at the address of the old one; None where the sources do not say the new name for the old one.
 
@@ -86,12 +87,12 @@ def adopt(
     texts = {
         key: _with_alias(file, after.get(key), new, alias, files, edited) for key, file in {**using, **behind}.items()
     }
-    before = Side({**files.overlay, **tables_before, **texts}, {})
+    before = Side(files.apart({**tables_before, **texts}), {})
     return Adoption({**writes, **after}, rows[0], tuple(freed), alias, before, behind)
 
 
 def adopt_block(
-    old: str, new: str, members: Iterable[Program], tables: Mapping[str, Table], files: Files, edited: Edited
+    old: str, new: str, members: Iterable[Program], tables: Mapping[str, Table], files: Workspace, edited: Edited
 ) -> Adoption | None:
     """The new name in the marks of a block; None where the sources do not say the new name of it for the old one."""
     sources = {os.path.realpath(file.source.path): file for program in members for file in program.names}
@@ -108,10 +109,10 @@ def adopt_block(
     writes = {key: table.with_block_renamed(old, new) for key, table in tables.items() if table.marks_of(old)}
     before = {key: table.with_block_renamed(old, alias) for key, table in tables.items() if table.marks_of(old)}
     texts = {key: edited(file, new, alias, files) for key, file in using.items()}
-    return Adoption(writes, marks[0], (), alias, Side({**files.overlay, **before, **texts}, {}))
+    return Adoption(writes, marks[0], (), alias, Side(files.apart({**before, **texts}), {}))
 
 
-def _with_alias(file: FileNames, data: bytes | None, new: str, alias: str, files: Files, edited: Edited) -> bytes:
+def _with_alias(file: FileNames, data: bytes | None, new: str, alias: str, files: Workspace, edited: Edited) -> bytes:
     """A source with the old name, or what stands for it, in all places of the new one; ``data`` is what it becomes."""
     if data is None:
         return edited(file, new, alias, files)
@@ -119,7 +120,7 @@ def _with_alias(file: FileNames, data: bytes | None, new: str, alias: str, files
     source = decode(path, data, Diagnostics())
     renamed = read_names(source, Diagnostics()) if source is not None else None
     assert renamed is not None
-    return edited(renamed, new, alias, Files({os.path.realpath(path): data}, {os.path.realpath(path): path}))
+    return edited(renamed, new, alias, Workspace({os.path.realpath(path): data}))
 
 
 def _came_for(other: Row, row: Row, record: bytes | None) -> bool:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from clickgen.commands.nicknames.adopt import Adoption, adopt, adopt_block
-from clickgen.commands.nicknames.programs import Files, Job, Program, programs_around
+from clickgen.commands.nicknames.programs import Job, Program, programs_around
 from clickgen.commands.nicknames.prove import Side, errors_of, prove_same
 from clickgen.commands.nicknames.tables import Table, read_tables
 from clickgen.commands.nicknames.uses import FileNames, comments_with, read_names, word_pattern
@@ -27,6 +27,7 @@ from clickgen.table.rows import is_scratch, looks_like_scratch
 from clickgen.text.edits import apply_fixes
 from clickgen.text.source import Span
 from clickgen.text.wording import counted
+from clickgen.workspace import Workspace
 
 __all__ = ["Rename", "rename"]
 
@@ -61,7 +62,7 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
     CouldNotRun when the new name is not free or not legal, or when a program would not stay what it is.
     """
     _check_names(old, new)
-    files = Files()
+    files = Workspace()
     programs = programs_around(jobs, find_config(Path.cwd()) if config is None else config, files)
     keys = {program.table_key for program in programs if program.is_job}
     sharing = [program for program in programs if program.table_key in keys]
@@ -96,33 +97,33 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
     else:
         changed.update((key, table.renamed(old, new)) for key, table in tables.items() if table.row(old))
         records = _records(tables.values(), old, new, files)
-    written = {key: data for key, data in changed.items() if files.contents[key] != data}
+    written = {key: data for key, data in changed.items() if files.on_disk(key) != data}
     stand_ins = {key: stand_in for key, table in tables.items() if (stand_in := table.stand_in(*wanted))}
     earlier = {os.path.realpath(path): data for path, data in stand_ins.values()}
-    before = Side({**files.overlay, **earlier}, {key: path for key, (path, _) in stand_ins.items()})
-    proven = _proven(members, before, Side({**files.overlay, **written}, {}), wanted)
+    before = Side(files.apart(earlier), {key: path for key, (path, _) in stand_ins.items()})
+    proven = _proven(members, before, Side(files.apart(written), {}), wanted)
     return Rename(
         old,
         new,
-        {Path(files.shown[key]): data for key, data in {**written, **records}.items()},
-        {Path(files.shown[key]): data for key, data in files.contents.items()},
-        {Path(files.shown[key]): len(places[key]) if key in places else marked[key] for key in written},
+        {Path(files.shown(key)): data for key, data in {**written, **records}.items()},
+        {Path(path): data for path, data in files.found.items()},
+        {Path(files.shown(key)): len(places[key]) if key in places else marked[key] for key in written},
         {Path(file.source.path): count for file in sources.values() if (count := comments_with(file.source, old))},
         proven,
         _left(programs, members, old),
     )
 
 
-def _adopted(members: Sequence[Program], files: Files, adoption: Adoption, wanted: _Wanted) -> Rename:
+def _adopted(members: Sequence[Program], files: Workspace, adoption: Adoption, wanted: _Wanted) -> Rename:
     """The end of a rename that somebody began in the sources: the table follows, and the sources that lag behind."""
     old, new, is_block = wanted
-    after = Side({**files.overlay, **adoption.writes}, {})
+    after = Side(files.apart(adoption.writes), {})
     proven = _proven(members, adoption.before, after, _Wanted(adoption.old, new, is_block))
-    writes = {Path(files.shown[key]): data for key, data in adoption.writes.items()}
-    unchanged = {Path(files.shown[key]): data for key, data in files.contents.items()}
+    writes = {Path(files.shown(key)): data for key, data in adoption.writes.items()}
+    unchanged = {Path(path): data for path, data in files.found.items()}
     counts = {path: 1 for path in writes if path.suffix == ".csv"}
     edited = adoption.edited.items()
-    counts.update((Path(files.shown[key]), len(file.of(old))) for key, file in edited)
+    counts.update((Path(files.shown(key)), len(file.of(old))) for key, file in edited)
     comments = {Path(file.source.path): count for _, file in edited if (count := comments_with(file.source, old))}
     return Rename(old, new, writes, unchanged, counts, comments, proven, adoption=adoption)
 
@@ -281,7 +282,7 @@ def _does_not_build(path: str, errors: Sequence[Diagnostic]) -> str:
 # -- what is changed --------------------------------------------------------------------------------------------------
 
 
-def _records(tables: Iterable[Table], old: str, new: str, files: Files) -> dict[str, bytes]:
+def _records(tables: Iterable[Table], old: str, new: str, files: Workspace) -> dict[str, bytes]:
     """The records of names that clickgen placed, by their real paths, where this name is in them."""
     renamed: dict[str, bytes] = {}
     for table in tables:
@@ -309,7 +310,7 @@ def _left(programs: Iterable[Program], members: Sequence[Program], old: str) -> 
     return tuple(named.span for path, file in files.items() if path not in done for named in file.of(old))
 
 
-def _edited(file: FileNames, wanted: _Wanted, files: Files) -> bytes:
+def _edited(file: FileNames, wanted: _Wanted, files: Workspace) -> bytes:
     """The file with the new name, every other byte kept; what is read there now is what was read, renamed."""
     old, new, _ = wanted
     edits: list[Edit] = [edit for named in wanted.places(file) for edit in file.place(named).edits(new)]
@@ -322,11 +323,11 @@ def _edited(file: FileNames, wanted: _Wanted, files: Files) -> bytes:
     return data
 
 
-def _edited_as(file: FileNames, old: str, new: str, files: Files) -> bytes:
+def _edited_as(file: FileNames, old: str, new: str, files: Workspace) -> bytes:
     return _edited(file, _Wanted(old, new, False), files)
 
 
-def _block_edited_as(file: FileNames, old: str, new: str, files: Files) -> bytes:
+def _block_edited_as(file: FileNames, old: str, new: str, files: Workspace) -> bytes:
     return _edited(file, _Wanted(old, new, True), files)
 
 

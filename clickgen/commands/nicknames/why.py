@@ -12,8 +12,8 @@ from clickgen.device.system import addresses_of_system_name, doubt_about, find_s
 from clickgen.facts.uses import Use, extents_of
 from clickgen.formula.printer import source_reference
 from clickgen.ir.operands import Named
-from clickgen.pipeline import BuildResult
 from clickgen.problems.diagnostics import did_you_mean
+from clickgen.results import BuildResult
 from clickgen.table.blocks import Block, marked_blocks
 from clickgen.table.record import placed_in
 from clickgen.table.rows import Row, is_scratch
