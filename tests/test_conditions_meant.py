@@ -85,6 +85,7 @@ SAID = [
     ("x[1] and 0 < ds.A < 5", "all(x[1], 0 < ds.A, ds.A < 5)"),
     ("not ds.A in (1, 2)", "all(ds.A != 1, ds.A != 2)"),
     ("ds.A in range(1, 5)", "all(ds.A >= 1, ds.A < 5)"),
+    ("ds.A in range(1, 5, 1)", "all(ds.A >= 1, ds.A < 5)"),
     ("ds.A not in range(1, 5)", "any(ds.A < 1, ds.A >= 5)"),
     ("ds.A in range(0, 6, 2)", "any(ds.A == 0, ds.A == 2, ds.A == 4)"),
     ("ds.A in ds[1:3]", "any(ds.A == ds[1], ds.A == ds[2])"),

@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given, note, settings
 from hypothesis import strategies as st
 from libcst.metadata import MetadataWrapper, PositionProvider
+from mended import found, rung
 from strategies.broken import broken_programs, mutants
 from strategies.given import Given
 
@@ -253,3 +254,11 @@ def test_one_less_is_read(name: str) -> None:
     )
     assert is_statement(less)
     assert Context(SourceFile("p.py", less), Diagnostics()).expression() is not None
+
+
+# libcst 1.9.0 asks in vain whether these may be directly beside a word.
+@pytest.mark.parametrize("condition", ["not(lambda: x[1])", "not(x[1] if x[2] else x[3])", "x[1] and(lambda: x[2])"])
+def test_a_word_directly_beside_a_parenthesis(condition: str, tmp_path: Path) -> None:
+    (refused,) = found(rung(condition), "CG101", tmp_path)
+    assert refused.help == "put a blank between the word and the parenthesis beside it"
+    assert not found(rung(condition.replace("(", " (")), "CG101", tmp_path)

@@ -263,8 +263,8 @@ def on_one_line(node: Node) -> str:
 
 def code(node: cst.BaseExpression) -> tuple[str, ...]:
     """What an expression consists of, without the blanks and comments in it and the parentheses around it."""
-    bare = node.with_changes(lpar=(), rpar=())
-    return tuple(token for token in _tokens(bare) if not token.startswith("#") and token.strip(" \t\f\n\\"))
+    tokens = [token for token in _tokens(node) if not token.startswith("#") and token.strip(" \t\f\n\\")]
+    return tuple(tokens[len(node.lpar) : len(tokens) - len(node.rpar)])
 
 
 def _tokens(node: Node) -> list[str]:

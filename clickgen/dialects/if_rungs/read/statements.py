@@ -27,6 +27,10 @@ _BLOCK = "if 1:\n"
 """Put above the statements of a block. They keep their indentation: in a text over several lines it counts."""
 
 
+_REFUSALS = (cst.ParserSyntaxError, cst.CSTValidationError, TypeError)
+"""What libcst raises for a text that it does not read; a TypeError for ``not(lambda: a)`` (libcst 1.9.0)."""
+
+
 class Statement(NamedTuple):
     """A statement of the top level. ``body`` has the statements of a routine, to be used up before the next one."""
 
@@ -219,12 +223,15 @@ class Reader:
     def _parsed(self, text: str, part: Part) -> cst.SimpleStatementLine | cst.BaseCompoundStatement:
         try:
             return cst.parse_statement(text)
-        except (cst.ParserSyntaxError, cst.CSTValidationError) as error:
+        except _REFUSALS as error:
             span = self._span(part.start + 1)
             if "\t" in text:
                 help = "indent with four spaces; an editor can turn tabs into spaces"
                 raise Refused(span, "tabs and spaces are mixed", help=help) from None
             message = error.message if isinstance(error, cst.ParserSyntaxError) else str(error)
+            if isinstance(error, TypeError) or message.startswith("Must have at least one space"):
+                why = "a blank is missing beside a word such as if, not or and"
+                raise Refused(span, why, help="put a blank between the word and the parenthesis beside it") from None
             raise Refused(span, message.removeprefix("tokenizer error: ")) from None
 
     def _note(self, found: Sequence[Node], part: Part, at: int, indent: str, default_indent: str) -> None:
@@ -284,7 +291,7 @@ def read_statement(source: SourceFile, places: Places) -> nodes.Statement | None
         return None
     try:
         tree = cst.parse_statement(text)
-    except (cst.ParserSyntaxError, cst.CSTValidationError):
+    except _REFUSALS:
         return None
     found = nodes.in_lines([tree])
     if len(found) != 1:
