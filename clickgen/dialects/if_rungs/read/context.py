@@ -55,8 +55,7 @@ class Context:
 
     def span(self, node: Located) -> Span:
         """Where a node is."""
-        start, end = self.extent(node)
-        return self.stretch(start, end)
+        return self.stretch(*self.extent(node))
 
     def stretch(self, start: int, end: int) -> Span:
         """A stretch of the text, counted from 0, as a span."""

@@ -171,14 +171,14 @@ def _too_deep(tree: ast.Module, lines: list[str]) -> ast.AST | None:
     waiting: list[tuple[ast.AST, int]] = [(tree, 0)]
     while waiting:
         node, depth = waiting.pop()
-        if depth > MAX_DEPTH or (isinstance(node, _LONG) and _is_long(node, lines)):
+        if depth > MAX_DEPTH or (node.__class__ in _LONG and _is_long(node, lines)):
             return node
         if isinstance(node, ast.expr) and _is_short(node, MAX_DEPTH - depth):
             continue
         for value in node.__dict__.values():
             if value.__class__ is list:
                 waiting += [(item, depth + 1) for item in value if isinstance(item, ast.AST)]
-            elif isinstance(value, ast.expr | ast.arguments | ast.pattern):
+            elif isinstance(value, _NESTED):
                 waiting.append((value, depth + 1))
     return None
 
@@ -187,8 +187,9 @@ def _is_short(node: ast.expr, characters: int) -> bool:
     return node.lineno == node.end_lineno and (node.end_col_offset or 0) - node.col_offset < characters
 
 
+_NESTED = (ast.expr, ast.arguments, ast.pattern)
 _COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
-_LONG = (ast.BoolOp, ast.Constant, ast.JoinedStr, ast.Import, ast.ImportFrom, *_COMPREHENSIONS)
+_LONG = frozenset((ast.BoolOp, ast.Constant, ast.JoinedStr, ast.Import, ast.ImportFrom, *_COMPREHENSIONS))
 
 
 def _is_long(node: ast.AST, lines: list[str]) -> bool:

@@ -173,10 +173,9 @@ class Reader:
 
     def _shares_line(self, node: ast.stmt) -> bool:
         """True for a statement that follows another one on its line."""
-        if isinstance(node, RoutineNode | ast.ClassDef):
-            return False
         line = self._lines[node.lineno - 1]
-        if line.encode()[: node.col_offset].strip():
+        before = line[: node.col_offset] if line.isascii() else line.encode()[: node.col_offset]
+        if before and not before.isspace():
             return True
         return node.lineno > 1 and _is_joined(self._lines[node.lineno - 2])
 
@@ -192,10 +191,11 @@ class Reader:
 
     def _inner_indent(self, node: ast.AST) -> str:
         """The indentation of a statement's last block; "" for one without a block, or with it on its own line."""
-        names = ("finalbody", "orelse", "handlers", "cases", "body")
-        block: Sequence[ast.AST] = next((found for name in names if (found := getattr(node, name, None))), [])
+        block: Sequence[ast.AST] = []
+        for name in _BLOCKS:
+            block = getattr(node, name, None) or block
         first = block[0] if block else None
-        if isinstance(first, ast.ExceptHandler | ast.match_case):
+        if isinstance(first, _ARMS):
             return self._inner_indent(block[-1])
         if not isinstance(first, ast.stmt) or self._shares_line(first):
             return ""
@@ -240,6 +240,9 @@ class Reader:
         return self._source.span(line, 1, line, 2)
 
 
+_BLOCKS = ("body", "cases", "handlers", "orelse", "finalbody")
+"""Where a statement has its blocks, in the order of the text."""
+_ARMS = (ast.ExceptHandler, ast.match_case)
 _SIMPLE = (
     ast.Expr,
     ast.Import,
