@@ -118,7 +118,8 @@ def name_of(node: object) -> str:
     if node.__class__ is not cst.Name:
         return ""
     assert isinstance(node, cst.Name)
-    return "" if node.value in _WORDS else word(node)
+    value = node.value
+    return "" if value in _WORDS else value if value.isascii() else word(node)
 
 
 def is_name(node: object) -> bool:
