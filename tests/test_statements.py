@@ -154,8 +154,16 @@ def test_what_only_python_takes(name: str) -> None:
     ast.parse(text)
     [problem] = problems_of(text)
     assert problem.code == "CG101"
-    assert problem.message.startswith("this cannot be read: ")
+    assert problem.message.startswith(("this cannot be read: ", "tabs and spaces are mixed"))
     assert problem.help
+
+
+def test_brackets_that_are_too_deep() -> None:
+    """Python's tree has no levels for parentheses, and libcst's parser goes down with each."""
+    deep = f"def main():\n    if {'(' * 101}c.A{')' * 101}:\n        out(c.B)\n{END}"
+    [problem] = problems_of(deep)
+    assert (problem.code, problem.span) == ("CG118", SourceFile("p.py", deep).span(2, 108, 2, 109))
+    assert not problems_of(deep.replace("(" * 101, "(" * 99).replace(")" * 101, ")" * 99))
 
 
 def test_names_are_compared_as_python_compares_them() -> None:

@@ -18,11 +18,12 @@ import libcst as cst
 
 from clickgen.dialects.if_rungs.read import nodes, pieces
 from clickgen.dialects.if_rungs.read.nodes import Node
-from clickgen.dialects.if_rungs.read.parse import is_statement, sound_tree, soundness
+from clickgen.dialects.if_rungs.read.parse import SPLIT, TOO_DEEP, deep_bracket, is_statement, sound_tree, soundness
 from clickgen.dialects.if_rungs.read.pieces import RoutineNode
 from clickgen.dialects.if_rungs.read.places import Places
 from clickgen.text.source import SourceFile, Span
 
+_SIMPLER = "write it in a simpler way"
 _BLOCK = "if 1:\n"
 """Put above the statements of a block. They keep their indentation: in a text over several lines it counts."""
 
@@ -37,11 +38,11 @@ class Statement(NamedTuple):
 class Refused(Exception):
     """Python reads the file and libcst does not: what to say of it, and where."""
 
-    def __init__(self, span: Span, why: str, code: str = "CG101", help: str = "write it in a simpler way") -> None:
-        super().__init__(why)
+    def __init__(self, span: Span, message: str, help: str, code: str = "CG101") -> None:
+        super().__init__(message)
         self.code = code
         self.span = span
-        self.message = f"this cannot be read: {why}"
+        self.message = message
         self.help = help
 
 
@@ -107,6 +108,10 @@ class Reader:
         """The statements of a part, whose places are noted. Raises Refused."""
         starts = self._source.starts
         text = "\n".join([*self._lines[part.start : part.last], part.ending])
+        deep = deep_bracket(text)
+        if deep is not None:
+            line, col = part.start + deep[0], deep[1]
+            raise Refused(self._source.span(line, col, line, col + 1), TOO_DEEP, SPLIT, "CG118")
         if not part.indent:
             tree = self._parsed(text, part)
             default_indent = part.ending.removesuffix("pass\n")
@@ -223,18 +228,18 @@ class Reader:
             span = self._span(part.start + 1)
             if "\t" in text:
                 help = "indent with four spaces; an editor can turn tabs into spaces"
-                raise Refused(span, "tabs and spaces are mixed", help=help) from None
-            message = error.message if isinstance(error, cst.ParserSyntaxError) else str(error)
-            raise Refused(span, message.removeprefix("tokenizer error: ")) from None
+                raise Refused(span, "tabs and spaces are mixed", help) from None
+            why = error.message if isinstance(error, cst.ParserSyntaxError) else str(error)
+            raise Refused(span, f"this cannot be read: {why}", _SIMPLER) from None
 
     def _note(self, found: Sequence[Node], part: Part, at: int, indent: str, default_indent: str) -> None:
         """Note the places of statements that begin at this character."""
         try:
             end = self._places.read(found, at, indent, default_indent)
         except RecursionError:
-            raise Refused(self._span(part.last), "it is nested too deeply", "CG118") from None
+            raise Refused(self._span(part.last), TOO_DEEP, SPLIT, "CG118") from None
         if end != self._source.starts[part.last] + len(part.ending):
-            raise Refused(self._span(part.last), "it is laid out in an unusual way")
+            raise Refused(self._span(part.last), "this cannot be read: its layout is unusual", _SIMPLER)
 
     def _span(self, line: int) -> Span:
         return self._source.span(line, 1, line, 2)
