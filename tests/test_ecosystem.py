@@ -19,9 +19,10 @@ import pytest
 import yaml
 
 from clickgen.problems.codes import CODES, Severity
-from clickgen.problems.diagnostics import Diagnostic, Edit, Fix
+from clickgen.problems.diagnostics import Diagnostic
 from clickgen.problems.formats import FORMATS
 from clickgen.problems.report import Report, render
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
 PROJECT = Path(__file__).parents[1]

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from mended import assert_builds, fixed, found, rung, truth_table
 
 from clickgen.dialects.if_rungs.read.parse import decode
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
-from clickgen.text.edits import apply_fixes
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.edits import Edit, Fix, apply_fixes
 from clickgen.text.source import Span
 
 # -- edits ------------------------------------------------------------------------------------------------------------

@@ -23,8 +23,9 @@ from clickgen.click.read.grid import DrawnRung, Square
 from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.project import DrawnRoutine, Project, read_project
 from clickgen.click.read.rungs import import_rung
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.table.read import TableUnreadable, read_table
+from clickgen.workspace import CouldNotRun
 
 WIDTH = 31
 SPAN = re.compile(r"Span\([^)]*\)")

@@ -18,9 +18,10 @@ from clickgen.commands.nicknames.rename import Rename, rename
 from clickgen.commands.nicknames.uses import comments_with, places_in, read_names
 from clickgen.config import Config, ProgramSettings, Settings
 from clickgen.dialects.if_rungs.read.parse import decode
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.table.rows import HEADER
 from clickgen.text.write import ChangedMeanwhile, put_in_place
+from clickgen.workspace import CouldNotRun
 
 
 class Job(NamedTuple):

@@ -14,7 +14,8 @@ from clickgen.dialects.if_rungs.read import statements
 from clickgen.dialects.if_rungs.read.nodes import Elements, Node, Statement, string_pieces, text_value
 from clickgen.dialects.if_rungs.read.places import Places
 from clickgen.ir.proposals import Proposal
-from clickgen.problems.diagnostics import Diagnostics, Fix
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.edits import Fix
 from clickgen.text.source import EmbeddedText, SourceFile, Span, embedded_text
 
 Located = Node | Elements

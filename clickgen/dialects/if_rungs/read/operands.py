@@ -51,8 +51,10 @@ from clickgen.ir.operands import (
     Section,
     Text,
 )
-from clickgen.problems.diagnostics import Edit, Fix, did_you_mean
+from clickgen.problems.diagnostics import did_you_mean
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
+from clickgen.text.wording import shorten
 
 _CHAR_CODE = re.compile(r"\$[0-9A-Fa-f]{2}")
 _ADDRESSES = (cst.Attribute, cst.Subscript)
@@ -341,9 +343,3 @@ def _whole_number(node: Located | None) -> int | None:
         inner = _whole_number(node.expression)
         return None if inner is None else -inner
     return None
-
-
-def shorten(text: str, limit: int = 40) -> str:
-    """Source text on one line, for a message."""
-    line = " ".join(text.split())
-    return line if len(line) <= limit else line[: limit - 3] + "..."
