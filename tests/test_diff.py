@@ -16,7 +16,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from hypothesis import assume, given, settings
+from budget import examples
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from judges.builds import ladder_files
 from judges.program_files import program_file
@@ -1093,7 +1094,7 @@ keys = st.lists(st.integers(0, 4), max_size=12)
 
 
 @given(keys, keys)
-@settings(max_examples=300, deadline=None)
+@examples(100)
 def test_common_subsequences_are_longest(one: list[int], other: list[int]) -> None:
     lengths = [[0] * (len(other) + 1) for _ in range(len(one) + 1)]
     for i, mine in enumerate(one):
@@ -1110,7 +1111,7 @@ def test_common_subsequences_are_longest(one: list[int], other: list[int]) -> No
 
 
 @given(*[st.lists(st.frozensets(st.sampled_from("abcdef"), min_size=1), max_size=8)] * 2)
-@settings(max_examples=200, deadline=None)
+@examples(60)
 def test_what_resembles_each_other_stays_in_order(one: list[frozenset[str]], other: list[frozenset[str]]) -> None:
     pairs = most_like(one, other)
     assert all(a < c and b < d for (a, b), (c, d) in pairwise(pairs))
@@ -1160,7 +1161,7 @@ programs = st.one_of(power_programs(), meaning_programs())
 
 
 @given(programs)
-@settings(max_examples=40, deadline=None, print_blob=True)
+@examples(10)
 def test_nothing_differs_from_itself(program: Program) -> None:
     found = diff(side(drawn(program)), side(drawn(program)))
     assert (found.differs, happened(found), found.drawn_otherwise) == (False, [], 0)
@@ -1206,7 +1207,7 @@ def negated(rung: DrawnRung) -> DrawnRung:
 
 
 @given(edited("delete"))
-@settings(max_examples=40, deadline=None, print_blob=True)
+@examples(10)
 def test_a_deleted_rung_is_named(sides: tuple[Side, Side, int, bool]) -> None:
     one, other, number, has_double = sides
     found = diff(one, other)
@@ -1216,7 +1217,7 @@ def test_a_deleted_rung_is_named(sides: tuple[Side, Side, int, bool]) -> None:
 
 
 @given(edited("swap"))
-@settings(max_examples=40, deadline=None, print_blob=True)
+@examples(10)
 def test_swapped_rungs_are_named(sides: tuple[Side, Side, int, bool]) -> None:
     one, other, number, has_double = sides
     found = diff(one, other)
@@ -1228,7 +1229,7 @@ def test_swapped_rungs_are_named(sides: tuple[Side, Side, int, bool]) -> None:
 
 
 @given(edited("negate"))
-@settings(max_examples=40, deadline=None, print_blob=True)
+@examples(10)
 def test_a_negated_rung_is_named(sides: tuple[Side, Side, int, bool]) -> None:
     one, other, number, has_double = sides
     found = diff(one, other)
@@ -1238,7 +1239,7 @@ def test_a_negated_rung_is_named(sides: tuple[Side, Side, int, bool]) -> None:
 
 
 @given(edited("comment"))
-@settings(max_examples=20, deadline=None, print_blob=True)
+@examples(6)
 def test_a_comment_is_no_logic(sides: tuple[Side, Side, int, bool]) -> None:
     one, other, number, _ = sides
     found = diff(one, other)

@@ -18,7 +18,8 @@ from typing import Any, TypeVar
 
 import openpyxl
 import pytest
-from hypothesis import given, settings
+from budget import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from judges.work import calls_in
 from openpyxl.worksheet.worksheet import Worksheet
@@ -1053,7 +1054,7 @@ CELLS = st.none() | st.booleans() | st.integers() | st.floats() | st.sampled_fro
 
 
 @given(st.lists(st.lists(CELLS, max_size=6), max_size=8))
-@settings(max_examples=60, deadline=None)
+@examples(20)
 def test_no_list_is_too_strange(lines: list[list[Any]]) -> None:
     rows, problems = judged(listed(*lines))
     assert len({row.address for row in rows}) == len(rows)
