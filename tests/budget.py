@@ -9,7 +9,12 @@ machine is.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import TypeVar
+
 from hypothesis import HealthCheck, settings
+
+T = TypeVar("T")
 
 PLAIN = 60
 """The examples of a property that does not say a number: these are quick."""
@@ -36,6 +41,19 @@ def choose(times: int) -> None:
         ],
     )
     settings.load_profile("clickgen")
+
+
+def some(items: Sequence[T], step: int) -> Sequence[T]:
+    """Each ``step``-th of the items in ``make test``, and all of them in ``make fuzz``.
+
+    For tests that try every place, marked with ``pytest.mark.property``.
+    """
+    return items[:: step if _times == 1 else 1]
+
+
+def rounds(count: int) -> range:
+    """So many rounds of a test with random numbers of its own, marked with ``pytest.mark.property``."""
+    return range(count * _times)
 
 
 def examples(count: int) -> settings:

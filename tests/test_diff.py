@@ -15,6 +15,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
+import budget
 import pytest
 from budget import examples
 from hypothesis import assume, given
@@ -346,6 +347,7 @@ def test_the_number_of_a_scratch_cell_that_is_shown_is_its_own(run: Run) -> None
     assert ("DS4500" in before, "DS4498" in after) == (True, True)
 
 
+@pytest.mark.property
 @pytest.mark.parametrize("seed", range(4))
 def test_no_numbers_hide_a_change(tmp_path: Path, seed: int) -> None:
     """Whatever the rows say of what their cells are for."""
@@ -364,7 +366,7 @@ def test_no_numbers_hide_a_change(tmp_path: Path, seed: int) -> None:
     assert not diff(one, replace(one)).differs
     changed = 0
     for routine in other.routines:
-        for n, rung in enumerate(routine.rungs):
+        for n, rung in budget.some(list(enumerate(routine.rungs)), 4):
             new = negated(rung)
             if compare([rung], [new]).is_same:
                 continue
@@ -585,14 +587,14 @@ def test_the_order_of_routines_is_no_logic(run: Run, capsys: pytest.CaptureFixtu
 
 
 def test_a_long_main_in_several_files(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
-    rungs = [f"    if c[{n % 1000 + 1}]:\n        set(y[{n % 16 + 1}])\n" for n in range(2000)]
+    rungs = [f"    if c[{n % 1000 + 1}]:\n        set(y[{n % 16 + 1}])\n" for n in range(600)]
     write("prog.py", program(*rungs))
     build("prog.py", "plc", capsys)
     assert len(list(Path("plc").glob("main*.csv"))) > 1
     assert run("prog.py", "plc").code == 0
-    write("prog.py", program(*rungs[:1499], *rungs[1500:]))
+    write("prog.py", program(*rungs[:449], *rungs[450:]))
     said = run("plc", "prog.py")
-    assert [line for line in said.lines if line.startswith("  rung")] == ["  rung 1500 removed"]
+    assert [line for line in said.lines if line.startswith("  rung")] == ["  rung 450 removed"]
 
 
 # -- one file alone ---------------------------------------------------------------------------------------------------

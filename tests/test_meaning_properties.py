@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import budget
 import pytest
 from budget import examples
 from hypothesis import given, note
@@ -147,7 +148,9 @@ FOUND: dict[str, Program] = {
 """Programs that went wrong once, or that random ones seldom come near."""
 
 
+@pytest.mark.property
 @pytest.mark.parametrize("name", FOUND)
 def test_what_was_found(name: str) -> None:
-    check_meaning(FOUND[name], seeds=20)
-    check_meaning(FOUND[name], inputs_move=True, seeds=20)
+    seeds = len(budget.rounds(8))
+    check_meaning(FOUND[name], seeds=seeds)
+    check_meaning(FOUND[name], inputs_move=True, seeds=seeds)
