@@ -84,7 +84,7 @@ def sides(rungs: Sequence[Rows], folder: Path) -> tuple[Side, Side] | None:
 
 
 @given(plants)
-@examples(20)
+@examples(12)
 def test_a_plant_is_what_is_imported_of_it(rungs: list[Rows]) -> None:
     folder = Path(tempfile.mkdtemp(prefix="clickgen-diff-"))
     try:
@@ -192,7 +192,7 @@ def scan(rungs: Sequence[DrawnRung], state: dict[str, int]) -> None:
 
 
 @given(edited_ladders(), st.lists(st.sampled_from(("C1999", "C2000")), unique=True), st.booleans(), st.integers(0))
-@examples(100)
+@examples(60)
 def test_what_passes_does_the_same(
     edited: tuple[list[Drawing], list[Drawing]], scratch: list[str], is_both: bool, seed: int
 ) -> None:

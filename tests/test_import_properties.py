@@ -209,7 +209,7 @@ def check_place(bundle: Path, place: Path, before: Mapping[str, str], names: Map
 
 
 @given(plants())
-@examples(4)
+@examples(2)
 def test_a_project_comes_back(plant: Plant) -> None:
     check_comes_back(plant)
 
@@ -403,13 +403,13 @@ def check_refuses(plant: Plant, seed: int, damages: bool) -> None:
 
 
 @given(plants(), st.integers(0, 2**32))
-@examples(10)
+@examples(3)
 def test_a_build_that_differs_is_refused(plant: Plant, seed: int) -> None:
     check_refuses(plant, seed, True)
 
 
 @given(plants(), st.integers(0, 2**32))
-@examples(8)
+@examples(3)
 def test_a_source_that_says_something_else_is_refused(plant: Plant, seed: int) -> None:
     check_refuses(plant, seed, False)
 
@@ -545,6 +545,6 @@ def check_drawing(rows: Rows) -> None:
 
 
 @given(drawings())
-@examples(40)
+@examples(20)
 def test_what_is_kept_of_any_drawing_does_the_same(rows: Rows) -> None:
     check_drawing(rows)

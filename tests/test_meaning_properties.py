@@ -13,14 +13,14 @@ from strategies.programs import Act, Branch, Loop, Pin, Program, Rung
 
 
 @given(meaning_programs())
-@examples(40)
+@examples(20)
 def test_the_ladder_does_what_the_source_says(program: Program) -> None:
     note(program.text)
     check_meaning(program)
 
 
 @given(meaning_programs())
-@examples(20)
+@examples(10)
 def test_a_rung_looks_at_a_moving_input_once(program: Program) -> None:
     """All conditions of a rung are looked at in one moment, whatever changes by itself in the meantime."""
     note(program.text)

@@ -120,14 +120,14 @@ def check_power(program: Program, codec: bool = False) -> None:
 
 
 @given(power_programs())
-@examples(40)
+@examples(25)
 def test_power_reaches_each_output_as_the_source_says(program: Program) -> None:
     note(program.text)
     check_power(program)
 
 
 @given(power_programs())
-@examples(10)
+@examples(5)
 def test_the_codec_reads_what_was_drawn(program: Program) -> None:
     note(program.text)
     check_power(program, codec=True)

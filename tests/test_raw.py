@@ -243,7 +243,7 @@ TEXTS = st.text(st.characters(codec="utf-16", exclude_categories=("Cc", "Cs")), 
 FIELDS = st.tuples(st.integers(0x1000, 0xFFFF), TEXTS | st.sampled_from(["DS1", "C1..C8", "", "0", '"a"']))
 
 
-@examples(40)
+@examples(15)
 @given(
     st.sampled_from(["Odd", "Email", "Home", "Out", "Copy", "Tmr"]), st.integers(1, 33), st.lists(FIELDS, max_size=4)
 )

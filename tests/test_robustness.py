@@ -29,14 +29,14 @@ def check_table(files: Given) -> None:
 
 
 @given(valid.map(given_files))
-@examples(12)
+@examples(5)
 def test_a_valid_program_builds(files: Given) -> None:
     note(Smallest(files, check_whole))
     check_whole(files)
 
 
 @given(mutants)
-@examples(60)
+@examples(40)
 def test_a_program_with_one_fault_is_told_or_builds(files: Given) -> None:
     note(Smallest(files, check_build))
     check_build(files)
@@ -57,7 +57,7 @@ def test_anything_can_stand_in_a_program(files: Given) -> None:
 
 
 @given(table_builds)
-@examples(40)
+@examples(30)
 def test_anything_can_stand_in_the_address_table(files: Given) -> None:
     note(Smallest(files, check_table))
     check_table(files)
