@@ -1,4 +1,4 @@
-# Everything runs in .venv, which the first target that needs it sets up. Needs Python 3.11+ and make.
+# Everything runs in .venv. The first target that needs it sets it up. You need Python 3.11+ and make.
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
@@ -17,7 +17,7 @@ $(VENV)/ready: pyproject.toml scripts/dev_requirements.py
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e . -r $(VENV)/dev-requirements.txt
 	@touch $@
 
-demo: $(VENV)/ready  ## build the demo program and show what comes out
+demo: $(VENV)/ready  ## build the demo program and show its listing
 	@mkdir -p build/demo-source
 	@cp fixtures/cases/demo/prog.py build/demo-source/demo.py
 	@$(BIN)/clickgen build build/demo-source/demo.py -o build/demo
@@ -25,13 +25,13 @@ demo: $(VENV)/ready  ## build the demo program and show what comes out
 	@echo "The listing begins:"
 	@sed -n '1,40p' build/demo/listing.txt
 
-test: $(VENV)/ready  ## everything that must hold
+test: $(VENV)/ready  ## run all checks and tests
 	@$(MAKE) --no-print-directory -j 3 lint types tests
 
 tests: $(VENV)/ready
 	$(BIN)/python -m pytest -q -n auto --dist worksteal
 
-fuzz: $(VENV)/ready  ## the properties on twenty times as many examples, new ones each time; FUZZ="--minutes 60" goes on
+fuzz: $(VENV)/ready  ## run the properties on many new examples; FUZZ="--minutes 60" repeats it for an hour
 	$(BIN)/python tests/fuzz.py $(FUZZ)
 
 lint: $(VENV)/ready
@@ -41,14 +41,14 @@ lint: $(VENV)/ready
 types: $(VENV)/ready
 	$(BIN)/mypy
 
-golden: $(VENV)/ready  ## write the golden files anew; read the diff before you commit it
+golden: $(VENV)/ready  ## rewrite the golden files; read the diff before you commit it
 	$(BIN)/python scripts/golden.py
 
-docs: $(VENV)/ready  ## write what the documentation and clickgen.dsl have from the code
+docs: $(VENV)/ready  ## write the parts of the documentation and of clickgen.dsl that come from the code
 	$(BIN)/python scripts/docs.py
 	$(BIN)/python scripts/dsl_stub.py
 
-bench: $(VENV)/ready  ## ratios and growth, measured in one run
+bench: $(VENV)/ready  ## measure ratios and growth in one run
 	$(BIN)/python scripts/bench.py
 
 clean:

@@ -16,8 +16,10 @@ TYPE_CHECKING = False
 """As in typing, whose import would be a good part of the time that ``clickgen --version`` takes."""
 
 if TYPE_CHECKING:
-    from clickgen.pipeline import BuildResult, CheckResult, Settings, build, check
+    from clickgen.api import build, check
+    from clickgen.config import Settings
     from clickgen.problems.diagnostics import CouldNotRun
+    from clickgen.results import BuildResult, CheckResult
 
 __version__ = "0.1.0"
 __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "Settings", "__version__", "build", "check"]
@@ -26,9 +28,9 @@ __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "Settings", "__version__
 def __getattr__(name: str) -> object:
     """Load the pipeline at first use: ``clickgen --version`` needs none of it."""
     if name in __all__:
-        import clickgen.pipeline
+        import clickgen.api
 
         # All of them at once: the import leaves the folder of the rules behind under the name of the function check.
-        globals().update({name: getattr(clickgen.pipeline, name) for name in __all__ if not name.startswith("_")})
+        globals().update({name: getattr(clickgen.api, name) for name in __all__ if not name.startswith("_")})
         return globals()[name]
     raise AttributeError(f"module 'clickgen' has no attribute {name!r}")

@@ -1,4 +1,4 @@
-"""Settings: ``clickgen.toml``, or ``[tool.clickgen]`` in the nearest ``pyproject.toml`` that has it."""
+"""The one reader of settings: ``clickgen.toml``, or ``[tool.clickgen]`` in the nearest ``pyproject.toml`` with it."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import CouldNotRun, did_you_mean
+from clickgen.table.names import TABLE_NAME, is_workbook
 from clickgen.workspace import MIB, read_file
 
 if TYPE_CHECKING:
@@ -47,6 +48,37 @@ class CheckSettings(NamedTuple):
     per_file_ignores: tuple[tuple[str, tuple[str, ...]], ...] = ()
 
 
+class Settings(NamedTuple):
+    """How one program is built, beside its own text.
+
+    ``nicknames`` names the address table; None is ``nicknames.csv`` beside the program. A workbook that it names is
+    only read: what it lacks goes into ``nicknames.csv`` beside the program. ``table_must_exist`` refuses one that is
+    not there. ``frozen`` forbids choosing addresses; ``reserved`` are never chosen. ``wants`` tells whether a check
+    should look for a code. ``is_part`` marks a file without a main that no program imports. ``named_elsewhere`` has the
+    names, in small letters, and the addresses that other programs of the table use.
+    """
+
+    nicknames: str | os.PathLike[str] | None = None
+    table_must_exist: bool = False
+    frozen: bool = False
+    reserved: tuple[Address, ...] = ()
+    wants: Callable[[str], bool] = lambda _: True
+    is_part: bool = False
+    named_elsewhere: frozenset[str] = frozenset()
+
+    @property
+    def workbook(self) -> Path | None:
+        """The workbook that is named in the place of an address table."""
+        named = Path(self.nicknames) if self.nicknames is not None else None
+        return named if named is not None and is_workbook(named) else None
+
+    def table_of(self, program: str | os.PathLike[str]) -> Path:
+        """The address table that new names of a program go into."""
+        if self.nicknames is None or self.workbook is not None:
+            return Path(program).parent / TABLE_NAME
+        return Path(self.nicknames)
+
+
 class Config(NamedTuple):
     """The settings of a repository. Paths and patterns are relative to ``root``, the folder of ``file``."""
 
@@ -70,7 +102,8 @@ def find_config(start: Path) -> Config:
     for folder in (start.absolute(), *start.absolute().parents):
         for name in (OWN_FILE, PROJECT_FILE):
             path = folder / name
-            if path.is_file():
+            # What is there and no file is refused by who reads it: a pipe or a device has no settings.
+            if path.exists() and not path.is_dir():
                 config = _read(path, optional=name == PROJECT_FILE)
                 if config is not None:
                     return config
@@ -182,10 +215,10 @@ class _Table:
 
     def _program(self, place: str, value: object, root: Path) -> ProgramSettings:
         if isinstance(value, str):
-            return ProgramSettings(root / value)
+            return ProgramSettings(root / self._path(place, value))
         table = _Table(self._file, place, value)
         table._known("path", "nicknames", "output")
-        path, nicknames, output = (table._optional_text(key) for key in ("path", "nicknames", "output"))
+        path, nicknames, output = (table._optional_path(key) for key in ("path", "nicknames", "output"))
         if path is None:
             raise table._error("path", "is missing: it names the program's main file")
         return ProgramSettings(root / path, root / nicknames if nicknames else None, root / output if output else None)
@@ -258,8 +291,14 @@ class _Table:
             'such as "old", "plc/*.py" or "plc/**/old"'
         )
 
-    def _optional_text(self, key: str) -> str | None:
-        return self._text(self._key(key), self._tree[key]) if key in self._tree else None
+    def _path(self, place: str, value: object) -> str:
+        text = self._text(place, value)
+        if "\0" in text:
+            raise ConfigError(f"{self._file}: {place}: no path is like {value!r}; take the \\u0000 out of it")
+        return text
+
+    def _optional_path(self, key: str) -> str | None:
+        return self._path(self._key(key), self._tree[key]) if key in self._tree else None
 
     def _list(self, key: str, read: Callable[[str, object], T]) -> list[T]:
         values = self._tree.get(key, [])

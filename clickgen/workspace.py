@@ -1,7 +1,9 @@
-"""Reading files that somebody else may have laid out: regular files only, and never more than is expected.
+"""The files of the user: every file that a command reads goes through here.
 
-A repository can hold a link to a device that has no end, or a pipe that nobody writes to. Every file that a command
-reads goes through here.
+A repository can hold a link to a device that has no end, or a pipe that nobody writes to. So only regular files are
+read, and never more than is expected. A ``Workspace`` is what one command sees of the disk: it reads each file once,
+knows the texts that an editor has not saved, and notes what was read. The functions beside it look at the disk as it is
+at that very moment: for those who are about to write there.
 """
 
 from __future__ import annotations
@@ -9,6 +11,7 @@ from __future__ import annotations
 import errno
 import os
 import stat
+from collections.abc import Mapping
 from typing import TypeVar
 
 MIB = 2**20
@@ -17,6 +20,97 @@ READ_MAX = 64 * MIB
 
 StrPath = str | os.PathLike[str]
 Data = TypeVar("Data", bytes, str)
+
+
+class NoRegularFile(OSError):
+    """A pipe or a device is in the place of a file."""
+
+
+class Workspace:
+    """The files as one command sees them.
+
+    ``overlay`` has contents that count instead of those on disk, by real path: what an editor has not saved, what
+    comes from the standard input, a table that the build before this one has extended. ``reads`` has what was read
+    through this object, by path as it was asked for; None for a file that is not there. The same bytes give the same
+    result.
+    """
+
+    def __init__(self, overlay: Mapping[str, bytes] | None = None) -> None:
+        self.overlay: Mapping[str, bytes] = dict(overlay or {})
+        self.reads: dict[str, bytes | None] = {}
+        self._known: dict[str, bytes | None] = {}
+        self._shown: dict[str, str] = {}
+        self._reals: dict[str, str] = {}
+
+    def apart(self, overlay: Mapping[str, bytes] | None = None) -> Workspace:
+        """The same files, with a record of its own of what is read. ``overlay`` adds to what counts instead."""
+        other = Workspace({**self.overlay, **overlay} if overlay else self.overlay)
+        other._known, other._reals = self._known, self._reals
+        return other
+
+    def real(self, path: StrPath) -> str:
+        """The real path of a file, looked up once."""
+        asked = os.fspath(path)
+        if asked not in self._reals:
+            self._reals[asked] = os.path.realpath(asked)
+        return self._reals[asked]
+
+    @property
+    def found(self) -> dict[str, bytes | None]:
+        """Every file on disk that was asked for here, by the path of the first time; None where there is none."""
+        return {shown: self._known[real] for real, shown in self._shown.items() if real in self._known}
+
+    def shown(self, real: str) -> str:
+        """The path by which a file was first asked for, from its real path."""
+        return self._shown[real]
+
+    def on_disk(self, real: str) -> bytes | None:
+        """What was read of a file on disk, by its real path; None where there was none. Raises KeyError."""
+        return self._known[real]
+
+    def has(self, path: StrPath) -> bool:
+        """True for a file, a folder or a link that is there, and for a file that only the overlay has."""
+        return os.path.lexists(path) or (bool(self.overlay) and self.real(path) in self.overlay)
+
+    def read(self, path: StrPath, limit: int = READ_MAX) -> bytes:
+        """The bytes of a regular file. Raises OSError: also for one of more than ``limit`` bytes, and NoRegularFile."""
+        return require_size(self.start(path, limit + 1), path, limit)
+
+    def start(self, path: StrPath, size: int) -> bytes:
+        """The first bytes of a regular file, at most ``size``. Raises OSError as ``read`` does."""
+        asked, real = os.fspath(path), self.real(path)
+        self.reads[asked] = None
+        data = self.overlay.get(real)
+        if data is None:
+            data = self._on_disk(asked, real, size)
+        if data is None:
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), asked)
+        self.reads[asked] = data
+        return data[:size]
+
+    def look(self, path: StrPath, limit: int = READ_MAX) -> bytes | None:
+        """The bytes of a file; None where nothing is there. Raises OSError as ``read`` does: for a link to nowhere."""
+        asked, real = os.fspath(path), self.real(path)
+        if real not in self.overlay and self._on_disk(asked, real, limit + 1) is None:
+            self.reads[asked] = None
+            return None
+        return self.read(path, limit)
+
+    def _on_disk(self, asked: str, real: str, size: int) -> bytes | None:
+        """What was first found on the disk; None where nothing was there. Raises OSError."""
+        self._shown.setdefault(real, asked)
+        if real in self._known:
+            return self._known[real]
+        try:
+            data = read_start(asked, size)
+        except FileNotFoundError:
+            if os.path.lexists(asked):
+                raise
+            self._known[real] = None
+            return None
+        if len(data) < size:  # Only a whole file is remembered.
+            self._known[real] = data
+        return data
 
 
 def read_file(path: StrPath, limit: int = READ_MAX) -> bytes:
@@ -80,4 +174,4 @@ def _require_file(path: StrPath, status: os.stat_result) -> None:
     if stat.S_ISDIR(status.st_mode):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), os.fspath(path))
     if not stat.S_ISREG(status.st_mode):
-        raise OSError(errno.EINVAL, "it is a pipe or a device, not a file", os.fspath(path))
+        raise NoRegularFile(errno.EINVAL, "it is a pipe or a device, not a file", os.fspath(path))

@@ -1,4 +1,4 @@
-"""Write what the documentation has from the code: a page for each instruction and each problem, and some tables.
+"""Write the parts of the documentation that come from the code: instruction pages, problem pages and some tables.
 
 The tests fail while one of them is stale, missing or left over.
 """
@@ -91,14 +91,15 @@ def families() -> Iterator[tuple[str, tuple[Spec, ...]]]:
 
 
 _READING = """\
-A page for each instruction. How they work together is in [the language](../language.md#instructions).
+Each instruction has a page. [The language](../language.md#instructions) describes how they work together.
 
-Arguments are given by their position or by name; where a table names two words for one, both work. In the column
-*Access*, *read* and *written* say what happens to an address. *Owned* says that its number belongs to this instruction
-alone, the bit and the current value. Of SC and SD only [some](../language.md#instructions) can be written.
+You can give arguments by position or by name; if a table lists two names for one argument, both work. In the column
+*Access*, *read* and *written* say what the instruction does to an address. *Owned* says that the number, with its bit
+and its current value, belongs to this instruction alone. In SC and SD, only [some
+addresses](../language.md#instructions) are writable.
 
-The examples stand in a rung that is always on, and their names have the addresses that a first build chooses. *In
-ladder CSV* shows the output column of `main.csv`: the instruction, and below it the inputs of its box."""
+The examples are in a rung that is always on, and their names have the addresses that a first build chooses. *In ladder
+CSV* shows the output column of `main.csv`: the instruction, and below it the inputs of its box."""
 
 
 def index() -> str:
@@ -153,7 +154,7 @@ def codes_table() -> str:
             for name, code in CODES.items()
             if name.startswith(group)
         ]
-        parts += [f"## {title}", table(("Code", "Is", "Title"), *rows)]
+        parts += [f"## {title}", table(("Code", "Severity", "Title"), *rows)]
     return "\n\n".join(parts)
 
 

@@ -56,7 +56,7 @@ def _signatures(spec: Spec) -> Iterator[str]:
 _TAKES = {
     ParamKind.FLAG: "`True` or `False`",
     ParamKind.UNIT: listed(map(quoted, UNITS)),
-    ParamKind.PIN: "a condition behind `lambda:`",
+    ParamKind.PIN: "a condition after `lambda:`",
     ParamKind.FORMULA: "a [formula](../language.md#formulas) in quotes",
     ParamKind.PATTERN: "rows of 0 and 1: `[[1, 0], [0, 1]]`",
     ParamKind.TARGET: "`ModbusTcpTarget(...)` or `ModbusRtuTarget(...)`",
@@ -78,7 +78,7 @@ def _arguments(spec: Spec) -> str:
         (listed(map(quoted, (param.name, *param.aliases))), _takes(spec, param), _left_out(param), _access(param))
         for param in spec.params
     ]
-    return table(("Argument", "Takes", "Left out", "Access"), *rows)
+    return table(("Argument", "Takes", "If left out", "Access"), *rows)
 
 
 def _takes(spec: Spec, param: Param) -> str:
@@ -89,7 +89,7 @@ def _takes(spec: Spec, param: Param) -> str:
     takes = _forms(param.slot) if param.name in spec.matrix else _operand(param.slot)
     if param.extends_over:
         takes += f"; an address begins a range as long as `{param.extends_over}`"
-    return f"a list, each {takes}" if param.kind is ParamKind.OPERANDS else takes
+    return f"a list; each item is {takes}" if param.kind is ParamKind.OPERANDS else takes
 
 
 def _forms(slot: Slot) -> str:
@@ -123,7 +123,7 @@ def _left_out(param: Param) -> str:
     if param.default is REQUIRED:
         return "required"
     if param.of_pin:
-        return f"only without `{param.of_pin}`"
+        return f"allowed only without `{param.of_pin}`"
     if param.kind is ParamKind.PIN:
         return "the box has no such input"
     if param.kind is ParamKind.OPTIONS:
@@ -154,7 +154,7 @@ def _matrix(spec: Spec) -> list[str]:
         target = _banks(pair.targets) + (f", {_DISPUTED}" if pair.disputed else "")
         rows.append((_banks(pair.sources), target, _length(pair)))
     columns = 3 if any(pair.lengths for pair in pairs) else 2
-    return ["## What goes where", table(*(row[:columns] for row in rows))] if pairs else []
+    return ["## Source and destination", table(*(row[:columns] for row in rows))] if pairs else []
 
 
 def _banks(forms: Collection[str]) -> str:
@@ -174,7 +174,7 @@ def _conversions(spec: Spec) -> list[str]:
         if option in spec.conversions:
             sources, targets = (dict.fromkeys(banks) for banks in zip(*_converted(spec, option), strict=True))
             rows.append((f"`options={option}`", f"`.{modifier}()`", _banks(sources), _banks(targets)))
-    words = "An option, or a modifier behind the source; [Copies](../language.md#copies) says what each does."
+    words = "Use an option, or a modifier after the source. [Copies](../language.md#copies) says what each does."
     return ["## Conversions", words, table(("Option", "Modifier", "From", "To"), *rows)]
 
 
@@ -194,7 +194,7 @@ def _example(spec: Spec) -> list[str]:
     ((codes, tokens),) = {built(kind, form) for form in forms}
     notes = f"example: {kind}" + (f", gives {' '.join(codes)}" if codes else "")
     shown = "\n\nThe same in the other form:\n\n".join(block(notes, "python", form) for form in forms)
-    said = [f"Building it gives {listed(map(problem_link, codes), 'and')}."] if codes else []
+    said = [f"The example gives {listed(map(problem_link, codes), 'and')}."] if codes else []
     ladder = ["In ladder CSV:", block("tokens", "text", tokens)] if tokens else []
     return ["## Example", shown, *ladder, *said]
 
@@ -205,12 +205,12 @@ def _in_click(spec: Spec) -> Iterator[str]:
         return
     if spec is RAW:
         yield "Height: as many grid rows as the token says; a formula has 1."
-        yield "Rung: shared with other instructions."
-        yield "One-shot, and the system bits that it may set: the token says, or nobody knows."
+        yield "Rung: can be shared with other instructions."
+        yield "One-shot, and the system bits that it may set: as in the token, or unknown."
         return
-    inputs = ", its inputs included" if spec.pins else ""
+    inputs = ", including its inputs" if spec.pins else ""
     yield f"Height: {spec.height} grid row{'s' * (spec.height > 1)}{inputs}."
-    yield "Rung: one of its own." if spec.pins or spec.alone else "Rung: shared with other instructions."
+    yield "Rung: its own." if spec.pins or spec.alone else "Rung: can be shared with other instructions."
     has_oneshot = any(param.name == "oneshot" for param in spec.params)
     yield "One-shot: yes, with `oneshot=True`." if has_oneshot else "One-shot: no."
     bits = [f"{name} (`{system_name_of(address)}`)" for name in spec.sets_flags if (address := parse_address(name))]

@@ -9,9 +9,9 @@ from itertools import product
 from pathlib import Path
 
 import clickgen
-from clickgen.pipeline import check
+from clickgen.api import check
+from clickgen.config import Settings
 from clickgen.problems.diagnostics import Diagnostic
-from clickgen.settings import Settings
 from clickgen.text.edits import apply_fixes
 
 

@@ -13,7 +13,7 @@ from pyclickplc.blocks import compute_all_block_ranges, parse_block_tag
 
 import clickgen
 from clickgen.cli import main
-from clickgen.pipeline import BuildResult
+from clickgen.results import BuildResult
 from clickgen.table.blocks import mark_in
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\n"

@@ -25,6 +25,9 @@ def main():
 """
 CLEAN = "def main():\n    if c.A:\n        out(c.B)\n    if True:\n        end()\n"
 BROKEN = "def main():\n    if c.A and c.B:\n        out(c.C)\n"
+ALWAYS_CALLS = "from parts import fill\n\n\n" + CLEAN.replace(
+    "if c.A:\n        out(c.B)", "if True:\n        call(fill)"
+)
 PART = "@sub\ndef fill():\n    if c.A:\n        out(c.B)\n    if True:\n        return\n"
 
 
@@ -152,7 +155,7 @@ def test_a_broken_program_is_found_too(check: Check) -> None:
 
 
 def test_a_file_without_a_main_is_checked_as_part_of_its_program(check: Check) -> None:
-    write("plc.py", "from parts import fill\n\n\n" + CLEAN.replace("out(c.B)", "call(fill)"))
+    write("plc.py", ALWAYS_CALLS)
     write("parts.py", PART.replace("out(c.B)", "out(c.B)\n    if c.C:\n        out(c.B)"))
     said = check("parts.py", "--output-format", "concise")
     assert said.out.startswith("parts.py:6:9: CG501 ")
@@ -230,7 +233,7 @@ def test_the_command_line_replaces_the_selection_of_the_settings(check: Check) -
 def test_files_can_have_ignores_of_their_own(check: Check) -> None:
     write("old/plc.py", DOUBLE)
     write("new/plc.py", DOUBLE)
-    write("pyproject.toml", '[tool.clickgen.facts.per-file-ignores]\n"old/*" = ["CG5"]\n')
+    write("pyproject.toml", '[tool.clickgen.check.per-file-ignores]\n"old/*" = ["CG5"]\n')
     assert [line.partition(":")[0] for line in check(".", "--output-format", "concise", "-q").out.splitlines()] == [
         "new/plc.py"
     ]
@@ -400,7 +403,7 @@ def test_a_damaged_cache_is_no_cache(check: Check, damage: bytes) -> None:
 
 
 def test_a_cached_result_knows_what_it_was_made_of(check: Check) -> None:
-    write("plc.py", "from parts import fill\n\n\n" + CLEAN.replace("out(c.B)", "call(fill)"))
+    write("plc.py", ALWAYS_CALLS)
     assert codes(check(".", "--output-format", "concise")) == ["CG121"]
     write("parts.py", PART)
     assert check(".").code == 0

@@ -269,7 +269,7 @@ def test_version_loads_nothing_heavy() -> None:
 def test_the_functions_of_the_package_stay_functions(tmp_path: Path) -> None:
     """Building loads the rules, whose folder has the name of the function ``check``."""
     (tmp_path / "prog.py").write_text("def main():\n    if x[1]:\n        out(y[1])\n    if True:\n        end()\n")
-    code = "import clickgen\nassert clickgen.build('prog.py').ok\nassert not clickgen.facts('prog.py').diagnostics"
+    code = "import clickgen\nassert clickgen.build('prog.py').ok\nassert not clickgen.check('prog.py').diagnostics"
     subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=True)
 
 
@@ -342,6 +342,21 @@ def test_two_programs_of_one_table_are_told_how_to_part(folder: Path, capsys: py
     assert "has this table too" not in capsys.readouterr().out
 
 
+def test_two_configured_programs_of_one_table_are_not_told_to_part(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "prog.py").unlink()
+    (folder / "filler.py").write_text(FILLER)
+    (folder / "packer.py").write_text(FILLER.replace("Speed", "Rate"))
+    (folder / "clickgen.toml").write_text('programs = ["filler.py", "packer.py"]\n')
+    assert main(["build", "filler.py"]) == 0
+    assert "has this table too" not in capsys.readouterr().out
+    # A third one that the settings do not name may be for another PLC.
+    (folder / "third.py").write_text(FILLER)
+    assert main(["build", "packer.py"]) == 0
+    assert "third.py has this table too" in capsys.readouterr().out
+
+
 def test_a_table_that_is_named_and_not_there_says_how_to_begin_one(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -351,3 +366,34 @@ def test_a_table_that_is_named_and_not_there_says_how_to_begin_one(
     (folder / "clickgen.toml").write_text(f"{setting}\n")
     assert main(["build", "prog.py"]) == 0
     assert (folder / "prog.csv").exists()
+
+
+# -- files that are no programs ---------------------------------------------------------------------------------------
+
+PROJECT = "clickgen import the folder of the Scr*.tmp files"
+NO_PROGRAMS = [
+    ("plant.ckp", b"SC-PRJ" + bytes(range(256)), PROJECT),
+    ("plant.ckp", b"\x01\x00scp.bin.zi" + bytes(99), PROJECT),
+    ("saved.bin", b"CLICK   " + bytes(500), "clickgen import saved.bin -o prog.py"),
+    ("Scr1.tmp", b"SC-SCR  " + bytes(500), "clickgen import Scr1.tmp -o prog.py"),
+    ("scr2.tmp", b"\x00" * 500, "clickgen import scr2.tmp -o prog.py"),
+    ("io.xlsx", b"PK\x03\x04" + bytes(range(256)), "after --nicknames"),
+    ("io.xls", b"\xd0\xcf\x11\xe0" + bytes(range(256)), "after --nicknames"),
+    ("plant.adpro", b"PK\x03\x04" + bytes(range(256)), "clickgen import --help"),
+    ("main.csv", b"marker,A,B\nR,X001\n", "clickgen import main.csv -o prog.py"),
+    ("names.csv", b"Address,Data Type,Nickname\nX001,BIT,A\n", "--nicknames names.csv"),
+]
+
+
+@pytest.mark.parametrize(("name", "data", "way"), NO_PROGRAMS)
+@pytest.mark.parametrize("command", ["build", "check --no-cache", "workbook", "nicknames sync", "nicknames check"])
+def test_what_is_given_for_a_program_and_is_none_is_named(
+    command: str, name: str, data: bytes, way: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / name).write_bytes(data)
+    assert main([*command.split(), name]) in (1, 2)
+    captured = capsys.readouterr()
+    said = captured.out + captured.err
+    assert "UTF-8" not in said
+    if command != "nicknames check":
+        assert way in said

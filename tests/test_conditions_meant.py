@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import builtins
 import operator
 import re
@@ -385,7 +384,8 @@ def table(text: str) -> list[bool]:
 @given(EXPRESSIONS, st.booleans())
 def test_what_is_said_holds_exactly_when_the_expression_does(text: str, wanted: bool) -> None:
     context = Context(SourceFile("prog.py", text), Diagnostics())
-    node = ast.parse(text, mode="eval").body
+    node = context.expression()
+    assert node is not None
     said = meant(context, node, partial(fits_condition, context), wanted)
     if said is not None and not said.before:
         assert table(said.text) == [holds is wanted for holds in table(text)]

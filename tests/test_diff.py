@@ -40,11 +40,11 @@ from clickgen.commands.diff.programs import diff
 from clickgen.commands.diff.revision import named_revision
 from clickgen.commands.diff.sides import Side, program_side
 from clickgen.commands.diff.words import Wording
+from clickgen.config import Settings
 from clickgen.device.banks import Address, parse_address
-from clickgen.emit.listing import Names
+from clickgen.emit.rung_words import Names
 from clickgen.ir.conditions import Contact
 from clickgen.lower.scratch import purpose_of, rung_of
-from clickgen.settings import Settings
 from clickgen.table.address_table import AddressTable
 from clickgen.table.rows import default_row, scratch_name
 
@@ -1274,8 +1274,80 @@ def test_two_revisions_without_a_path_are_every_program_of_the_settings(reposito
     assert said.code == 1
     assert said.out.startswith("--- HEAD~1:prog.py\n")
     assert "--- HEAD~1:packer/packer.py\n+++ HEAD:packer/packer.py\n" in said.out
-    assert repository("HEAD~1", "HEAD", "--output-format", "json").code == 2
+    told = repository("HEAD~1", "HEAD", "--output-format", "json")
+    found = json.loads(told.out)
+    assert (told.code, found["version"], found["differs"]) == (1, 1, True)
+    assert [(each["old"], each["differs"]) for each in found["programs"]] == [
+        ("HEAD~1:prog.py", False),
+        ("HEAD~1:packer/packer.py", True),
+    ]
     assert repository("HEAD~1", "packer/packer.py").code == 1
+
+
+def test_a_program_that_came_or_went_with_a_revision(repository: Run) -> None:
+    write("clickgen.toml", 'programs = ["prog.py"]\n')
+    commit()
+    write("packer/packer.py", program(*RUNGS))
+    write("clickgen.toml", 'programs = ["prog.py", "packer/packer.py"]\n')
+    commit()
+    repository("prog.py", "prog.py")
+    said = repository("HEAD~1", "HEAD")
+    assert said.code == 1
+    assert "HEAD:packer/packer.py is new: there is no packer/packer.py in HEAD~1\n" in said.out
+    assert "main added" in said.out
+    back = repository("HEAD", "HEAD~1", "-q")
+    assert back.code == 1
+    assert "HEAD:packer/packer.py was removed: there is no packer/packer.py in HEAD~1\n" in back.out
+    found = json.loads(repository("HEAD~1", "HEAD", "--output-format", "json").out)
+    assert [(each["old"], each["new"], each["differs"]) for each in found["programs"]] == [
+        ("HEAD~1:prog.py", "HEAD:prog.py", False),
+        (None, "HEAD:packer/packer.py", True),
+    ]
+    # Gone with its line in the settings.
+    Path("packer/packer.py").unlink()
+    write("clickgen.toml", 'programs = ["prog.py"]\n')
+    commit()
+    said = repository("HEAD~1", "HEAD")
+    assert said.code == 1
+    assert "HEAD~1:packer/packer.py was removed: there is no packer/packer.py in HEAD\n" in said.out
+    # In neither revision, and without settings: the only program is new.
+    write("late.py", program(*RUNGS))
+    write("clickgen.toml", 'programs = ["prog.py", "late.py"]\n')
+    assert repository("HEAD", "HEAD").code == 0
+
+
+def test_the_only_program_may_be_new(repository: Run) -> None:
+    git("mv", "prog.py", "plant.py")
+    commit()
+    repository("plant.py", "plant.py")
+    said = repository("HEAD~1", "HEAD")
+    assert (said.code, "HEAD:plant.py is new" in said.out) == (1, True)
+
+
+def test_a_program_with_errors_among_several(repository: Run) -> None:
+    write("bad.py", program("if c.A AND:\n        out(y[1])"))
+    write("clickgen.toml", 'programs = ["prog.py", "bad.py"]\n')
+    commit()
+    write("prog.py", program(*CHANGED_RUNGS))
+    commit()
+    repository("prog.py", "prog.py")
+    said = repository("HEAD~1", "HEAD", "--output-format", "json")
+    assert said.code == 2
+    assert [each["differs"] for each in json.loads(said.out)["programs"]] == [True, None]
+
+
+@pytest.mark.parametrize(
+    "sides", [("HEDA", "HEAD"), ("HEAD", "HEDA"), ("HEDA", "HEDB"), ("HEDA", "prog.py"), ("prog.py", "HEDA")]
+)
+def test_an_unknown_revision_is_named(repository: Run, sides: tuple[str, str]) -> None:
+    repository("prog.py", "prog.py")
+    for several in (False, True):
+        if several:
+            write("other.py", program(*RUNGS))
+            write("clickgen.toml", 'programs = ["prog.py", "other.py"]\n')
+        said = repository(*sides)
+        assert (said.code, said.out) == (2, "")
+        assert "there is no file, folder or revision 'HEDA'" in said.err
 
 
 def test_a_revision_that_could_be_any_of_several_programs_names_them(repository: Run) -> None:

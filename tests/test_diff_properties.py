@@ -24,8 +24,8 @@ from clickgen.click.read.grid import DrawnRung
 from clickgen.commands.diff.programs import diff
 from clickgen.commands.diff.sides import Side, ladder_side, program_side
 from clickgen.commands.import_.project import Target, import_project
+from clickgen.config import Settings
 from clickgen.ir.conditions import Compare, Contact
-from clickgen.settings import Settings
 
 Rows = list[list[str]]
 

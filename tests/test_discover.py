@@ -19,6 +19,7 @@ from clickgen.dialects.if_rungs import discover as module
 from clickgen.dialects.if_rungs.discover import Target, discover, is_program, matches, targets, wholly_judged
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.workspace import Workspace
 
 END = "    if True:\n        end()\n"
 RUNG = "    if c.A:\n        out(c.B)\n"
@@ -257,7 +258,7 @@ def test_a_file_that_cannot_be_read_is_told(
     def refuse(*_: object, **__: object) -> None:
         raise PermissionError(errno.EACCES, "Permission denied")
 
-    monkeypatch.setattr(module, "open", refuse, raising=False)
+    monkeypatch.setattr("clickgen.workspace.read_start", refuse)
     assert main(["check", "plc"]) == 2
     assert "plc/p.py cannot be read: Permission denied" in capsys.readouterr().err.replace("\\", "/")
     with pytest.raises(CouldNotRun, match="cannot be read"):
@@ -309,21 +310,21 @@ def test_a_folder_without_a_program_is_known() -> None:
 # -- a text in place of a file ----------------------------------------------------------------------------------------
 
 
-def overlay(path: str, text: str) -> dict[str, bytes]:
-    return {os.path.realpath(path): text.encode()}
+def unsaved(path: str, text: str) -> Workspace:
+    return Workspace({os.path.realpath(path): text.encode()})
 
 
 def test_a_text_is_judged_as_the_file_it_is_given_for() -> None:
     write("p.py", f"from lib import fill\n\n\n{CLEAN}")
     write("lib.py", "")
-    assert targets(["lib.py"], here(), overlay=overlay("lib.py", PART)) == [Target("p.py")]
-    assert targets(["lib.py"], here(), overlay=overlay("lib.py", CLEAN)) == [Target("lib.py")]
-    assert targets(["new.py"], here(), overlay=overlay("new.py", CLEAN)) == [Target("new.py")]
-    assert targets(["p.py"], here(), overlay=overlay("p.py", "")) == [Target("p.py", is_part=True)]
+    assert targets(["lib.py"], here(), workspace=unsaved("lib.py", PART)) == [Target("p.py")]
+    assert targets(["lib.py"], here(), workspace=unsaved("lib.py", CLEAN)) == [Target("lib.py")]
+    assert targets(["new.py"], here(), workspace=unsaved("new.py", CLEAN)) == [Target("new.py")]
+    assert targets(["p.py"], here(), workspace=unsaved("p.py", "")) == [Target("p.py", is_part=True)]
 
 
 def test_a_text_for_an_excluded_file_is_left_out_like_the_file() -> None:
-    assert targets(["old/p.py"], here(), ["old"], True, overlay("old/p.py", CLEAN)) == []
+    assert targets(["old/p.py"], here(), ["old"], True, unsaved("old/p.py", CLEAN)) == []
 
 
 # -- whether all was judged -------------------------------------------------------------------------------------------

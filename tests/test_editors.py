@@ -12,10 +12,11 @@ from pathlib import Path
 import pytest
 
 import clickgen
+from clickgen.api import known_names
 from clickgen.commands.stubs.stub import builtins_stub
 from clickgen.device.banks import Address
 from clickgen.instructions import INSTRUCTIONS
-from clickgen.pipeline import KnownNames, known_names
+from clickgen.results import KnownNames
 from clickgen.table.rows import default_row
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from clickgen.pipeline import check
+from clickgen.api import check
 from clickgen.problems.codes import CODES
 
 BIG = " * ".join(["2147483647"] * 60)

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from judges.work import calls_in
 
 from clickgen.cli import main
+from clickgen.click.read.operands import condition_of, operand_of
 from clickgen.commands.check.programs import Outcome, Request
 from clickgen.commands.check.programs import run as run_check
 from clickgen.config import find_config
+from clickgen.device.banks import Kind
 from clickgen.device.limits import comment_bytes, styled_part
 from clickgen.dialects.if_rungs.discover import is_program, matches
 from clickgen.table.blocks import mark_in
+from clickgen.table.rows import initial_fault
+from clickgen.text.source import Span
 
 END = "    if True:\n        end()\n"
-RUNGS = {
+RUNGS: dict[str, Callable[[int], str]] = {
     "outputs of one rung": lambda n: "    if x[1]:\n" + "".join(f"        copy({i}, ds[{i + 1}])\n" for i in range(n)),
     "branches of one rung": lambda n: (
         "    if x[1]:\n" + "".join(f"        if c[{i + 1}]:\n            copy({i}, ds[{i + 1}])\n" for i in range(n))
@@ -24,6 +29,18 @@ RUNGS = {
     "rungs on one coil": lambda n: "".join(f"    if c[{i + 1}]:\n        out(y[1])\n" for i in range(n)),
     "silenced findings": lambda n: "".join(
         f"    if c[{i + 1}]:\n        out(y[1])  # clickgen: ignore[CG501]\n" for i in range(n)
+    ),
+    "toggles of one bit": lambda n: (
+        "    if all(re(x[1]), nc(c[1])):\n        set(c[1])\n    if all(re(x[1]), c[1]):\n        reset(c[1])\n" * n
+    ),
+    "toggles of one bit on a level": lambda n: (
+        "    if all(x[1], nc(c[1])):\n        set(c[1])\n    if all(x[1], c[1]):\n        reset(c[1])\n" * n
+    ),
+    "branches that fill a long range": lambda n: (
+        "    if x[1]:\n" + "".join(f"        if c[{i + 1}]:\n            copy_fill({i}, ds[1:301])\n" for i in range(n))
+    ),
+    "coils in ranges that are reset": lambda n: "".join(
+        f"    if x[1]:\n        out(c[{i + 1}])\n    if x[2]:\n        reset(c[1:301])\n" for i in range(n)
     ),
 }
 ALTERNATING = "".join(f"{'all' if i % 2 else 'any'}(c.{'AB'[i % 2]}, " for i in range(25)) + "c.Z" + ")" * 25
@@ -74,6 +91,29 @@ def test_blocks_are_not_all_compared_with_each_other(tmp_path: Path) -> None:
     assert large < 2.4 * small
 
 
+def nested_blocks(n: int) -> str:
+    begins = "".join(f'DS{i + 1},INT,"",0,Yes,"<B{i}>"\n' for i in range(n))
+    ends = "".join(f'DS{4501 - n + i},INT,"",0,Yes,"</B{n - 1 - i}>"\n' for i in range(n))
+    return "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\n" + begins + ends
+
+
+def test_blocks_inside_each_other_are_gone_through_once(tmp_path: Path) -> None:
+    program = f"def main():\n    if x[1]:\n        copy(1, ds.B1[0])\n{END}"
+    work = []
+    for n in (10, 200, 400):
+        (tmp_path / "nicknames.csv").write_text(nested_blocks(n), "utf-8")
+        work.append(judged(program, tmp_path))
+    assert work[2] < 2.4 * work[1]
+
+
+def test_a_long_range_costs_little_more_than_a_short_one(tmp_path: Path) -> None:
+    """Its addresses are made once, and a coil in it asks for its own bit alone."""
+    text = "def main():\n    if x[1]:\n        out(c[1])\n    if x[2]:\n        set(c[1:{}])\n" + END
+    judged(text.format(10), tmp_path)
+    small, large = (judged(text.format(n), tmp_path) for n in (500, 1000))
+    assert large < 2.1 * small
+
+
 def test_alternatives_inside_each_other_do_not_double(tmp_path: Path) -> None:
     work = judged(f"def main():\n    if {ALTERNATING}:\n        out(y[1])\n{END}", tmp_path)
     assert work < 1_000_000
@@ -104,6 +144,16 @@ def test_patterns_with_many_stars_are_quick() -> None:
 def test_a_long_line_is_no_long_look(text: str) -> None:
     """Each of these took minutes: the end of a text was looked for again at every quote."""
     assert not is_program(text)
+
+
+@pytest.mark.parametrize("digits", ["9" * 100_000, "-" + "9" * 100_000 + ".", "1." + "9" * 100_000])
+def test_a_long_number_is_no_long_look(digits: str) -> None:
+    """Some of these took a minute: where a number that is none ends was tried at every digit."""
+    span = Span("main.csv", 1, 1, 1, 2)
+    assert condition_of(digits, span) is None
+    assert condition_of(f"DS1=={digits}x", span) is None
+    assert operand_of(f"{digits}x", span) is None
+    assert initial_fault(Kind.FLOAT, f"{digits}x") is not None
 
 
 def test_marks_and_styles_are_looked_for_in_what_can_hold_them() -> None:

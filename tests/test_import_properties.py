@@ -32,10 +32,10 @@ from test_importing_properties import ruff_changes
 import clickgen
 from clickgen.commands.import_ import project as run
 from clickgen.commands.import_.project import ImportResult, Target, import_project
+from clickgen.config import Settings
 from clickgen.dialects.if_rungs.write import files
 from clickgen.dialects.if_rungs.write.routine import write_source
-from clickgen.pipeline import BuildResult
-from clickgen.settings import Settings
+from clickgen.results import BuildResult
 from clickgen.table.rows import is_scratch
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment"
@@ -382,7 +382,7 @@ def check_refuses(plant: Plant, seed: int, damages: bool) -> None:
 
         writer = write if damages else write_otherwise
         with (
-            patch("clickgen.pipeline.build", built.build),
+            patch("clickgen.api.build", built.build),
             patch.object(run, "write_source", writer),
             patch.object(files, "write_source", writer),
         ):
@@ -435,7 +435,7 @@ def test_rungs_too_many_or_too_few_are_refused(name: str, file: str, tmp_path: P
         result = clickgen.build(*arguments, **others)
         return replace(result, files={**result.files, file: GONE[name](result.files[file])})
 
-    with patch("clickgen.pipeline.build", build_otherwise):
+    with patch("clickgen.api.build", build_otherwise):
         result = import_project(tmp_path / "bundle", Target(tmp_path / "prog.py"))
     assert "CG703" in {problem.code for problem in result.diagnostics}
     assert not result.files

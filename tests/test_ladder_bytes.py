@@ -339,3 +339,27 @@ def test_a_comment_with_other_marks_is_named(
     assert "CG709" in told.err
     assert r"\cf1" in told.err
     assert "1 of 1 rung verified" in told.err
+
+
+# -- what laddercodec cannot read --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("token", ["copy(DS1,DS2)", "on_delay(T1,TD1,preset=5,unit=Ts)"])
+def test_a_full_rung_before_a_box_is_a_limit_and_no_damage(
+    token: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """findings/laddercodec-31-contacts.sh"""
+    monkeypatch.chdir(tmp_path)
+    lines = [",".join(HEADER), ",".join(["R", *(f"C{n}" for n in range(1, 32)), f'"{token}"']), "," * 32]
+    Path("rung.csv").write_text("\n".join(lines) + "\n")
+    data = bytes(laddercodec.encode(laddercodec.read_csv(Path("rung.csv"))))
+    Path("saved.bin").write_bytes(data)
+    assert main(["import", "saved.bin", "-o", "prog.py"]) == 1
+    said = capsys.readouterr().err
+    assert "CG710" in said
+    assert "laddercodec 0.2.2 cannot decode 31 contacts" in said
+    assert "mend the file" not in said
+    # A capture that is cut off is damaged all the same.
+    Path("saved.bin").write_bytes(data[: len(data) // 2])
+    assert main(["import", "saved.bin", "-o", "prog.py"]) == 1
+    assert "CG701" in capsys.readouterr().err

@@ -9,7 +9,7 @@ import pytest
 
 import clickgen
 from clickgen.cli import main
-from clickgen.pipeline import BuildResult
+from clickgen.results import BuildResult
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\n"
 PROGRAM = """\

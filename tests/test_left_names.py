@@ -57,6 +57,11 @@ def told(capsys: pytest.CaptureFixture[str], *words: str) -> list[str]:
     return re.findall(r"clickgen (nicknames rename [^;]+);", capsys.readouterr().out)
 
 
+def steps(text: str) -> list[str]:
+    """Every command that a message prints, in order."""
+    return [command.strip() for command in re.findall(r"clickgen (nicknames (?:sync|rename)[^;,\n]+)", text)]
+
+
 def follow(command: str) -> None:
     assert run(shlex.split(command)) == 0
 
@@ -258,3 +263,179 @@ def test_sync_remembers_what_left(capsys: pytest.CaptureFixture[str]) -> None:
     (command,) = told(capsys)
     follow(command)
     assert rows() == {"DS1": "Rate", "DS2": "Level"}
+
+
+# -- half done --------------------------------------------------------------------------------------------------------
+
+
+def whole(name: str) -> str:
+    """The program, with a rung that writes its other name: that is no half then."""
+    return program(name).replace("    if True:", "    if c[2]:\n        copy(7, ds.Level)\n    if True:")
+
+
+def half(old: str = "Speed", new: str = "Rate", where: int = 1) -> str:
+    """The program with the new name in one of the two places of the old one."""
+    parts = whole(old).split(_of("ds", old))
+    return (
+        parts[0]
+        + (_of("ds", new), _of("ds", old))[where]
+        + parts[1]
+        + (_of("ds", old), _of("ds", new))[where]
+        + parts[2]
+    )
+
+
+@pytest.mark.parametrize("where", [0, 1], ids=["written", "read"])
+@pytest.mark.parametrize("is_built", [False, True], ids=["before the build", "after the build"])
+@pytest.mark.parametrize(
+    ("old", "new"), [("Speed", "Rate"), ("Speed", "Speed_2"), ("Belt speed", "BeltRate"), ("Speed", "Belt speed")]
+)
+def test_a_half_done_rename_is_told_and_finished(
+    old: str, new: str, is_built: bool, where: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write(whole(old))
+    build()
+    before = (Path("build/prog/main.csv").read_bytes(), rows())
+    write(half(old, new, where))
+    if is_built:
+        build()
+        assert "CG541" in capsys.readouterr().err
+        assert rows()["DS3"] == new
+    run(["check", "--no-cache", "--select", "CG541", "prog.py"])
+    said = capsys.readouterr().out
+    assert f"{old} (DS1) and {new} (DS3) are both in the program" in said
+    commands = steps(said)
+    assert [command.split()[1] for command in commands] == (["rename"] if is_built else ["sync", "rename"])
+    if not new.isidentifier() and not where:
+        # The old name stands behind a dot still, where no such name can stand.
+        return
+    for command in commands:
+        if not new.isidentifier():
+            Path("prog.py").write_text(Path("prog.py").read_text().replace(f"ds.{old}", f'ds["{old}"]'))
+        follow(command)
+    # A place in brackets keeps them.
+    assert Path("prog.py").read_text().replace(f'ds["{new}"]', _of("ds", new)) == whole(new)
+    build()
+    assert Path("build/prog/main.csv").read_bytes() == before[0]
+    assert rows() == {**before[1], "DS1": new}
+    assert told(capsys) == []
+
+
+def test_the_half_of_another_program_is_renamed_too(capsys: pytest.CaptureFixture[str]) -> None:
+    write(program())
+    write(program(other="Height"), "other.py")
+    build()
+    build("other.py")
+    ladder = Path("build/other/main.csv").read_bytes()
+    write(half())
+    build()
+    for command in steps(capsys.readouterr().err):
+        follow(command)
+    assert Path("other.py").read_text() == program("Rate", "Height")
+    build("other.py")
+    assert Path("build/other/main.csv").read_bytes() == ladder
+
+
+@pytest.mark.parametrize("is_built", [False, True], ids=["before the build", "after the build"])
+def test_the_refusal_of_a_half_done_rename_prints_what_works(
+    is_built: bool, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Where both names are read, nothing tells that they are one; whoever knows it is told what to do."""
+    both = program() + "    if ds.Speed > 4:\n        out(y[3])\n"
+    both = both.replace("    if True:\n        end()\n", "") + "    if True:\n        end()\n"
+    write(both)
+    build()
+    ladder = Path("build/prog/main.csv").read_bytes()
+    write(both.replace("ds.Speed > 4", "ds.Rate > 4"))
+    if is_built:
+        build()
+    assert told(capsys) == []
+    assert run(["nicknames", "rename", "Speed", "Rate", "prog.py"]) == 2
+    said = capsys.readouterr().err
+    assert "write Speed" in said
+    assert "prog.py:8:8" in said
+    write(both)
+    for command in steps(said) if is_built else ["nicknames rename Speed Rate prog.py"]:
+        follow(command)
+    build()
+    assert Path("build/prog/main.csv").read_bytes() == ladder
+    assert rows() == {"DS1": "Rate", "DS2": "Level"}
+
+
+def test_two_names_that_are_one_sided_and_not_alone_are_left_alone(capsys: pytest.CaptureFixture[str]) -> None:
+    """A panel writes setpoints and reads results: names that a program only reads, or only writes, are common."""
+    rungs = "".join(
+        f"    if ds.{name} > 3:\n        out(y[{n}])\n" for n, name in enumerate(("Low", "High", "Stop"), 1)
+    )
+    end = "    if True:\n        end()\n"
+    write(f"def main():\n{rungs}{end}")
+    build()
+    write(f"def main():\n{rungs}    if c[1]:\n        copy(5, ds.Total)\n{end}")
+    assert told(capsys) == []
+    build()
+    assert told(capsys) == []
+
+
+def test_a_name_that_may_be_one_of_two_is_asked_for_while_it_is_new(capsys: pytest.CaptureFixture[str]) -> None:
+    write(program())
+    build()
+    before = Path("build/prog/main.csv").read_bytes()
+    write(program().replace("copy(5, ds.Speed)", "copy(5, ds.Rate)"))
+    run(["check", "--no-cache", "--select", "CG541", "prog.py"])
+    said = capsys.readouterr().out
+    assert "Speed (DS1) and Rate (DS3) are both" in said
+    assert "Level (DS2) and Rate (DS3) are both" in said
+    build()
+    said = capsys.readouterr().err
+    assert "write Speed again at prog.py:3:17" in said
+    assert told(capsys) == []
+    write(program())
+    for command in [one for one in steps(said) if "Level" not in one]:
+        follow(command)
+    build()
+    assert Path("build/prog/main.csv").read_bytes() == before
+    assert rows() == {"DS1": "Rate", "DS2": "Level"}
+
+
+# -- declarations -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("nickname(ds.Recipe, ds[100:110])", "nickname(ds.Mix, ds[100:110])"),
+        ('nickname(ds["My recipe"], ds[100:110])', 'nickname(ds["A mix"], ds[100:110])'),
+        ("nickname(ds.Total, ds[5])", "nickname(ds.Sum_1, ds[5])"),
+    ],
+)
+def test_a_declaration_with_another_name_names_the_rename(
+    before: str, after: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    old, new = before.split(", ")[0].removeprefix("nickname("), after.split(", ")[0].removeprefix("nickname(")
+    member = "[2]" if ":" in before else ""
+    text = "{}\n\n\ndef main():\n    if c[1]:\n        copy(5, {}{})\n    if True:\n        end()\n"
+    write(text.format(before, old, member))
+    build()
+    ladder = Path("build/prog/main.csv").read_bytes()
+    write(text.format(after, new, member))
+    capsys.readouterr()
+    assert run(["build", "prog.py"]) == 1
+    (command,) = steps(capsys.readouterr().err)
+    assert command.endswith(" prog.py")
+    follow(command)
+    build()
+    assert Path("build/prog/main.csv").read_bytes() == ladder
+
+
+def test_the_command_of_a_declaration_names_the_table(capsys: pytest.CaptureFixture[str]) -> None:
+    write("nickname(ds.Total, ds[5])\n" + program())
+    write("", "plant.csv")
+    Path("plant.csv").unlink()
+    build()
+    Path("nicknames.csv").rename("my plant.csv")
+    write("nickname(ds.Sum_1, ds[5])\n" + program())
+    assert run(["build", "prog.py", "--nicknames", "my plant.csv"]) == 1
+    (command,) = steps(capsys.readouterr().err)
+    assert command == "nicknames rename Total Sum_1 prog.py --nicknames 'my plant.csv'"
+    follow(command)
+    build("prog.py", "--nicknames", "my plant.csv")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from clickgen.pipeline import check
+from clickgen.api import check
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.rules.advice import RULES

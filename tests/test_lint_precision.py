@@ -22,7 +22,7 @@ from hypothesis import strategies as st
 from test_lint import program_of
 from test_spec_example import SPECIFICATION
 
-from clickgen.pipeline import check
+from clickgen.api import check
 from clickgen.problems.codes import CODES
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "scripts"))

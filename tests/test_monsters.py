@@ -11,11 +11,11 @@ from pathlib import Path
 import pytest
 
 import clickgen
-from clickgen import pipeline
+from clickgen import api
 from clickgen.cli import main
-from clickgen.config import ConfigError, read_config
+from clickgen.config import ConfigError, Settings, read_config
 from clickgen.device.banks import parse_address
-from clickgen.settings import Settings
+from clickgen.workspace import Workspace
 
 CLEAN = "def main():\n    if x[1]:\n        out(y[1])\n    if True:\n        end()\n"
 HEX = "0x" + "F" * 6000
@@ -249,14 +249,14 @@ def test_a_fault_of_clickgen_is_a_problem_of_one_program(
     monkeypatch.chdir(tmp_path)
     for name in ("a", "b"):
         Path(f"{name}.py").write_text(CLEAN.replace("out(y[1])", "ouch(y[1])"), "utf-8")
-    judged = pipeline.check
+    judged = api.check
 
-    def check(path: str, settings: Settings) -> pipeline.CheckResult:
+    def check(path: str, settings: Settings, workspace: Workspace) -> api.CheckResult:
         if path == "a.py":
             raise ZeroDivisionError("no such luck")
-        return judged(path, settings)
+        return judged(path, settings, workspace)
 
-    monkeypatch.setattr(pipeline, "check", check)
+    monkeypatch.setattr(api, "check", check)
     for _ in range(2):  # it is not remembered either
         assert main(["check", "--output-format", "concise"]) == 1
         said = capsys.readouterr().out

@@ -247,7 +247,7 @@ def test_a_table_that_changes_meanwhile_is_left_alone(run: Run, monkeypatch: pyt
     def refuse(*_: object, **__: object) -> list[Path]:
         raise ChangedMeanwhile(Path("nicknames.csv"))
 
-    monkeypatch.setattr("clickgen.cli.nicknames.put_in_place", refuse)
+    monkeypatch.setattr("clickgen.cli.nicknames.sync.put_in_place", refuse)
     assert run("sync", "prog.py") == (
         2,
         "",
@@ -404,7 +404,7 @@ def test_rename_says_which_programs_it_changes_before_it_does(run: Run, monkeypa
     def refuse(*_: object) -> None:
         raise CouldNotRun("the disk is full")
 
-    monkeypatch.setattr("clickgen.cli.nicknames.put_in_place", refuse)
+    monkeypatch.setattr("clickgen.cli.nicknames.rename.put_in_place", refuse)
     said = run("rename", "Run", "Started", "prog.py")
     assert said.code == 2
     assert said.out == (

@@ -13,14 +13,13 @@ from budget import examples
 from hypothesis import given
 from hypothesis import strategies as st
 
+from clickgen.api import build
 from clickgen.cli import main as run
 from clickgen.commands.nicknames.rename import Rename, rename
 from clickgen.commands.nicknames.uses import comments_with, places_in, read_names
-from clickgen.config import Config, ProgramSettings
+from clickgen.config import Config, ProgramSettings, Settings
 from clickgen.dialects.if_rungs.read.parse import decode
-from clickgen.pipeline import build
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
-from clickgen.settings import Settings
 from clickgen.table.rows import HEADER
 from clickgen.text.write import ChangedMeanwhile, put_in_place
 
@@ -431,7 +430,8 @@ def test_a_broken_program_beside_it() -> None:
             "Old",
             "other",
             "other is taken: it is C6 (line 3 of nicknames.csv); choose another name; where a build gave it to what "
-            "was Old, write Old in the programs again, run clickgen nicknames sync --prune, and then this",
+            "was Old, run clickgen nicknames sync --prune prog.py, "
+            "and then clickgen nicknames rename Old other prog.py",
         ),
         ("Old", "Used", "Used is taken: prog.py:4:13 uses it; choose another name" + again("Old")),
         ("Old", "Declared", "Declared is taken: prog.py:1:10 uses it; choose another name" + again("Old")),
@@ -656,3 +656,10 @@ def test_formulas_in_any_spelling(literal: str, new: str) -> None:
     # What stands around the formula is untouched.
     assert text().count("# Old") == source.count("# Old")
     assert len(text().splitlines()) == len(source.splitlines())
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such file names")
+def test_the_name_of_the_program_may_be_anything() -> None:
+    place({"a\x1b.py": main("if c.Old: out(y[1])")})
+    assert run(["nicknames", "rename", "Old", "New", "a\x1b.py"]) == 0
+    assert "c.New" in text("a\x1b.py")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 
+import libcst
 import pytest
 from budget import examples
 from hypothesis import given, note
@@ -15,6 +16,7 @@ from strategies.given import CASES, Given, case_texts
 from clickgen.dialects.if_rungs.read import pieces
 from clickgen.dialects.if_rungs.read.parse import soundness
 from clickgen.dialects.if_rungs.read.program import FileContent, read_file
+from clickgen.ir.program import Routine
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.text.source import SourceFile
 
@@ -81,9 +83,12 @@ def test_a_broken_program(files: Given) -> None:
     compare(files.text)
 
 
+def long_program() -> str:
+    return "def main():\n" + RUNG * 400 + TAIL + "\n\n@sub\ndef a():\n" + RUNG * 400 + "    if True:\n        return\n"
+
+
 def test_long_programs_are_read_in_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
     """Not one tree of all of it, which would take a hundred times the memory of the text."""
-    text = "def main():\n" + RUNG * 400 + TAIL + "\n\n@sub\ndef a():\n" + RUNG * 400 + "    if True:\n        return\n"
     monkeypatch.setattr(pieces, "LINES", 100)
     largest, parse = 0, ast.parse
 
@@ -94,9 +99,25 @@ def test_long_programs_are_read_in_pieces(monkeypatch: pytest.MonkeyPatch) -> No
         return tree
 
     monkeypatch.setattr(ast, "parse", measured)
-    source = SourceFile("p.py", text)
+    source = SourceFile("p.py", long_program())
     found = [
         (statement.node, list(statement.body)) for statement in pieces.statements_in_pieces(source, soundness(source))
     ]
     assert [len(body) for _, body in found] == [401, 401]
     assert largest <= 100
+
+
+def test_libcst_reads_one_statement_at_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Not one tree of all of it, which would take a thousand times the memory of the text."""
+    longest, parse = 0, libcst.parse_statement
+
+    def measured(text: str) -> libcst.SimpleStatementLine | libcst.BaseCompoundStatement:
+        nonlocal longest
+        longest = max(longest, len(text))
+        return parse(text)
+
+    monkeypatch.setattr(libcst, "parse_statement", measured)
+    content = read_file(SourceFile("p.py", long_program()), Diagnostics())
+    assert content is not None
+    assert [len(item.rungs) for item in content.items if isinstance(item, Routine)] == [401, 401]
+    assert 0 < longest < 200

@@ -16,6 +16,7 @@ from judges.power import check_limits, check_no_backfeed, read_ladder
 from test_importing_cases import CASE_NAMES, golden_ladders
 
 import clickgen
+from clickgen.api import check
 from clickgen.cli import main
 from clickgen.click.draw.tokens import action_token, operand_token
 from clickgen.click.read.kept import fault_of, raw_of
@@ -25,7 +26,7 @@ from clickgen.instructions.raw import RAW, rows_of
 from clickgen.ir.operands import Cell, Pointer, Range
 from clickgen.ir.program import KeptToken
 from clickgen.ir.reach import touches
-from clickgen.pipeline import BuildResult, check
+from clickgen.results import BuildResult
 from clickgen.text.source import Span
 
 HERE = Span("main.csv", 1, 1, 1, 2)
@@ -457,3 +458,12 @@ def test_a_rung_that_was_left_out_stops_build_and_check(tmp_path: Path) -> None:
 def test_its_word_in_a_ladder_file_is_none_of_ours() -> None:
     assert fault_of('not_imported("a")') is not None
     assert height_of('not_imported("a")') == 1
+
+
+def test_a_token_of_endless_length_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Not even asked about: laddercodec took a quarter of a minute over these blanks."""
+    monkeypatch.setattr("clickgen.click.read.kept._fault_in_codec", lambda _: pytest.fail("it was asked"))
+    for token in (f"math(DS1{' ' * 60_000}!,DS1,mode=decimal)", f"raw(Email,0x2737,1,60a5={'1' * 60_000})"):
+        fault = fault_of(token)
+        assert fault is not None
+        assert "no instruction has so many" in fault.message

@@ -669,7 +669,7 @@ def test_formulas_dates_and_errors_are_no_values() -> None:
         "CG601 IO!B3 the nickname in IO!B3 is a formula, and so are 2 more below",
         "CG601 IO!C5 the initial value in IO!C5 is a formula",
         "CG604 IO!E5 the comment in IO!E5 is a date and is left out",
-        "CG601 IO!B7 the nickname in IO!B7 is an error",
+        "CG601 IO!B7 the nickname in IO!B7 is an error, #REF!",
     ]
     _, problems = judged(data)
     assert problems[0].help.startswith("copy the cells and paste them as values")
@@ -1095,3 +1095,36 @@ def test_what_is_read_again_is_the_same() -> None:
         Slot=[("Address", "Nickname"), *((str(row.address), row.nickname) for row in rows)],
     )
     assert [row.content for row in rows_of(data)] == [row.content for row in rows]
+
+
+# -- several addresses in a cell, and errors ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "X001-X003",
+        "X001 - X003",
+        "X1 \N{EN DASH} X3",
+        "X1..X3",
+        "X1...3",
+        "X1-3",
+        "X001, X002",
+        "X1/X2",
+        "X1 to X3",
+        "X1:X3",
+    ],
+)
+@pytest.mark.parametrize("name", ["Doors", "SPARE", None])
+def test_a_cell_with_several_addresses_says_to_write_rows(text: str, name: str | None) -> None:
+    (problem,) = judged(listed((text, name), ("Y001", "Motor")))[1]
+    assert problem.code == "CG601"
+    assert "are several addresses, and a row of a list is one" in problem.message
+    assert problem.help.startswith("write a row for each of them")
+
+
+@pytest.mark.parametrize("value", ["#N/A", "=NA()", "= na( )"])
+def test_an_error_value_is_named(value: str) -> None:
+    (problem,) = [each for each in judged(listed(("X001", value), ("Y001", "Motor")))[1] if each.code == "CG601"]
+    assert "is an error, #N/A" in problem.message
+    assert "SPARE" in problem.help

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
+from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import pytest
 
+from clickgen.text import lock
 from clickgen.text.journal import done_name, journal_name, recover
 from clickgen.text.lock import NAME, Busy, locked
 from clickgen.text.write import put_in_place
@@ -188,7 +192,8 @@ def test_a_moved_repository_recovers_too(tmp_path: Path) -> None:
 # -- what is no journal of ours ---------------------------------------------------------------------------------------
 
 WORK = "0123456789abcdef"
-PLAIN = ["main.csv", f".clickgen-{WORK}-0.new", f".clickgen-{WORK}-0.old", False, "0" * 40]
+FORMER = f".clickgen-{WORK}-0.old"
+PLAIN = ["main.csv", f".clickgen-{WORK}-0.new", FORMER, False, "0" * 40]
 
 
 @pytest.mark.parametrize(
@@ -218,6 +223,15 @@ def test_a_forged_journal_does_nothing_beyond_its_folder(tmp_path: Path, tree_of
     recover([folder])
     kept = {path: data for path, data in tree(tmp_path).items() if ".clickgen" not in path}
     assert kept == dict.fromkeys(("victim", "out/victim", "out/main.csv", "elsewhere/main.csv"), b"precious")
+
+
+@pytest.mark.parametrize("name", ["\ud800", "\0", "a\0b"])
+def test_a_forged_journal_names_what_no_file_can_be_called(tmp_path: Path, name: str) -> None:
+    (tmp_path / FORMER).write_bytes(b"precious")
+    for step in ([name, None, FORMER, True, None], [name, *PLAIN[1:]]):
+        (tmp_path / journal_name(WORK)).write_text(json.dumps({"folders": ["."], "steps": [step]}))
+        assert recover([tmp_path]) == []
+        assert (tmp_path / FORMER).read_bytes() == b"precious"
 
 
 def test_a_journal_that_is_a_link_or_a_pipe_is_none(tmp_path: Path) -> None:
@@ -264,3 +278,115 @@ def test_a_lock_file_that_is_something_else_locks_nothing_and_stays(tmp_path: Pa
     with locked([tmp_path]):
         pass
     assert (tmp_path / NAME).read_text() == "mine"
+
+
+def test_a_disk_that_knows_no_file_again_is_written_to_without_a_lock(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(lock, "_is_still_there", lambda *_: False)
+    monkeypatch.setattr(lock, "PATIENCE", -1.0)
+    with locked([tmp_path]) as ours:
+        assert ours == frozenset()
+    assert list(tmp_path.iterdir()) == []
+
+
+# -- Windows ----------------------------------------------------------------------------------------------------------
+
+
+class Msvcrt(ModuleType):
+    """``msvcrt.locking`` by its documentation: bytes from the position on, which only who locked them can unlock."""
+
+    LK_NBLCK, LK_UNLCK = 2, 0
+
+    def __init__(self) -> None:
+        super().__init__("msvcrt")
+        self.held: dict[tuple[int, int], int] = {}
+        self.calls: list[int] = []
+
+    def locking(self, descriptor: int, mode: int, count: int) -> None:
+        status = os.fstat(descriptor)
+        place = (status.st_dev, status.st_ino)
+        assert (os.lseek(descriptor, 0, os.SEEK_CUR), count) == (0, 1)
+        self.calls.append(mode)
+        if mode == self.LK_UNLCK:
+            if self.held.get(place) != descriptor:
+                raise PermissionError(errno.EACCES, "Permission denied")
+            del self.held[place]
+        elif place in self.held:
+            raise PermissionError(errno.EACCES, "Permission denied")
+        else:
+            self.held[place] = descriptor
+
+
+@pytest.fixture
+def windows(monkeypatch: pytest.MonkeyPatch) -> tuple[Msvcrt, Callable[[], Any]]:
+    """What stands in for Windows, and the module of locks as another process has it there."""
+    fake = Msvcrt()
+    monkeypatch.setitem(sys.modules, "msvcrt", fake)
+
+    def process() -> Any:
+        spec = spec_from_file_location("lock_of_a_process", lock.__file__)
+        assert spec is not None
+        assert spec.loader is not None
+        module = module_from_spec(spec)
+        with monkeypatch.context() as patch:
+            patch.setattr(sys, "platform", "win32")
+            spec.loader.exec_module(module)
+        there = ModuleType("sys")
+        vars(there)["platform"] = "win32"
+        vars(module)["sys"] = there
+        return module
+
+    return fake, process
+
+
+def test_a_folder_is_locked_for_one_on_windows(windows: tuple[Msvcrt, Callable[[], Any]], tmp_path: Path) -> None:
+    fake, process = windows
+    one, other = process(), process()
+    other.PATIENCE = -1.0
+    with one.locked([tmp_path]) as ours:
+        assert ours == {os.path.realpath(tmp_path)}
+        with pytest.raises(other.Busy), other.locked([tmp_path]):
+            pass
+    with other.locked([tmp_path]) as ours:
+        assert ours == {os.path.realpath(tmp_path)}
+    assert fake.held == {}
+    # It is unlocked before it is closed: Windows takes its time with what is only closed.
+    assert fake.calls == [2, 2, 0, 2, 0]
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_lock_file_that_is_open_elsewhere_stays_and_can_be_locked_again(
+    windows: tuple[Msvcrt, Callable[[], Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Windows takes no file away that somebody has open, such as one who waits, or a scanner."""
+
+    def refused(*_: object) -> None:
+        raise PermissionError(errno.EACCES, "The process cannot access the file")
+
+    module = windows[1]()
+    monkeypatch.setattr(os, "unlink", refused)
+    for _ in range(2):
+        with module.locked([tmp_path]) as ours:
+            assert ours == {os.path.realpath(tmp_path)}
+    assert (tmp_path / NAME).read_bytes() == b""
+
+
+def test_a_lock_file_that_is_just_being_taken_away_is_waited_for(
+    windows: tuple[Msvcrt, Callable[[], Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    module = windows[1]()
+    really, refusals = module._opened, [PermissionError(errno.EACCES, "Permission denied", str(tmp_path))] * 3
+
+    def opened(path: Path) -> object:
+        if refusals:
+            raise refusals.pop()
+        return really(path)
+
+    monkeypatch.setattr(module, "_opened", opened)
+    with module.locked([tmp_path]) as ours:
+        assert ours == {os.path.realpath(tmp_path)}
+    refusals += [PermissionError(errno.EACCES, "Permission denied", str(tmp_path))]
+    module._GRACE = -1.0
+    with pytest.raises(PermissionError), module.locked([tmp_path]):
+        pass

@@ -28,6 +28,7 @@ from clickgen.problems.report.fingerprints import fingerprints
 from clickgen.rules.advice import RULES
 from clickgen.text.edits import apply_fixes
 from clickgen.text.source import Span
+from clickgen.text.wording import escaped
 
 SCHEMAS = Path(__file__).with_name("schemas")
 MACHINES = [name for name in FORMATS if name not in ("text", "concise")]
@@ -306,7 +307,16 @@ def test_any_text_comes_through_a_command(path: str, message: str) -> None:
     name = f"p{path}".replace("/", "").replace("\\", "").replace("\0", "")
     message = "".join(char for char in message if char.isprintable() or char == "\n")
     ((level, properties, data),) = commands(one("CG506", name, message))
-    assert (level, properties["file"], data) == ("notice", name, message)
+    assert (level, properties["file"], data) == ("notice", escaped(name), message)
+
+
+def test_a_file_name_that_steers_a_terminal_is_written_out() -> None:
+    name = "a\x1b[31m\u202eb\x85\n.py"
+    finding = Diagnostic("CG506", "x", Span("b.py", 1, 1, 1, 2), labels=(Label(Span(name, 1, 1, 1, 2), "here"),))
+    for report in (one("CG506", name, "x"), Report((finding,), ("b.py",))):
+        text = render("github", report)
+        assert not re.search("[\x1b\u202e\x85]", text)
+        assert "\\x1b[31m\\u202eb\\x85\\n.py" in text
 
 
 def test_github_gets_the_most_serious_and_is_told_of_the_rest() -> None:
@@ -600,6 +610,25 @@ def test_a_failed_test_says_what_a_person_would_read() -> None:
             "  help: join",
         )
     )
+
+
+@pytest.mark.parametrize(
+    ("word", "columns"),
+    [
+        ("Motor", 5),
+        ("F\u00f6rderband", 10),
+        ("\u65e5\u672c", 4),
+        ("e\u0301t\u00e9", 3),
+        ("\u0e01\u0e47", 1),  # a Thai consonant with a vowel sign above it, which Unicode does not call combining
+        ("\u07a6x", 1),
+    ],
+    ids=ascii,
+)
+def test_a_mark_stands_below_what_a_terminal_shows_there(word: str, columns: int) -> None:
+    span = Span("a.py", 1, len(word) + 2, 1, len(word) + 3)
+    report = Report((Diagnostic("CG501", "twice", span, "join"),), (), lambda *_: f"{word} x")
+    (shown,) = [line for line in render("text", report).splitlines() if line.strip(" |") == "^"]
+    assert shown == f"    | {' ' * (columns + 1)}^"
 
 
 def test_notes_are_skipped_tests_unless_they_are_denied() -> None:

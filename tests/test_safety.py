@@ -286,15 +286,38 @@ def test_a_forged_source_map_takes_no_file_of_a_person(name: str, routines: obje
     assert not Path("nicknames.csv").exists()
 
 
-def test_ladder_that_no_build_made_is_not_removed_for_its_head_alone() -> None:
+def test_ladder_that_no_build_made_is_not_removed_for_its_form_alone() -> None:
+    """Not even where the map knows a routine of its name with as many rungs."""
     assert main(["build", "prog.py", "-o", "other"]) == 0
     ladder = Path("other/subroutines/wash.csv").read_bytes()
     Path("out/subroutines").mkdir(parents=True)
     path = Path("out/subroutines/theirs.csv")
     path.write_bytes(ladder)
-    forge(Path("out"), "subroutines/theirs.csv", routines={"theirs": [{}]})
-    assert main(["build", "prog.py", "-o", "out"]) == 2
-    assert path.read_bytes() == ladder
+    for rungs in (1, 2):
+        forge(Path("out"), "subroutines/theirs.csv", routines={"theirs": [{}] * rungs})
+        assert main(["build", "prog.py", "-o", "out"]) == 2
+        assert path.read_bytes() == ladder
+
+
+def test_a_leftover_that_somebody_has_drawn_on_stays(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["build", "prog.py"]) == 0
+    path = Path("build/prog/subroutines/wash.csv")
+    drawn = path.read_bytes().replace(b"Y002", b"Y003")
+    path.write_bytes(drawn)
+    Path("prog.py").write_text(GOOD.replace("wash", "rinse"))
+    assert main(["build", "prog.py"]) == 2
+    assert "holds files that clickgen did not make" in capsys.readouterr().err
+    assert path.read_bytes() == drawn
+
+
+def test_a_leftover_with_other_ends_of_lines_goes() -> None:
+    """Git changes them on Windows."""
+    assert main(["build", "prog.py"]) == 0
+    path = Path("build/prog/subroutines/wash.csv")
+    path.write_bytes(path.read_bytes().replace(b"\r\n", b"\n").replace(b"\n", b"\r\n"))
+    Path("prog.py").write_text(GOOD.replace("wash", "rinse"))
+    assert main(["build", "prog.py"]) == 0
+    assert not path.exists()
 
 
 @posix_only
@@ -424,6 +447,39 @@ def test_devices_and_pipes_are_not_read(name: str, command: str, kind: Callable[
     assert done.returncode in (0, 1, 2)
     assert "internal error" not in done.stderr
     assert "Traceback" not in done.stderr
+
+
+@posix_only
+@pytest.mark.parametrize(
+    ("name", "command"),
+    [
+        (OWN_FILE, "build prog.py"),
+        (OWN_FILE, "check"),
+        ("pyproject.toml", "build prog.py"),
+        ("nicknames.csv", "build prog.py"),
+        ("nicknames.csv", "check prog.py"),
+        ("nicknames.csv", "import drawn/main.csv -o prog2.py"),
+        ("scr/Scr1.tmp", "import scr -o new.py"),
+        ("drawn/nicknames.csv", "import drawn -o new.py"),
+        ("drawn/subroutines/one.csv", "import drawn -o new.py"),
+    ],
+)
+def test_a_pipe_in_the_place_of_a_file_is_named(name: str, command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["build", "prog.py", "-o", "drawn"]) == 0
+    Path(name).parent.mkdir(parents=True, exist_ok=True)
+    Path(name).unlink(missing_ok=True)
+    silent(Path(name))
+    capsys.readouterr()
+    assert main(command.split()) == 2
+    said = capsys.readouterr().err
+    assert name in said
+    assert "a pipe or a device" in said
+
+
+@pytest.mark.parametrize("words", [["build", "\0"], ["check", "a\0.py"], ["build", "prog.py", "-o", "\0"], ["\0"]])
+def test_a_nul_in_an_argument_is_a_mistake_of_use(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(words) == 2
+    assert capsys.readouterr().err == "clickgen: an argument holds a NUL character, which no file name can have\n"
 
 
 @posix_only

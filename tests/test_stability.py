@@ -30,7 +30,7 @@ from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action
 from clickgen.lower.serves import served
 from clickgen.lower.split import ClickRoutine, ClickRung
-from clickgen.pipeline import BuildResult
+from clickgen.results import BuildResult
 from clickgen.text.source import Span
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment"

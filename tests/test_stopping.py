@@ -16,8 +16,8 @@ from clickgen.cli import main
 from clickgen.cli.jobs import Job
 from clickgen.commands.nicknames.elsewhere import build_among
 from clickgen.config import Config
-from clickgen.pipeline import BuildResult
 from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.results import BuildResult
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="about signals and pipes of POSIX")
 
@@ -123,6 +123,17 @@ def test_a_reader_that_goes_away_changes_no_exit_code(program: str, unbuffered: 
     os.close(write)
     assert done.returncode == (0 if program == "prog.py" else 2)
     assert done.stderr == (b"" if program == "prog.py" else b"clickgen: there is no file none.py\n")
+
+
+@pytest.mark.parametrize("command", ["build prog.py", "check", "check -", "import x.csv -o x.py", "diff a b"])
+def test_a_working_folder_that_is_gone_is_named(
+    command: str, folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "gone").mkdir()
+    monkeypatch.chdir(folder / "gone")
+    (folder / "gone").rmdir()
+    assert main(command.split()) == 2
+    assert capsys.readouterr().err == "clickgen: the working folder is not there any more; nothing was written\n"
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="there is no full disk here")

@@ -10,16 +10,16 @@ import pytest
 from typed_programs import MORE
 
 import clickgen
+from clickgen.api import known_names
 from clickgen.cli import main
 from clickgen.commands.stubs.arguments import COMPARISONS
 from clickgen.commands.stubs.stub import MARK, builtins_stub, module_stub
 from clickgen.commands.stubs.text import docstring
+from clickgen.config import Settings
 from clickgen.device.banks import BANKS, Address
 from clickgen.dialects.if_rungs.read import arguments, conditions, modbus, operands, options
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.timers import UNITS
-from clickgen.pipeline import known_names
-from clickgen.settings import Settings
 from clickgen.table.rows import Row, default_row
 
 ROOT = Path(__file__).parents[1]

@@ -19,6 +19,7 @@ from pyclickplc import read_csv
 from pyclickplc.validation import validate_initial_value
 
 from clickgen.device.banks import BANKS, Address, Kind, parse_address
+from clickgen.emit.built import BuiltProgram
 from clickgen.emit.nickname_csv import nickname_csv
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.table.address_table import AddressTable
@@ -466,7 +467,7 @@ def test_the_import_file_holds_the_same_records_for_pyclickplc(tmp_path: Path, r
     # pyclickplc's own writer leaves the characters of a CSV unquoted in a TXT's initial value, and so does not read
     # such a row back; ours are quoted.
     path = tmp_path / "nicknames.csv"
-    path.write_bytes(nickname_csv(rows).encode())
+    path.write_bytes(nickname_csv(BuiltProgram("", (), tuple(rows))).encode())
     records = read_csv(path)
     expected = [row for row in rows if row.address.bank not in ("SC", "SD") and not row.is_default]
     assert len(records) == len(expected)
@@ -617,7 +618,7 @@ def test_the_import_file() -> None:
         Row(at("C1"), "A", "0", False, ""),
         Row(at("TXT2"), "T", '"', True, ""),
     ]
-    assert nickname_csv(rows) == (
+    assert nickname_csv(BuiltProgram("", (), tuple(rows))) == (
         f"{HEADER}\n"
         'C1,BIT,"A",0,No,""\n'
         'C3,BIT,"",0,Yes,""\n'
@@ -625,10 +626,10 @@ def test_the_import_file() -> None:
         'DS1,INT,"B",5,Yes,""\n'
         'TXT2,TEXT,"T","""",Yes,""\n'
     )
-    assert nickname_csv([]) == HEADER + "\n"
+    assert nickname_csv(BuiltProgram("", (), ())) == HEADER + "\n"
 
 
 def test_an_export_of_click_comes_out_as_it_was_without_its_own_points(file: Path) -> None:
     table, _ = judged(file, EXPORT.read_bytes())
     kept = [line for line in EXPORT.read_text("utf-8").splitlines() if not line.startswith(("SC", "SD"))]
-    assert nickname_csv(reversed(table.rows)).splitlines() == kept
+    assert nickname_csv(BuiltProgram("", (), tuple(reversed(table.rows)))).splitlines() == kept

@@ -8,12 +8,12 @@ import pytest
 from mended import found
 
 import clickgen
+from clickgen.api import check
 from clickgen.cli import main
+from clickgen.config import Settings
 from clickgen.dialects.if_rungs.ways_out import slips
-from clickgen.pipeline import check
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.problems.suggest import near_words
-from clickgen.settings import Settings
 from clickgen.text.edits import apply_fixes
 
 ENDING = "    if True:\n        end()\n"
@@ -436,7 +436,7 @@ def test_a_not_of_another_language_takes_the_next_term_alone(line: str, tmp_path
 
 
 def test_a_nickname_that_is_a_word_of_logic_is_left_alone(tmp_path: Path) -> None:
-    assert mended(condition("c.And && x[1]"), tmp_path) == condition("all(c.And, x[1])")
+    assert mended(condition("c.Not && x[1]"), tmp_path) == condition("all(c.Not, x[1])")
 
 
 def test_zeros_before_a_number_may_be_a_hexadecimal_constant(tmp_path: Path) -> None:

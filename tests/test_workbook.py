@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import zipfile
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
 import openpyxl
@@ -13,11 +14,13 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 import clickgen
 from clickgen.cli import main
-from clickgen.emit.workbook import Project, sheets, workbook
+from clickgen.config import Settings
+from clickgen.emit.built import BuiltProgram
 from clickgen.emit.workbook.book import ROWS_MAX, TEXT_MAX, as_written, clean, to_bytes
+from clickgen.emit.workbook.project import Project
 from clickgen.emit.workbook.sheet import Column, Sheet
+from clickgen.emit.workbook.sheets import sheets, workbook
 from clickgen.problems.diagnostics import Diagnostics
-from clickgen.settings import Settings
 from clickgen.table.rows import Row
 from clickgen.table.workbook.read import read_workbook
 
@@ -78,12 +81,11 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def project_of(program: Path, settings: Settings | None = None) -> Project:
+def built(program: Path, settings: Settings | None = None) -> BuiltProgram:
     result = clickgen.build(program, settings=settings)
     assert result.ok, result.diagnostics
-    reserved = frozenset(settings.reserved) if settings else frozenset()
-    base = str(program.parent)
-    return Project(program.stem, result.routines, result.rows, result.scratch_rows, reserved, 0, base)
+    # Every name is in the table: the first sheet says nothing about new ones.
+    return replace(result.built, new=0)
 
 
 def opened(data: bytes) -> dict[str, Worksheet]:
@@ -102,7 +104,7 @@ def shown(data: bytes, name: str) -> list[tuple[object, ...]]:
 
 @pytest.fixture
 def data(folder: Path) -> bytes:
-    return workbook(project_of(folder / "prog.py"))
+    return workbook(built(folder / "prog.py"))
 
 
 # -- how it looks -----------------------------------------------------------------------------------------------------
@@ -130,7 +132,7 @@ def test_the_sheets_stand_in_their_order_and_are_set_up_for_screen_and_paper(dat
 
 def test_a_name_with_signs_of_a_footer_prints_as_it_is(folder: Path) -> None:
     (folder / "1&2.py").write_text("def main():\n    if True:\n        end()\n")
-    with zipfile.ZipFile(io.BytesIO(workbook(project_of(folder / "1&2.py")))) as archive:
+    with zipfile.ZipFile(io.BytesIO(workbook(built(folder / "1&2.py")))) as archive:
         assert b"<oddFooter>&amp;L 1&amp;&amp;2&amp;RPage" in archive.read("xl/worksheets/sheet3.xml")
 
 
@@ -194,7 +196,7 @@ def contents(rows: Iterable[Row]) -> list[tuple[object, ...]]:
 
 
 def test_reading_it_as_a_table_gives_the_same_rows(folder: Path, data: bytes) -> None:
-    assert contents(read_back(data)) == contents(project_of(folder / "prog.py").rows)
+    assert contents(read_back(data)) == contents(built(folder / "prog.py").rows)
 
 
 def test_every_kind_of_initial_value_comes_back_as_it_was(folder: Path) -> None:
@@ -216,7 +218,7 @@ def test_every_kind_of_initial_value_comes_back_as_it_was(folder: Path) -> None:
             for number, (text, retentive) in enumerate(((t, r) for t in texts for r in ("Yes", "No")), 1)
         )
         (folder / "nicknames.csv").write_text(HEADER + rows, "utf-8")
-        project = project_of(folder / "prog.py")
+        project = built(folder / "prog.py")
         assert len(project.rows) == 2 * len(texts)
         assert contents(read_back(workbook(project))) == contents(project.rows), place
 
@@ -228,7 +230,7 @@ def test_comments_of_every_sort_come_back_as_they_were(folder: Path) -> None:
         for number, text in enumerate(comments, 1)
     )
     (folder / "nicknames.csv").write_text(HEADER + rows, "utf-8")
-    project = project_of(folder / "prog.py")
+    project = built(folder / "prog.py")
     assert contents(read_back(workbook(project))) == contents(project.rows)
 
 
@@ -259,7 +261,7 @@ def test_reserved_cells_are_seen(folder: Path) -> None:
     from clickgen.device.banks import Address
 
     reserved = (*(Address("X", n) for n in range(101, 105)), *(Address("DF", n) for n in range(1, 21)))
-    data = workbook(project_of(folder / "prog.py", Settings(reserved=reserved)))
+    data = workbook(built(folder / "prog.py", Settings(reserved=reserved)))
     assert [row[5] for row in shown(data, "Inputs and outputs") if row[1] == "XD1"] == ["reserved"] * 4 + ["free"] * 12
     assert ("DF", "DF1", "DF20", 20, "reserved", "") in shown(data, "Memory stretches")
     assert ("DF", "DF1", "DF20", *"RRRRRRRRRR", 0) in shown(data, "Memory map")
@@ -269,7 +271,7 @@ def test_reserved_tens_are_one_row_and_a_reserved_slot_is_one_line(folder: Path)
     from clickgen.device.banks import Address
 
     reserved = (*(Address("X", n) for n in range(101, 117)), *(Address("DD", n) for n in range(6, 998)))
-    data = workbook(project_of(folder / "prog.py", Settings(reserved=reserved)))
+    data = workbook(built(folder / "prog.py", Settings(reserved=reserved)))
     slot = [row for row in shown(data, "Inputs and outputs") if row[1] == "XD1"]
     assert [row[2:6] for row in slot] == [("X101-X116", "", "", "reserved: 16 points")]
     assert [row for row in shown(data, "Memory map") if row[0] == "DD"] == [
@@ -348,7 +350,7 @@ def main():
 
 def test_numbers_are_numbers_and_texts_that_look_like_them_are_texts(folder: Path) -> None:
     (folder / "prog.py").write_text(NUMBERS)
-    data = workbook(project_of(folder / "prog.py"))
+    data = workbook(built(folder / "prog.py"))
     tags = {row[0]: row for row in shown(data, "Tags")}
     assert (tags["DF1"][3], tags["DS1"][3], tags["C7"][3]) == (1.5, 250, 0)
     assert (tags["DF2"][3], tags["DH1"][3], tags["TXT1"][3], tags["TXT1"][5]) == ("-3.4028235E+38", "0100", "5", "12")
@@ -375,7 +377,7 @@ def test_a_condition_that_is_looked_at_in_several_rungs_is_one_line(folder: Path
         "def main():\n    if c.Wide:\n        ctu(ct.A, setpoint=1, reset=lambda: c.R)\n"
         "        ctu(ct.B, setpoint=1, reset=lambda: c.R)\n\n    if True:\n        end()\n"
     )
-    rows = shown(workbook(project_of(folder / "prog.py")), "Cross-reference")
+    rows = shown(workbook(built(folder / "prog.py")), "Cross-reference")
     assert [row[4] for row in rows if row[1] == "Wide"] == ["1, 2"]
 
 
@@ -418,13 +420,13 @@ def test_scratch_cells_have_their_reasons_and_a_leftover_is_said_to_be_one(folde
     old = 'C2000,BIT,"Scratch_C2000",0,No,"condition of main rung 99"\n'
     table.write_text(table.read_text() + old)
     (folder / "prog.py").write_text("def main():\n    if True:\n        end()\n")
-    assert shown(workbook(project_of(folder / "prog.py")), "Scratch")[0][2:] == (
+    assert shown(workbook(built(folder / "prog.py")), "Scratch")[0][2:] == (
         "condition of main rung 99",
         "not needed now",
         "",
     )
     table.write_text(HEADER)
-    assert shown(workbook(project_of(folder / "prog.py")), "Scratch") == [
+    assert shown(workbook(built(folder / "prog.py")), "Scratch") == [
         ("The program needs no scratch cells.", "", "", "", "")
     ]
 
@@ -432,7 +434,7 @@ def test_scratch_cells_have_their_reasons_and_a_leftover_is_said_to_be_one(folde
 def test_a_rung_that_is_too_tall_for_a_row_goes_on_in_the_next(folder: Path) -> None:
     coils = "".join(f"        out(c[{number}])\n" for number in range(1, 31))
     (folder / "prog.py").write_text(f"def main():\n    # Many\n    if x[1]:\n{coils}    if True:\n        end()\n")
-    rows = shown(workbook(project_of(folder / "prog.py")), "Rungs")
+    rows = shown(workbook(built(folder / "prog.py")), "Rungs")
     assert [row[:4] for row in rows] == [
         ("main", 1, "prog.py:3-33", "Many"),
         ("main", 1, "prog.py:3-33", "(goes on)"),
@@ -445,7 +447,7 @@ def test_a_rung_that_is_too_tall_for_a_row_goes_on_in_the_next(folder: Path) -> 
 def test_a_comment_that_is_too_tall_for_a_row_goes_on_in_the_next(folder: Path) -> None:
     comment = " ".join(["word"] * 270)
     (folder / "prog.py").write_text(f"def main():\n    # {comment}\n    if True:\n        end()\n")
-    rows = shown(workbook(project_of(folder / "prog.py")), "Rungs")
+    rows = shown(workbook(built(folder / "prog.py")), "Rungs")
     assert "".join(str(row[3]) for row in rows) == comment
     assert all(len(str(row[3])) < 1000 for row in rows)
     assert [row[4] for row in rows] == ["always\n  end()", "", ""]
@@ -457,7 +459,7 @@ def test_ranges_over_ranges_stay_moderate(folder: Path) -> None:
     (folder / "prog.py").write_text(f"def main():\n    if x[1]:\n{fills}    if True:\n        end()\n")
     rows = "".join(f'DS{n},INT,"Name{n}",0,Yes,""\n' for n in range(1, 1001))
     (folder / "nicknames.csv").write_text(HEADER + rows)
-    found = shown(workbook(project_of(folder / "prog.py")), "Cross-reference")
+    found = shown(workbook(built(folder / "prog.py")), "Cross-reference")
     assert len(found) < 1200
     assert [row[7] for row in found if row[0] == "DS500"] == ["DS1..DS1000, DS2..DS1001, DS3..DS1002 and 97 more"]
 
@@ -466,8 +468,8 @@ def test_ranges_over_ranges_stay_moderate(folder: Path) -> None:
 
 
 def test_the_bytes_depend_on_nothing_but_the_project(folder: Path, data: bytes) -> None:
-    named_otherwise = workbook(project_of(Path("prog.py")))
-    assert workbook(project_of(folder / "prog.py")) == data == named_otherwise
+    named_otherwise = workbook(built(Path("prog.py")))
+    assert workbook(built(folder / "prog.py")) == data == named_otherwise
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
         assert {entry.date_time for entry in archive.infolist()} == {(1980, 1, 1, 0, 0, 0)}
         assert b"dcterms" not in archive.read("docProps/core.xml")
@@ -476,8 +478,8 @@ def test_the_bytes_depend_on_nothing_but_the_project(folder: Path, data: bytes) 
 def test_the_demo_makes_a_workbook_that_comes_back(tmp_path: Path) -> None:
     program = tmp_path / "demo.py"
     program.write_bytes(DEMO.read_bytes())
-    project = project_of(program)
-    assert [sheet.name for sheet in sheets(project)] == SHEETS
+    project = built(program)
+    assert [sheet.name for sheet in sheets(Project(project))] == SHEETS
     assert contents(read_back(workbook(project))) == contents(project.rows)
 
 

@@ -28,7 +28,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
         _speak_utf8()
         _written().clear()
-        code = parse(sys.argv[1:] if arguments is None else arguments)
+        given = sys.argv[1:] if arguments is None else arguments
+        if any("\0" in argument for argument in given):
+            # No system passes one; who calls this function may.
+            complain("an argument holds a NUL character, which no file name can have")
+            return COULD_NOT_RUN
+        code = parse(given)
         sys.stdout.flush()  # What cannot be shown is an error only while it can be told.
         return code
     except KeyboardInterrupt as stop:
@@ -80,6 +85,8 @@ def _reason(error: Exception) -> tuple[str, ...] | None:
         return error.lines
     if isinstance(error, OSError):
         # Without a file it is the terminal or a pipe: then the files may be in place already.
+        if not error.filename and isinstance(error, FileNotFoundError):
+            return (f"the working folder is not there any more; {_what_was_written()}",)
         if not error.filename:
             return (f"the output could not be shown: {error.strerror or error}",)
         return (f"{os.fsdecode(error.filename)}: {error.strerror or error}; {_what_was_written()}",)

@@ -17,9 +17,10 @@ from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.commands.nicknames.elsewhere import build_among
 from clickgen.dialects.if_rungs.spelling import Spellings
-from clickgen.pipeline import BuildResult, own_table_setting, write_all
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
 from clickgen.problems.report.frames import summary, write_problems
+from clickgen.results import BuildResult, write_all
+from clickgen.table.own_table import own_table_setting
 from clickgen.table.rows import Row
 from clickgen.text.lock import locked
 from clickgen.text.wording import counted
@@ -62,7 +63,7 @@ def run(options: argparse.Namespace) -> int:
         complain(f"{_summary(results)}; nothing was written")
         return PROBLEMS
     for job, result in zip(jobs, results, strict=True):
-        tell(*_report(result, job))
+        tell(*_report(result, job, options.config))
     return OK
 
 
@@ -108,7 +109,7 @@ def _jobs(
     return found
 
 
-def _report(result: BuildResult, job: Job) -> list[str]:
+def _report(result: BuildResult, job: Job, config: str | None) -> list[str]:
     folder = job.folder
     main, subroutines = result.main, result.subroutines
     counts = [f"{counted(len(main.rungs), 'rung')} in main"]
@@ -120,7 +121,7 @@ def _report(result: BuildResult, job: Job) -> list[str]:
     if new:
         lines.append(f"{counted(len(new), 'new address', 'new addresses')} in {result.table_path}: commit it.")
         lines += _new_names(result)
-        lines += _shared(result, job)
+        lines += _shared(result, job, config)
     noted = _summary([result])
     if noted:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
@@ -162,12 +163,19 @@ def _new_names(result: BuildResult) -> list[str]:
 _MAIN = re.compile(rb"^def main\(", re.MULTILINE)
 
 
-def _shared(result: BuildResult, job: Job) -> Iterator[str]:
-    """Where a program beside this one has the same table because nobody named one: how to part them."""
+def _shared(result: BuildResult, job: Job, config: str | None) -> Iterator[str]:
+    """Where a program beside this one has the same table because nobody named one: how to part them.
+
+    Where the settings name both, somebody has decided it.
+    """
     if job.settings.nicknames is not None:
         return
+    configured = {os.path.realpath(program.path) for program in settings_of(config).programs}
+    is_configured = os.path.realpath(result.program) in configured
     own = {os.path.realpath(source.path) for source in result.sources}
     for path in sorted(result.program.parent.glob("*.py")):
+        if is_configured and os.path.realpath(path) in configured:
+            continue
         if os.path.realpath(path) not in own and path.is_file() and _MAIN.search(read_file(path)):
             copy = near(result.program).with_suffix(".csv")
             yield f"{near(path)} has this table too. For two PLCs copy it to {copy}, and name that in clickgen.toml:"

@@ -116,7 +116,7 @@ def run(options: argparse.Namespace) -> int:
     elif options.fix:
         # Bytes, as they came: a pipe's encoding must not change the program.
         sys.stdout.flush()
-        sys.stdout.buffer.write(outcome.overlay.get(os.path.realpath(request.paths[0]), request.stdin))
+        sys.stdout.buffer.write(outcome.workspace.read(request.paths[0]))
         sys.stdout.buffer.flush()
     return _tell(options, outcome, to_stderr=request.stdin is not None and options.fix)
 
@@ -240,7 +240,7 @@ def _named_elsewhere(config: Config, target: Target) -> frozenset[str]:
     """What the other programs around the table of one name."""
     from clickgen.cli.jobs import Job
     from clickgen.commands.nicknames.elsewhere import named_elsewhere
-    from clickgen.settings import Settings
+    from clickgen.config import Settings
 
     job = Job(target.path, Settings(target.nicknames, reserved=config.reserved), Path())
     return named_elsewhere(job, config)

@@ -12,16 +12,16 @@ from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS, complain
 from clickgen.cli.jobs import jobs
 from clickgen.cli.jobs import settings_of as settings_of_folder
 from clickgen.commands.diff.as_text import Line, report, summary
+from clickgen.commands.diff.changes import Difference
 from clickgen.commands.diff.names import name_changes
-from clickgen.commands.diff.pairs import pairs_of
+from clickgen.commands.diff.pairs import Pair, pairs_of
 from clickgen.commands.diff.programs import diff
-from clickgen.commands.diff.read import Wanted, read_side
+from clickgen.commands.diff.read import Wanted, absent_side, configured_in, read_side
 from clickgen.commands.diff.sides import BrokenProgram
-from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.config import Settings
 from clickgen.problems.report import use_color
 from clickgen.problems.report.frames import summary as counts
 from clickgen.problems.report.frames import write_problems
-from clickgen.settings import Settings
 from clickgen.text.wording import escaped
 
 _COLORS = {"-": "31", "+": "32"}
@@ -67,38 +67,55 @@ def run(options: argparse.Namespace) -> int:
         return job.settings
 
     wanted = Wanted(settings_of, options.nicknames, options.export, options.config)
-    pairs = pairs_of(options.one, options.other, settings_of_folder(options.config))
-    if len(pairs) > 1 and options.output_format == "json":
-        raise CouldNotRun("the settings name several programs, and JSON is told of one: name it, such as HEAD:prog.py")
-    codes: list[int] = []
-    for one, other in pairs:
-        if codes and options.output_format == "text":
+
+    def configured(revision: str) -> list[str]:
+        with TemporaryDirectory(prefix="clickgen-") as folder:
+            return configured_in(revision, wanted, Path(folder))
+
+    pairs = pairs_of(options.one, options.other, settings_of_folder(options.config), configured)
+    compared: list[tuple[Pair, Difference | None]] = []
+    for pair in pairs:
+        if compared and options.output_format == "text":
             print()
-        codes.append(_compare(one, other, wanted, options))
-    return max(codes)
+        compared.append((pair, _compared(pair, wanted)))
+        _show(*compared[-1], options)
+    if options.output_format == "json":
+        from clickgen.commands.diff.as_json import render
+
+        sys.stdout.write(render(compared))
+    return max(_code(difference) for _, difference in compared)
 
 
-def _compare(one: str, other: str, wanted: Wanted, options: argparse.Namespace) -> int:
+def _code(difference: Difference | None) -> int:
+    return COULD_NOT_RUN if difference is None else PROBLEMS if difference.differs else OK
+
+
+def _compared(pair: Pair, wanted: Wanted) -> Difference | None:
+    """The difference of two sides; None where one of them has errors, which are told."""
     try:
         with TemporaryDirectory(prefix="clickgen-") as first, TemporaryDirectory(prefix="clickgen-") as second:
-            older = read_side(one, wanted, Path(first), complain)
-            newer = read_side(other, replace(wanted, placed=older.placed), Path(second), complain)
+            older = absent_side(pair.one) if pair.is_new else read_side(pair.one, wanted, Path(first), complain)
+            placed = replace(wanted, placed=older.placed)
+            newer = absent_side(pair.other) if pair.is_gone else read_side(pair.other, placed, Path(second), complain)
     except BrokenProgram as error:
         write_problems(error.problems, error.sources, sys.stderr)
         found = counts(problem.severity for problem in error.problems)
         complain(f"{error.shown} has {found}; there is nothing to compare")
-        return COULD_NOT_RUN
-    difference = diff(older, newer)
-    names = name_changes(older, newer)
-    if options.output_format == "json":
-        from clickgen.commands.diff.as_json import render
+        return None
+    return diff(older, newer)
 
-        sys.stdout.write(render(difference, names))
-    else:
+
+def _show(pair: Pair, difference: Difference | None, options: argparse.Namespace) -> None:
+    """A difference for people."""
+    if difference is not None and options.output_format == "text":
+        names = name_changes(difference.one, difference.other)
+        if pair.is_new or pair.is_gone:
+            shown = difference.other.shown if pair.is_new else difference.one.shown
+            why = difference.one.doubt if pair.is_new else difference.other.doubt
+            print(escaped(f"{shown} {'is new' if pair.is_new else 'was removed'}: {why}"))
         lines = (Line(" ", line) for line in summary(difference, names)) if options.quiet else report(difference, names)
         color = use_color(sys.stdout)
         sys.stdout.write("".join(f"{_painted(line) if color else escaped(line.text)}\n" for line in lines))
-    return PROBLEMS if difference.differs else OK
 
 
 def _painted(line: Line) -> str:

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from clickgen.cli import complain
-from clickgen.config import Config, ProgramSettings, find_config, read_config
+from clickgen.config import Config, ProgramSettings, Settings, find_config, read_config
 from clickgen.problems.diagnostics import CouldNotRun
-from clickgen.settings import Settings
 
 
 @dataclass(frozen=True)
@@ -24,8 +23,10 @@ class Job:
     @property
     def folders(self) -> list[Path]:
         """Where files are written: beside the program and its table, and in the output folder."""
+        from clickgen.emit.registry import folders
+
         table = Path(os.path.realpath(self.settings.table_of(Path(self.program))))
-        return [Path(self.program).parent, table.parent, self.folder, self.folder / "subroutines"]
+        return [Path(self.program).parent, table.parent, self.folder, *(self.folder / name for name in folders())]
 
 
 def settings_of(config: str | None) -> Config:

@@ -7,18 +7,18 @@ import os
 import shlex
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
+from clickgen.api import known_names
 from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.commands.stubs.stub import MARK, builtins_stub
 from clickgen.dialects.if_rungs.discover import targets
-from clickgen.pipeline import KnownNames, known_names
 from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.results import KnownNames
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
-from clickgen.workspace import read_file
+from clickgen.workspace import Workspace, read_file
 
 STUB_NAME = "__builtins__.pyi"
 """Pyright takes this file for names that are known everywhere in its folder."""
@@ -80,8 +80,9 @@ def _names(found: Sequence[Job]) -> dict[Path, list[KnownNames]]:
     """The names of every program by its folder; each is resolved with the table that those before it leave."""
     names: dict[Path, list[KnownNames]] = {}
     tables: dict[str, bytes] = {}
+    workspace = Workspace()
     for job in found:
-        known = known_names(job.program, replace(job.settings, overlay=dict(tables)))
+        known = known_names(job.program, job.settings, workspace.apart(tables))
         tables[os.path.realpath(known.table_path)] = known.table
         names.setdefault(Path(job.program).parent.absolute(), []).append(known)
         _say_errors(job.program, known)

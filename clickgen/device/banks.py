@@ -84,6 +84,13 @@ class Bank:
     def has(self, number: int) -> bool:
         return any(first <= number <= last for first, last in self.ranges)
 
+    def gap_in(self, first: int, last: int) -> int | None:
+        """The first number of a stretch that the bank does not have; None where it has all."""
+        for start, end in self.ranges:
+            if start <= first <= end:
+                first = end + 1
+        return first if first <= last else None
+
     def numbers(self) -> Iterator[int]:
         for first, last in self.ranges:
             yield from range(first, last + 1)
@@ -141,6 +148,13 @@ TWIN_BANKS = {**WORD_TWINS, **VALUE_BANK, **CURRENT_VALUE_OF}
 
 When a bit follows a current value that an instruction writes, no source says: it may be at once (click-facts
 [bank.bit-and-value]).
+"""
+
+MOVING_BANKS = ("T", "TD", "SC", "SD")
+"""Banks whose cells may change between two rungs although no instruction there writes them, for those who must be sure.
+
+``device/system.py`` knows which points of SC and SD stay as they are. ``lower/effects.py`` says why splitting takes it
+that timers stay too.
 """
 
 UPPER_BYTE_BANKS = ("XD", "YD")

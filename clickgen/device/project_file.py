@@ -1,9 +1,14 @@
-"""CLICK's own project file, ``.ckp``: how it is known. Only CLICK reads what is in it
-(click-facts [click-file.project])."""
+"""CLICK's own files: how its projects, program files and captures are known, and what else is given for a program.
+
+The marks are in click-facts [click-file.captures, click-file.program, click-file.project].
+"""
 
 from __future__ import annotations
 
 import io
+import os
+import re
+import shlex
 import zipfile
 import zlib
 
@@ -11,6 +16,41 @@ _MARKS = (b"SC-PRJ", b"scp.bin.zi")
 """Each alone marks a project: some have both, some the first alone."""
 _MEMBERS_MAX = 64
 _ENDING = ".ckp"
+PROGRAM_MAGIC = b"SC-SCR  "
+CLIPBOARD_MAGIC = b"CLICK   "
+_ARCHIVES = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
+"""An archive, such as a workbook, and the form of older Office files."""
+
+ONLY_CLICK = "a project of CLICK, which only CLICK opens"
+CLICKS_LADDER = (
+    "the folder of the Scr*.tmp files that CLICK keeps of an open project, or rungs copied to the clipboard and saved "
+    "by ClickNick"
+)
+
+
+def no_program(data: bytes, name: str) -> tuple[str, str] | None:
+    """What a file is that was given for a program, and the way out; None for what may be one."""
+    ending = os.path.splitext(name)[1].casefold()
+    is_text = b"\0" not in data[:4096] and not data.startswith(_ARCHIVES)
+    if is_click_project(data, name):
+        return ONLY_CLICK, f"open it there, and give clickgen import {CLICKS_LADDER}"
+    if data.startswith((PROGRAM_MAGIC, CLIPBOARD_MAGIC)) or (
+        not is_text and re.fullmatch(r"scr[0-9]+\.(tmp|scr)", os.path.basename(name), re.IGNORECASE)
+    ):
+        kind = "a capture of CLICK's clipboard" if data.startswith(CLIPBOARD_MAGIC) else "a program file of CLICK"
+        return kind, f"make a program of it: clickgen import {shlex.quote(name)} -o prog.py"
+    if ending == ".adpro":
+        return "a project of other programming software", "clickgen reads what CLICK makes: see clickgen import --help"
+    if data.startswith(_ARCHIVES):
+        way = "name the program, and an I/O list in a workbook after --nicknames"
+        return ("a workbook", way) if ending in (".xlsx", ".xlsm", ".xls") else ("an archive or a workbook", way)
+    if ending == ".csv" and is_text:
+        start = data[:4096].removeprefix(b"\xef\xbb\xbf").lstrip(b"# ").lower()
+        if start.startswith(b"marker,"):
+            return "a ladder file", f"make a program of it: clickgen import {shlex.quote(name)} -o prog.py"
+        if start.startswith((b"address,", b'"address"')):
+            return "an address table", f"name the program, and the table after it: --nicknames {shlex.quote(name)}"
+    return None
 
 
 def is_click_project(data: bytes, name: str = "") -> bool:

@@ -69,13 +69,34 @@ def system_nicknames() -> dict[str, tuple[str, Address]]:
 
 
 def addresses_of_system_name(name: str) -> tuple[Address, ...]:
-    """What one of CLICK's own names means; two addresses where versions of CLICK differ, none for any other name.
+    """What one of CLICK's own names means; several addresses where that is in doubt, none for any other name.
 
     Case does not count. Spaces do not either, as CLICK sets one before some brackets and not before others
-    (``_RTC_Year(4 digits)``) and nobody remembers which.
+    (``_RTC_Year(4 digits)``) and nobody remembers which. Two addresses have a name that moved between versions of
+    CLICK, and one that CLICK 3.41 does not show, but that differs only in spaces and underscores from names of two
+    addresses: ``_I/O_Module_Error`` is SC22 in an older list, and SC20 is ``_I/O Module Error`` in CLICK 3.41.
     """
     lower = name.lower()
-    return _by_name().get(lower) or _by_name_without_spaces().get(lower.replace(" ", ""), ())
+    known = _by_name().get(lower) or _by_name_without_spaces().get(lower.replace(" ", ""), ())
+    alike = _by_letters().get(_letters(name), ())
+    if len(alike) > 1 and not any(_shown().get(address, "").lower() == lower for address in known):
+        return alike
+    return known
+
+
+def doubt_about(name: str) -> str:
+    """``_X is SD132 in CLICK 3.41 and SD134 in another version``: the reason why a name has several addresses."""
+    addresses = addresses_of_system_name(name)
+    said = [
+        (written, f"{address} in {'CLICK 3.41' if written == point.name else 'another version'}")
+        for address in addresses
+        for point in system_points()
+        for written in (point.name, point.other)
+        if point.address == address and _letters(written) == _letters(name)
+    ]
+    if len({written for written, _ in said}) == 1:
+        return f"{name} is {' and '.join(where for _, where in said)}"
+    return f"{name} reads like {', and like '.join(f'{written!r}, which is {where}' for written, where in said)}"
 
 
 def changes_by_itself(address: Address) -> bool:
@@ -97,16 +118,6 @@ def system_name_of(address: Address) -> str | None:
 def is_system_name_of(name: str, address: Address) -> bool:
     """True for a name that CLICK gives to this address, be it in one version only."""
     return address in addresses_of_system_name(name)
-
-
-def lookalike_of(name: str) -> tuple[str, Address] | None:
-    """Another point whose shown name differs from this older one only in spaces and underscores.
-
-    ``_I/O_Module_Error`` is SC22 in a list where ``_I/O Module Error`` is SC20 in CLICK.
-    """
-    addresses = addresses_of_system_name(name)
-    others = _by_letters().get(_letters(name), ()) if addresses else ()
-    return next(((_shown()[other], other) for other in others if other not in addresses and other in _shown()), None)
 
 
 def near_system_name(name: str, bank: str) -> str:

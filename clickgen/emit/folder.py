@@ -1,25 +1,21 @@
 """The output folder: what an earlier build left in it, and what must not be there (click-facts [ladder-file.bundle]).
 
 The source map of the last build says what it made. Anybody can write a source map, so a file counts as made by a build
-only where it also looks as a build makes it: with the head of its kind, and as many rungs as the map has for it.
+only where its writer recognizes it too: by its path and by its contents. It is removed only where it is what the map
+says was written.
 """
 
 from __future__ import annotations
 
 import json
-import re
 import stat
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
-from clickgen.click.ladder_csv import HEADER as LADDER_COLUMNS
-from clickgen.table.rows import HEADER as NICKNAME_HEAD
+from clickgen.emit.registry import folders, writer_of
+from clickgen.emit.source_map import PATH as MAP
+from clickgen.emit.writer import Writer
 from clickgen.workspace import leads_elsewhere, read_file, read_if_there
-
-_MAP = "sources.json"
-_LADDER_HEAD = ",".join(LADDER_COLUMNS)
-_MAIN_PART = re.compile(r"main(_[0-9]+)?\.csv")
-_SUBROUTINE = re.compile(r"subroutines/([^/]+)\.csv")
 
 
 class ForeignFiles(Exception):
@@ -32,10 +28,10 @@ def stale_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     Raises ForeignFiles when an output would replace a file that is not an earlier output, and when other CSV files
     are there: ClickNick's guided paste takes every CSV file of the folder as ladder (click-facts [ladder-file.guided]).
     """
-    away = folder / "subroutines"
-    if leads_elsewhere(away):
-        raise ForeignFiles(f"{away} is a link to another place; take it away, or choose another folder with -o")
-    noted = _Noted.read(folder)
+    for away in (folder / name for name in folders()):
+        if leads_elsewhere(away):
+            raise ForeignFiles(f"{away} is a link to another place; take it away, or choose another folder with -o")
+    noted = _Noted.of(folder)
     there = {path.relative_to(folder).as_posix(): path for path in _csv_files(folder)}
     leftovers = {name: path for name, path in there.items() if name not in files}
     in_the_way = [path for name, path in leftovers.items() if not noted.may_go(name)]
@@ -48,13 +44,14 @@ def stale_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     ]
     if taken:
         raise ForeignFiles(_message(folder, "these are not an earlier build's", taken))
-    return [*leftovers.values()]
+    others = (name for name in noted.inside() if name not in files and name not in there and noted.may_go(name))
+    return [*leftovers.values(), *(folder / name for name in others)]
 
 
 def _csv_files(folder: Path) -> list[Path]:
     """Files that Windows takes for CSV, whatever the case of their ending."""
-    folders = [place for place in (folder, folder / "subroutines") if place.is_dir()]
-    return sorted(path for place in folders for path in place.iterdir() if path.suffix.casefold() == ".csv")
+    places = [place for place in (folder, *(folder / name for name in folders())) if place.is_dir()]
+    return sorted(path for place in places for path in place.iterdir() if path.suffix.casefold() == ".csv")
 
 
 def _differs(path: Path, data: bytes) -> bool:
@@ -69,58 +66,58 @@ def _message(folder: Path, why: str, paths: list[Path]) -> str:
 
 
 class _Noted:
-    """What the source map of the last build says of the folder, and what of it is to be believed."""
+    """What the source map of the last build says about the folder, and which of it is to be believed."""
 
-    def __init__(self, folder: Path, files: Iterable[object], routines: Mapping[str, object]) -> None:
+    def __init__(self, folder: Path, files: Iterable[object], digests: Mapping[str, object]) -> None:
         self._folder = folder
-        self._files = {name for name in files if isinstance(name, str)}
-        self._routines = routines
+        self._digests = digests
+        self.files = {name: None for name in files if isinstance(name, str)}
 
     @classmethod
-    def read(cls, folder: Path) -> _Noted:
+    def of(cls, folder: Path) -> _Noted:
         try:
-            noted = json.loads(read_file(folder / _MAP))
+            noted = json.loads(read_file(folder / MAP))
         except (OSError, ValueError, RecursionError):
             noted = None
         is_ours = isinstance(noted, dict) and noted.get("generator") == "clickgen"
-        files, routines = (noted.get("files"), noted.get("routines")) if is_ours else (None, None)
-        return cls(folder, files if isinstance(files, list) else (), routines if isinstance(routines, dict) else {})
+        files, digests = (noted.get("files"), noted.get("digests")) if is_ours else (None, None)
+        return cls(folder, files if isinstance(files, list) else (), digests if isinstance(digests, dict) else {})
+
+    def digest(self, path: str) -> str:
+        """The digest of what the build wrote into a file; "" where the map has none."""
+        digest = self._digests.get(path)
+        return digest if isinstance(digest, str) else ""
+
+    def read(self, path: str) -> bytes:
+        """The bytes of a file in the folder; none where there is no such file."""
+        return read_if_there(self._folder / path) or b""
+
+    def inside(self) -> Iterator[str]:
+        """The noted files that lie where writers put theirs."""
+        places = {self._folder, *(self._folder / name for name in folders())}
+        for name in self.files:
+            path = self._folder / name
+            # A name such as ../mine.txt, or c:mine.txt on Windows, leads out of the folder.
+            if path.parent in places and path.name != ".." and path.relative_to(self._folder).as_posix() == name:
+                yield name
 
     def may_be_replaced(self, name: str) -> bool:
-        """True for an output that is noted and begins as a build's; an empty file holds nothing that could be lost."""
-        if name not in self._files:
-            return False
+        """True for an output that is noted and recognized; an empty file holds nothing that could be lost."""
+        return self._owner(name) is not None
+
+    def may_go(self, name: str) -> bool:
+        """True for a leftover that a build made, and that is as the map says."""
+        writer = self._owner(name)
+        return writer is not None and not writer.on_request and writer.may_go(self, name)
+
+    def _owner(self, name: str) -> Writer | None:
+        """The writer that made a file; None where a person may have made it."""
+        writer = writer_of(name) if name in self.files else None
+        if writer is None:
+            return None
         try:
             is_file = stat.S_ISREG((self._folder / name).lstat().st_mode)
             data = read_file(self._folder / name) if is_file else None
-        except OSError:
-            return False
-        if data is None:
-            return False
-        head = data.split(b"\n", 1)[0].rstrip(b"\r").decode("utf-8", "replace")
-        if name == "listing.txt":
-            return not data or head.startswith("CLICK program ")
-        if name == "nicknames.csv":
-            return not data or head == NICKNAME_HEAD
-        is_ladder = _MAIN_PART.fullmatch(name) or _SUBROUTINE.fullmatch(name)
-        return name == _MAP or not data or (is_ladder is not None and head == _LADDER_HEAD)
-
-    def may_go(self, name: str) -> bool:
-        """True for a leftover that a build made: it also has as many rungs as the map knows of its routine."""
-        if not self.may_be_replaced(name):
-            return False
-        match = _SUBROUTINE.fullmatch(name)
-        if match:
-            return self._rungs([name]) == self._count(match[1])
-        if not _MAIN_PART.fullmatch(name):
-            return False
-        return self._rungs(part for part in self._files if _MAIN_PART.fullmatch(part)) == self._count("main")
-
-    def _rungs(self, names: Iterable[str]) -> int:
-        """How many rungs these files hold together."""
-        held = (read_if_there(self._folder / name) or b"" for name in names)
-        return sum(len(re.findall(rb"(?m)^R,", data)) for data in held)
-
-    def _count(self, routine: str) -> int:
-        rungs = self._routines.get(routine)
-        return len(rungs) if isinstance(rungs, list) else -1
+        except (OSError, ValueError):  # ValueError: a name that no file can have
+            return None
+        return writer if data is not None and (not data or writer.is_own(data)) else None

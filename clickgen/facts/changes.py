@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from functools import cached_property
 
-from clickgen.device.banks import BANKS, TWIN_BANKS, Address, points_of
+from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, MOVING_BANKS, TWIN_BANKS, Address, points_of
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use, addresses_of, extents_of
 from clickgen.instructions import communication
@@ -18,16 +18,16 @@ from clickgen.ir.program import Action
 Extent = tuple[str, int, int]
 """A bank, and the first and last number."""
 
-_VOLATILE = ("T", "TD", "CT", "SC", "SD")
-"""Banks that may change between two rungs although no instruction there names them."""
 _MESSAGES = frozenset(spec.name for spec in (*communication.SPECS, RAW))
 
 
 def extents_written(operand: Operand) -> list[Extent]:
-    """What writing an operand may change: through a pointer all of its bank, and the points or words of that."""
+    """What writing an operand may change: the bits of current values too, and through a pointer all of its bank."""
     if isinstance(operand, Pointer):
         return [(bank, 0, BANKS[bank].last) for bank in (operand.bank, TWIN_BANKS.get(operand.bank, operand.bank))]
-    return extents_of(operand)
+    extents = extents_of(operand)
+    bits = [(CURRENT_VALUE_OF[bank], first, last) for bank, first, last in extents if bank in CURRENT_VALUE_OF]
+    return extents + bits
 
 
 def with_points(operand: Operand) -> set[Address]:
@@ -63,7 +63,7 @@ class Changes:
         """True when an operand of a condition may have another value after these changes."""
         if isinstance(operand, Immediate) or not self.arriving.isdisjoint(with_points(operand)):
             return True
-        return any(bank in _VOLATILE for bank, _, _ in extents_of(operand)) or meets(extents, operand)
+        return any(bank in MOVING_BANKS for bank, _, _ in extents_of(operand)) or meets(extents, operand)
 
     @cached_property
     def arriving(self) -> frozenset[Address]:

@@ -183,11 +183,21 @@ class Facts:
 
     def writers(self, address: Address) -> tuple[Placed, ...]:
         """The actions that write an address by its own number, each once, in source order."""
-        return tuple(self._by_action[action] for action in {id(use.action): None for use in self.uses.writes(address)})
+        if address not in self._writers:
+            actions = {id(use.action): None for use in self.uses.writes(address)}
+            writers = tuple(self._by_action[action] for action in actions)
+            if self.uses.is_in_long_range(address.bank):
+                return writers  # What is kept for each address of many long ranges takes too much memory.
+            self._writers[address] = writers
+        return self._writers[address]
 
     def place_of(self, action: Action) -> Placed:
         """Where an action of the program stands."""
         return self._by_action[id(action)]
+
+    @cached_property
+    def _writers(self) -> dict[Address, tuple[Placed, ...]]:
+        return {}
 
     @cached_property
     def places(self) -> Mapping[int, int]:
@@ -253,7 +263,16 @@ class Facts:
         operand = condition.operand
         return (isinstance(operand, Cell) and self._stands_for(operand.address)) or condition
 
+    @cached_property
+    def _standing(self) -> dict[Address, Condition | None]:
+        return {}
+
     def _stands_for(self, bit: Address) -> Condition | None:
+        if bit not in self._standing:
+            self._standing[bit] = self._driver_of(bit)
+        return self._standing[bit]
+
+    def _driver_of(self, bit: Address) -> Condition | None:
         writers = self.writers(bit)
         if len(writers) != 1 or self.uses.is_pointed(bit.bank, is_written=True):
             return None

@@ -19,6 +19,8 @@ from clickgen.ir.walk import condition_operands, leaves
 
 _LONG = 64
 """A range of more addresses is kept as a range."""
+_STRETCHES_MAX = 64
+"""Of so many stretches it is kept which ranges cover them."""
 
 
 class Use(NamedTuple):
@@ -84,8 +86,36 @@ class Uses:
     def reads(self, address: Address) -> list[Use]:
         return [use for use in self.at(address) if not use.is_written]
 
+    def is_in_long_range(self, bank: str) -> bool:
+        """True where some range of the bank is so long that its uses are not kept for each address."""
+        return bank in self._ranges
+
     def _far(self, address: Address) -> list[Use]:
-        return [use for use in self._ranges.get(address.bank, ()) if _covers(use.operand, address)]
+        ranges = self._ranges.get(address.bank)
+        if not ranges:
+            return []
+        # Between two ends of ranges every address has the same uses.
+        key = address.bank, bisect_right(self._ends[address.bank], address.number)
+        if key not in self._known:
+            if len(self._known) >= _STRETCHES_MAX:
+                self._known.clear()
+            self._known[key] = [use for use in ranges if _covers(use.operand, address)]
+        return self._known[key]
+
+    @cached_property
+    def _known(self) -> dict[tuple[str, int], list[Use]]:
+        """The long ranges over stretches that were asked for."""
+        return {}
+
+    @cached_property
+    def _ends(self) -> Mapping[str, list[int]]:
+        """Where long ranges of each bank begin, and where they are over."""
+        return {
+            bank: sorted(
+                {end for use in uses for _, low, high in extents_of(use.operand)[:1] for end in (low, high + 1)}
+            )
+            for bank, uses in self._ranges.items()
+        }
 
     def may_be_written(self, operand: Operand) -> bool:
         """True when some address of a cell or a range is written anywhere, or a pointer may lead to it."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from clickgen.device.banks import FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, VALUE_CLASSES, Kind
 from clickgen.instructions.spec import Spec
 from clickgen.ir.operands import CharCode, Hex, Integer, Operand, Real, Text, form_of
@@ -56,6 +58,33 @@ def range_fault(constant: Operand, kind: Kind | None) -> str:
     if isinstance(constant, CharCode) and constant.value > 0x7F:
         return f"${constant.value:02X} is outside $00..$7F"
     return ""
+
+
+def fitting(constant: Operand, kind: Kind | None, text: str, copied: Callable[[str], str]) -> str:
+    """A constant that a value of this kind takes, or a register that takes this one.
+
+    ``text`` is the constant as the program writes it, ``copied`` gives the action with another in its place.
+    """
+    if isinstance(constant, Real):
+        if kind in (Kind.INT16, Kind.INT32, Kind.HEX) and abs(constant.value) <= FLOAT_MAX:
+            return f"DF holds decimals: copy({text}, df.Name); a whole number near it is {int(constant.value)}"
+        return "DF holds -3.4028235E+38 to 3.4028235E+38, and nothing nearer to 0 than 1.1754944E-38 but 0"
+    if not isinstance(constant, Integer | Hex):
+        return "write a constant that fits"
+    value, low, high = constant.value, *INTEGER_RANGES[Kind.INT32]
+    bits = 32 if kind is Kind.INT32 else 16
+    if kind is Kind.HEX and -(2**15) <= value < 0:
+        return f"DH holds 0x0000 to 0xFFFF; these 16 bits are {copied(f'0x{value + 2**16:04X}')}"
+    ways = []
+    is_hex = text[:2].lower() == "0x" or text.rstrip("'\"").lower().endswith("h")
+    if is_hex and kind is not Kind.HEX and 2 ** (bits - 1) <= value < 2**bits:
+        ways.append(f"these {bits} bits are {copied(str(value - 2**bits))}")
+        ways += [f"DH holds them as they are: copy({text}, dh.Name)"] if bits == 16 else []
+    if bits == 16 and low <= value <= high:
+        ways.append(f"DD holds {low} to {high}: copy({value}, dd.Name)")
+    elif abs(value) <= FLOAT_MAX:
+        ways.append(f"DF holds greater numbers, to 7 digits: copy({value}.0, df.Name)")
+    return "; ".join(ways) or "write a constant that fits"
 
 
 def copies(spec: Spec, source: object, target: object) -> bool:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations, pairwise
 
-from clickgen.device.banks import Address
+from clickgen.device.banks import MOVING_BANKS, Address
 from clickgen.instructions import communication, copies, maths
 from clickgen.instructions.coils import RESET, SET
 from clickgen.instructions.control import CALL, END, FOR, NEXT, NOP, RETURN
@@ -22,8 +22,6 @@ from clickgen.ir.walk import action_operands, condition_operands
 from clickgen.lower.effects import Cells, Effects, has_edge, is_volatile, reads
 from clickgen.lower.expand import OffDelays
 
-_MOVING = ("T", "TD", "SC", "SD")
-"""Banks that may change between two rungs although no instruction there writes them."""
 _KEPT = (RAW, NOT_IMPORTED)
 """Nobody knows what these do, nor when."""
 _LEAVING = (END, RETURN, NEXT)
@@ -134,7 +132,7 @@ def _is_resolved(action: Action) -> bool:
 
 def _is_unsteady(condition: Condition) -> bool:
     """True when it may be another thing later in the scan, or when looking at it twice is not looking once."""
-    is_moving = any(form_of(operand) in _MOVING for operand in condition_operands(condition))
+    is_moving = any(form_of(operand) in MOVING_BANKS for operand in condition_operands(condition))
     return is_moving or has_edge(condition) or is_volatile(condition)
 
 

@@ -139,8 +139,11 @@ class Builder:
         elif found is not None:
             # An argument that calculates would need parentheses of its own.
             is_plain = all(isinstance(part, Operand | Number | HexNumber) for part in arguments)
-            texts = [self.report.text.value[part.start : part.end] for part in arguments]
-            written = found.written(texts) if is_plain else ""
+            whole = self.report.text.value
+            texts = [whole[part.start : part.end] for part in arguments]
+            # Only of a function that is the whole formula the result goes where that of the formula goes.
+            is_whole = whole.lstrip().startswith(token.value) and whole.rstrip().endswith(")") and whole.count("(") == 1
+            written = found.written(texts, self.report.target if is_whole else "") if is_plain else ""
             help = found.of(written) if written else found.shown
         else:
             known = sorted(FUNCTIONS[self.mode])

@@ -46,12 +46,13 @@ class Reader(NamedTuple):
     builder: Builder
 
 
-def parse_formula(text: EmbeddedText, mode: Mode, problems: Diagnostics) -> Formula | None:
+def parse_formula(text: EmbeddedText, mode: Mode, problems: Diagnostics, target: str = "") -> Formula | None:
     """Read a formula, or add what is wrong with it to ``problems`` and return None. Never raises.
 
-    Names keep the bank's upper-case name (``DS``), like addresses; ranges include both ends.
+    Names keep the bank's upper-case name (``DS``), like addresses; ranges include both ends. ``target`` is where the
+    result goes, as the person wrote it, for ways out.
     """
-    report = Report(text)
+    report = Report(text, target)
     formula = _parse(text.value, mode, report)
     problems.found.extend(report.problems.found)
     return None if report.problems.has_errors else formula

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 from clickgen.device.banks import Address
@@ -66,8 +67,14 @@ class Range:
         return self.first > self.last
 
     def addresses(self) -> list[Address]:
-        step = -1 if self.is_reversed else 1
-        return [Address(self.bank, n) for n in range(self.first, self.last + step, step)]
+        return list(_addresses(self.bank, self.first, self.last))
+
+
+@lru_cache(maxsize=256)
+def _addresses(bank: str, first: int, last: int) -> tuple[Address, ...]:
+    """The addresses of a range: every stage asks for those of a long one many times."""
+    step = -1 if first > last else 1
+    return tuple(Address(bank, number) for number in range(first, last + step, step))
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from clickgen.device.banks import BANKS, TEXT_WIDTHS, Address, current_value
+from clickgen.device.banks import BANKS, TEXT_WIDTHS, Address, Kind, current_value
 from clickgen.instructions.spec import Access, Param
-from clickgen.ir.operands import Cell, Named, Operand, Pointer, Range, Text
+from clickgen.ir.operands import Cell, Hex, Integer, Named, Operand, Pointer, Range, Real, Text
 from clickgen.ir.program import Action, KeptToken, Operands, Options, Program, actions_in, rungs_in
 from clickgen.ir.walk import value_operands
 
@@ -43,19 +43,33 @@ def length_of(action: Action, param: Param, address_of: AddressOf = cell_address
         if start and end and start.bank == end.bank:
             return max(1, end.number - start.number + 1)
     if isinstance(operand, Named | Cell) and operand.bank == "TXT" and param.name == action.spec.matrix[1]:
-        return _characters(action)
+        return characters(action)
     return 1
 
 
-def _characters(action: Action) -> int:
-    """How many TXT addresses a copy may fill."""
+def characters(action: Action) -> int:
+    """How many TXT addresses a copy may fill.
+
+    What CLICK makes of a number that goes to TXT without an option, no source says: it may be the digits.
+    """
     source, options = action.args.get(action.spec.matrix[0]), action.args.get("options")
     if isinstance(source, Text):
         return max(1, len(source.value))
-    if isinstance(options, Options) and options.name == "to_text" and isinstance(source, Named | Cell | Pointer):
-        end = 0 if options.termination_code is None else 1
-        return TEXT_WIDTHS.get(BANKS[source.bank].kind, 1) + end
-    return 1
+    if "to_text" not in action.spec.conversions or (isinstance(options, Options) and options.name != "to_text"):
+        return 1
+    end = 1 if isinstance(options, Options) and options.termination_code is not None else 0
+    return _digits(source) + end
+
+
+def _digits(source: object) -> int:
+    """The most characters that a number becomes as text; 1 for what is no number."""
+    if isinstance(source, Integer):
+        return len(str(source.value))
+    if isinstance(source, Hex):
+        return TEXT_WIDTHS[Kind.HEX]
+    if isinstance(source, Real):
+        return TEXT_WIDTHS[Kind.FLOAT]
+    return TEXT_WIDTHS.get(BANKS[source.bank].kind, 1) if isinstance(source, Named | Cell | Pointer) else 1
 
 
 class Touch(NamedTuple):

@@ -9,6 +9,15 @@ from clickgen.device.banks import Address
 from clickgen.ir.operands import Cell, Named
 from clickgen.ir.walk import Rewriter, condition_operands, items_operands
 from clickgen.lower.split import ClickRoutine, ClickRung
+from clickgen.table.rows import Row
+
+
+def placed_routines(routines: tuple[ClickRoutine, ...], placed: Mapping[Address, Row]) -> tuple[ClickRoutine, ...]:
+    """The routines with scratch addresses; ``placed`` gives each placeholder its row of the address table."""
+    if not placed:
+        return routines
+    rewriter = PlaceScratch({placeholder: row.address for placeholder, row in placed.items()})
+    return tuple(rewriter.routine(routine) for routine in routines)
 
 
 class PlaceScratch(Rewriter):

@@ -10,37 +10,25 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import accumulate, takewhile
 
 from clickgen.click.draw.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw
-from clickgen.click.draw.network import bits, network
+from clickgen.click.draw.network import is_range, network
 from clickgen.click.draw.words import condition_words
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import NEXT, NOP
 from clickgen.instructions.timers import RTOF
 from clickgen.ir.conditions import All, Always, Any, Condition, Contact
-from clickgen.ir.operands import Cell
+from clickgen.ir.operands import Cell, Immediate, Range
 from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Rung, Value, actions_in, rungs_in
 from clickgen.ir.walk import leaves
 from clickgen.lower.effects import Effects
 from clickgen.lower.expand import OffDelays, Own, expand
 from clickgen.lower.looks import asserted, look_of, looking_at
 from clickgen.lower.scratch import Scratch, shown_in_reason
-from clickgen.lower.steps import (
-    LEAVING,
-    Node,
-    Part,
-    Past,
-    Step,
-    apart,
-    is_of_program,
-    is_special,
-    nodes_of,
-    pins_of,
-    run_by,
-)
+from clickgen.lower.steps import LEAVING, Node, Part, Past, Step, apart, is_of_program, nodes_of, pins_of, run_by
 from clickgen.text.source import Span
 
 _FREE_COLUMNS = COLUMNS - 1
@@ -118,12 +106,13 @@ class _RungSplit:
         self._comment = rung.comment
 
     def run(self) -> None:
-        steps = list(self._steps(self._rung.items, Node(self._rung.condition)))
+        condition, items = _joined(self._rung.condition, self._rung.items)
+        steps = list(self._steps(items, Node(condition)))
         # One NOP keeps a rung legal; a second one, or one beside an output, does not (click-facts [grid.nop]).
         parts = apart([step for step in steps if step.action.spec is not NOP] or steps[:1])
         rung = self._rung_of(parts[0])
-        if len(parts) == 1 and _draws(rung) and not is_special(parts[0][0]):
-            self._put(rung)
+        if len(parts) == 1 and _draws(rung) and not parts[0][0].action.spec.pins:
+            self._emit_part(parts[0])
             return
         looking = [part for part in parts if is_of_program(part)]
         if len(looking) > 1 or not _draws(self._rung_of(looking[0])):
@@ -143,7 +132,8 @@ class _RungSplit:
         """Every action in source order with the conditions it stands on, in instructions that CLICK has."""
         for item in items:
             if isinstance(item, Branch):
-                yield from self._steps(item.items, Node(item.condition, node))
+                condition, inner = _joined(item.condition, item.items)
+                yield from self._steps(inner, Node(condition, node))
             elif isinstance(item, Loop):
                 yield Step(node, item.action, item.body)
             else:
@@ -237,13 +227,17 @@ class _RungSplit:
         """A condition that fits the grid: parts of a larger one go to scratch bits."""
         if _fits_alone(condition):
             return condition
-        terms = [self._reduced(term) for term in _terms(condition)]
         is_series = not isinstance(condition, Any)
+        terms = [term if is_series and isinstance(term, Contact) else self._reduced(term) for term in _terms(condition)]
         limit = _FREE_COLUMNS if is_series else MAX_ROWS
         join = All if is_series else Any
         sizes = [_width(term) if is_series else _height(term) for term in terms]
         while sum(sizes) > limit:
             stop = bisect_right(list(accumulate(sizes)), limit)
+            if is_series and len(pieces := _divided(terms[stop], limit - sum(sizes[:stop]))) > 1:
+                terms[stop : stop + 1] = pieces
+                sizes[stop : stop + 1] = map(_width, pieces)
+                continue
             # A single contact gains nothing on a scratch bit: then it is the term behind it that is too large.
             start = 1 if stop == 1 and sizes[0] == 1 else 0
             stop = max(stop, start + 1)
@@ -288,6 +282,25 @@ class _RungSplit:
         """The next CLICK rung; the first one has the source rung's comment."""
         self._home.rungs.append(rung)
         self._comment = ""
+
+
+def _joined(condition: Condition, items: tuple[Item, ...]) -> tuple[Condition, tuple[Item, ...]]:
+    """A condition with that of a lone branch in series: nested ifs and ``all(...)`` become the same rung."""
+    while len(items) == 1 and isinstance(items[0], Branch):
+        branch = items[0]
+        terms = tuple(term for one in (condition, branch.condition) for term in _flat(one, All))
+        condition = All(terms, condition.span)
+        items = branch.items
+    return condition, items
+
+
+def _flat(condition: Condition, join: type[All] | type[Any]) -> Iterator[Condition]:
+    """The terms of a series, those of a series in it included; or of a parallel, with a parallel in it."""
+    if isinstance(condition, join):
+        for term in condition.terms:
+            yield from _flat(term, join)
+    else:
+        yield condition
 
 
 def _tree(part: Part, depth: int) -> tuple[Condition, tuple[Item, ...]]:
@@ -339,9 +352,19 @@ def _draws(rung: ClickRung) -> bool:
         return False
 
 
-def _terms(condition: Condition) -> Sequence[Condition]:
-    """What a series or a parallel is made of; a contact on a range is a series of its bits."""
-    if isinstance(condition, All | Any):
-        return condition.terms
-    assert isinstance(condition, Contact)
-    return bits(condition)
+def _terms(condition: Condition) -> list[Condition]:
+    """What a series or a parallel is made of. A contact on a range is a series of its bits."""
+    return list(_flat(condition, Any if isinstance(condition, Any) else All))
+
+
+def _divided(condition: Condition, width: int) -> list[Condition]:
+    """A contact on a range as two, the first with as many bits as given; anything else stays as it is."""
+    if not (isinstance(condition, Contact) and is_range(condition) and 0 < width < _width(condition)):
+        return [condition]
+    operand = condition.operand
+    whole = operand.target if isinstance(operand, Immediate) else operand
+    assert isinstance(whole, Range)
+    numbers = [address.number for address in whole.addresses()]
+    parts = [Range(whole.bank, part[0], part[-1], whole.span) for part in (numbers[:width], numbers[width:])]
+    is_immediate = isinstance(operand, Immediate)
+    return [replace(condition, operand=Immediate(part, operand.span) if is_immediate else part) for part in parts]

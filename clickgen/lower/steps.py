@@ -66,11 +66,6 @@ Part = list[Step]
 """Steps that share one CLICK rung."""
 
 
-def is_special(step: Step) -> bool:
-    """True for a box with pins, which may need scratch bits, and for a loop, which brings its body."""
-    return bool(step.action.spec.pins) or step.body is not None
-
-
 def is_of_program(part: Part) -> bool:
     """False for what clickgen needs alone, without a condition of the program in it."""
     return any(step.action.spec.pins or not step.node.is_own for step in part)

@@ -68,8 +68,7 @@ CODES: dict[str, Code] = {
     "CG212": Code(_E, "a pointer goes through a DS register"),
     "CG213": Code(_E, "this bank cannot be pointed into"),
     "CG214": Code(_E, "this is no member of a block"),
-    "CG215": Code(_E, "one of CLICK's own names has two addresses in two versions of CLICK"),
-    "CG216": Code(_W, "an older name of CLICK's own reads like the name of another address"),
+    "CG215": Code(_E, "one of CLICK's own names may mean two addresses"),
     # -- operands and types ---------------------------------------------------------------------------------------
     "CG301": Code(_E, "the instruction does not take this operand"),
     "CG302": Code(_E, "the constant is out of range"),
@@ -185,6 +184,7 @@ CODES: dict[str, Code] = {
     "CG707": Code(_W, "what is imported is a part of a program"),
     "CG708": Code(_E, "what is read of a rung is not what its bytes say"),
     "CG709": Code(_W, "part of the comment of a rung is left out"),
+    "CG710": Code(_E, "a capture holds a rung that the codec cannot decode"),
 }
 
 LEFT = "CG541"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
@@ -168,7 +169,8 @@ class _Declarations:
                 "CG205",
                 declaration.span,
                 f"{address} is {named.name} here and {row.nickname} in {self.table.place(row)}",
-                "change one of them",
+                f"change one of them; if {named.name} is {row.nickname} by another name: "
+                f"{rename_command(row.nickname, named.name)}",
                 self._table_label(row),
             )
             return False
@@ -193,6 +195,23 @@ class _Declarations:
             initial = initial_of(declaration.initial, address, self.problems)
             row = row if initial is None else replace(row, initial=initial)
         return row
+
+
+PROGRAM = "PROG.py"
+"""Stands in a command for the program and its table, which the pipeline knows."""
+
+
+def rename_command(old: str, new: str) -> str:
+    """The command that gives the table the new name of what a declaration names anew."""
+    return f"clickgen nicknames rename {shlex.quote(old)} {shlex.quote(new)} {PROGRAM}"
+
+
+def name_program(words: str, problems: Diagnostics) -> None:
+    """Put the program and its table into the commands that the problems of declarations show."""
+    problems.found = [
+        problem._replace(help=problem.help.replace(PROGRAM, words)) if problem.code == "CG205" else problem
+        for problem in problems.found
+    ]
 
 
 def initial_of(constant: Constant, address: Address, problems: Diagnostics) -> str | None:

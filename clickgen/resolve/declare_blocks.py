@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right, insort
+from bisect import bisect_left, bisect_right, insort
 from collections.abc import Iterable
 from dataclasses import replace
-from itertools import takewhile
+from operator import itemgetter
 from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import comment_fault, nickname_fault
 from clickgen.ir.program import BlockDeclaration
 from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.resolve.declare import Declared, initial_of
+from clickgen.resolve.declare import Declared, initial_of, rename_command
 from clickgen.table.address_table import AddressTable
 from clickgen.table.blocks import Block, Mark, Marks, mark_in, marked, read_marks
 from clickgen.table.rows import Row, default_row, looks_like_scratch
+
+_OVERLAPS_MAX = 8
+"""A block is told to overlap with so many that begin before it."""
 
 
 def declare_blocks(
@@ -146,10 +149,22 @@ class _Blocks:
             if (is_same or any(due)) and not (is_same and due == (mark.opens, mark.closes)):
                 where = f"the comment of {row.address} is marked <{mark.word}> in {self.table.place(row)}"
                 help = f"take the marks of {mark.name} out of the comments, or leave the block as these marks have it"
+                if self._is_other_name_of(block, mark.name):
+                    renamed = rename_command(mark.name, block.name)
+                    help = f"if {block.name} is {mark.name} by another name: {renamed}; if not, {help}"
                 span = self.table.span(row)
                 labels = (Label(span, "this mark"),) if span else ()
                 return _Fault(f"{block.name} is {block} here, and {where}", help, labels)
         return None
+
+    def _is_other_name_of(self, block: Block, name: str) -> bool:
+        """True where the table has just these addresses as a block of this name."""
+        marked = self.marks.blocks.get(name.lower())
+        return (
+            marked is not None
+            and name.lower() != block.name.lower()
+            and (marked.bank, marked.first, marked.last) == (block.bank, block.first, block.last)
+        )
 
     def _set_up(self, declaration: BlockDeclaration, block: Block) -> None:
         """Initial value and retention hold for every member."""
@@ -226,12 +241,14 @@ def _warn_of_marks(marks: Marks, declared: set[str], table: AddressTable, proble
                 "CG429",
                 table.span(row),
                 f"{row.nickname} is the nickname of {row.address} and the name of the block {block}, which "
-                f"{block.said_by} marks: {dotted} alone is {row.address}, and {dotted}[0] is {block.addresses()[0]}",
+                f"{block.said_by} marks: {dotted} alone is {row.address}, and {dotted}[0] is "
+                f"{Address(block.bank, block.first)}",
                 "give one of the two another name: the nickname, or the block in both of its marks",
                 _label(block),
             )
-        missing = next((address for address in block.addresses() if not BANKS[block.bank].has(address.number)), None)
-        if missing is not None:
+        gap = BANKS[block.bank].gap_in(block.first, block.last)
+        if gap is not None:
+            missing = Address(block.bank, gap)
             message = f"the block {block.name}, {block}, spans addresses that CLICK does not have, such as {missing}"
             help = f"{block.bank} has {BANKS[block.bank].describe_range()}: mark a block for each part"
             problems.add("CG606", block.span, message, help)
@@ -248,9 +265,16 @@ def _half(address: Address, mark: Mark) -> tuple[str, str]:
 
 
 def _warn_of_overlaps(blocks: Iterable[Block], problems: Diagnostics) -> None:
-    in_order = sorted(blocks, key=lambda block: (block.bank, block.first))
-    for index, one in enumerate(in_order):
-        for other in takewhile(one.meets, map(in_order.__getitem__, range(index + 1, len(in_order)))):
-            if not (one.lies_in(other) or other.lies_in(one)):
-                message = f"the blocks {one.name}, {one}, and {other.name}, {other}, overlap"
-                problems.add("CG606", other.span, message, "end one where the other begins", _label(one))
+    """Blocks that meet and do not lie in each other. Thousands may: each is told with a few of the others."""
+    begun: list[tuple[int, int, Block]] = []
+    """The blocks of the bank that are not over yet, by their last numbers, with their places in the order."""
+    bank = ""
+    for place, block in enumerate(sorted(blocks, key=lambda block: (block.bank, block.first, -block.last))):
+        if block.bank != bank:
+            bank, begun = block.bank, []
+        del begun[: bisect_left(begun, (block.first,))]
+        # Those that are over before this one is.
+        for _, _, one in sorted(begun[: bisect_left(begun, (block.last,))][:_OVERLAPS_MAX], key=itemgetter(1)):
+            message = f"the blocks {one.name}, {one}, and {block.name}, {block}, overlap"
+            problems.add("CG606", block.span, message, "end one where the other begins", _label(one))
+        insort(begun, (block.last, place, block))

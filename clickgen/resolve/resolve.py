@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import nickname_fault
-from clickgen.device.system import addresses_of_system_name, lookalike_of, near_system_name, system_name_of
+from clickgen.device.system import addresses_of_system_name, doubt_about, near_system_name
 from clickgen.dialects.if_rungs.trade import CONDITIONS, advice
 from clickgen.formula.printer import source_reference
 from clickgen.instructions.spec import Access
@@ -25,7 +25,7 @@ from clickgen.resolve.declare import Declared, Meaning, declare
 from clickgen.resolve.declare_blocks import declare_blocks
 from clickgen.resolve.members import proposal_without_members, without_members
 from clickgen.table.address_table import AddressTable
-from clickgen.table.blocks import Block
+from clickgen.table.blocks import Block, covered
 from clickgen.table.masked import warn_of_masked
 from clickgen.table.rows import Row, is_scratch, looks_like_scratch
 from clickgen.text.source import Span
@@ -77,8 +77,7 @@ def resolve(
     proposals = [proposal_without_members(proposal, blocks, table) for proposal in program.proposals]
     proposed = replace(program, routines=tuple(Routine("", tuple(one.rungs()), one.span, False) for one in proposals))
     resolver = _Resolver(table, declared, frozen, problems, reserved)
-    marked = (address for block in blocks.values() for address in block.addresses())
-    resolver.allocator.take((*resolver.reserved, *marked, *_addresses(operands)))
+    resolver.allocator.take((*resolver.reserved, *covered(blocks.values()), *_addresses(operands)))
     resolver.allocator.take(_addresses(program_operands(proposed)))
     resolver.name(program, list(_named(operands)))
     functions = {routine.function: routine.name for routine in program.subroutines}
@@ -216,7 +215,6 @@ class _Resolver:
                 return True
             if not system or lower in self.misdeclared:
                 return lower in self.misdeclared
-            self._warn_of_lookalike(use, system[0])
             meaning = Meaning(system[0], "CLICK's own name", None)
         address = self._known(use, meaning)
         if address is not None:
@@ -224,33 +222,16 @@ class _Resolver:
         return True
 
     def _ambiguous(self, use: Named, addresses: tuple[Address, ...]) -> None:
-        """One of CLICK's own names that moved between versions of CLICK."""
-        newest, *others = addresses
+        """One of CLICK's own names that may mean one of several addresses."""
         reference = source_reference(use)
         written = " or ".join(f"{address.bank.lower()}[{address.number}]" for address in addresses)
-        pin = f"nickname({reference}, {newest.bank.lower()}[{newest.number}])"
+        pin = f"nickname({reference}, {addresses[0].bank.lower()}[{addresses[0].number}])"
         self.problems.add(
             "CG215",
             use.span,
-            f"{use.name} is {newest} in CLICK 3.41 and {' and '.join(map(str, others))} in another version",
+            doubt_about(use.name),
             f"look which one your CLICK shows, and write {written}, or tie the name to it: {pin}",
         )
-
-    def _warn_of_lookalike(self, use: Named, address: Address) -> None:
-        """An older spelling of one point that reads like the name which CLICK shows for another."""
-        other = lookalike_of(use.name)
-        if other is not None and not self._is_shown(use, address):
-            self.problems.add(
-                "CG216",
-                use.span,
-                f"{use.name} is an older name of {address}; CLICK shows {other[0]!r} for {other[1]}",
-                f"write {_reference(address, system_name_of(address) or '')} for {address}, "
-                f"or {_reference(other[1], other[0])} for {other[1]}",
-            )
-
-    @staticmethod
-    def _is_shown(use: Named, address: Address) -> bool:
-        return use.name.lower() == (system_name_of(address) or "").lower()
 
     def _known(self, use: Named, meaning: Meaning) -> Address | None:
         address = meaning.address

@@ -89,6 +89,11 @@ class AddressTable:
     def by_address(self) -> dict[Address, Row]:
         return {row.address: row for row in self.rows}
 
+    def has_name(self, address: Address) -> bool:
+        """True where an address has a nickname; a table may list an address without one."""
+        row = self.by_address.get(address)
+        return row is not None and bool(row.nickname)
+
     @property
     def final_newline(self) -> bool:
         return self._entries[-1].end != ""

@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from clickgen.device.banks import CURRENT_VALUE_OF, Address
@@ -46,6 +47,18 @@ class Block(NamedTuple):
     def __str__(self) -> str:
         first = str(Address(self.bank, self.first))
         return first if self.size == 1 else f"{first} to {Address(self.bank, self.last)}"
+
+
+def covered(blocks: Iterable[Block]) -> set[Address]:
+    """The addresses of blocks; of many inside each other, each stretch is gone through once."""
+    found: set[Address] = set()
+    bank, end = "", 0
+    for block in sorted(blocks, key=lambda block: (block.bank, block.first)):
+        start = block.first if block.bank != bank else max(block.first, end + 1)
+        found.update(Address(block.bank, number) for number in range(start, block.last + 1))
+        end = block.last if block.bank != bank else max(block.last, end)
+        bank = block.bank
+    return found
 
 
 class Mark(NamedTuple):

@@ -5,17 +5,39 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.table.address_table import AddressTable
+from clickgen.table.read import bytes_of_table, read_table
 from clickgen.table.rows import Row, default_row, is_scratch
+from clickgen.workspace import Workspace
 
-_WORKBOOKS = (".xlsx", ".xlsm")
+
+class TableRead(NamedTuple):
+    """An address table with the rows of the workbook that it adds to, and the bytes of its file; None without one."""
+
+    table: AddressTable
+    before: bytes | None
 
 
-def is_workbook(path: Path) -> bool:
-    """True for a file that is read as a workbook, by the end of its name."""
-    return path.suffix.lower() in _WORKBOOKS
+def read_layers(
+    path: Path, workbook: Path | None, must_exist: bool, workspace: Workspace, problems: Diagnostics
+) -> TableRead:
+    """The address table at a place, which need not exist, beside a workbook. Raises TableUnreadable."""
+    shown = str(path)
+    if workspace.has(path) or (must_exist and workbook is None):
+        before: bytes | None = bytes_of_table(path, shown, workspace)
+        table = read_table(path, shown, problems, before)
+    else:
+        before, table = workspace.look(path), AddressTable.empty(shown)
+    if workbook is None:
+        return TableRead(table, before)
+    from clickgen.table.workbook.archive import bytes_of_workbook
+    from clickgen.table.workbook.read import read_workbook
+
+    rows = read_workbook(workbook, str(workbook), problems, bytes_of_workbook(workbook, str(workbook), workspace))
+    return TableRead(beside_workbook(table, rows, problems), before)
 
 
 def beside_workbook(table: AddressTable, base: Iterable[Row], problems: Diagnostics) -> AddressTable:

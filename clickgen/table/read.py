@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import re
-import stat
 from pathlib import Path
 
 from clickgen.device.banks import BANKS, Address, parse_address
@@ -25,7 +24,7 @@ from clickgen.table.judge_row import (
 )
 from clickgen.table.rows import HEADER, Row, text_span
 from clickgen.text.source import Span
-from clickgen.workspace import read_start
+from clickgen.workspace import NoRegularFile, Workspace
 
 _ADDRESS, _TYPE, _NICKNAME, _INITIAL, _RETENTIVE, _COMMENT = range(6)
 _MODBUS = 2
@@ -59,25 +58,20 @@ def read_table(path: Path, shown: str, problems: Diagnostics, data: bytes | None
     return AddressTable(shown, tuple(reader.entries), reader.entries[0].end or "\n", bom, form=reader.form)
 
 
-def read_bounded(path: Path, limit: int, shown: str) -> bytes:
-    """The first bytes of a file. Raises OSError, and TableUnreadable for a pipe or a device, which may have no end."""
-    mode = path.stat().st_mode
-    if not stat.S_ISREG(mode) and not stat.S_ISDIR(mode):
-        raise TableUnreadable(f"{shown} is a pipe or a device; name a file")
-    return read_start(path, limit)
+def bytes_of_table(path: Path, shown: str, workspace: Workspace | None = None) -> bytes:
+    """The bytes of an address table, of one that is too large only the first.
 
-
-def bytes_of_table(path: Path, shown: str) -> bytes:
-    """The bytes of an address table; raises TableUnreadable when it cannot be read."""
+    Raises TableUnreadable when it cannot be read.
+    """
     try:
-        return read_bounded(path, FILE_MAX + 1, shown)
+        return (workspace or Workspace()).start(path, FILE_MAX + 1)
     except FileNotFoundError:
         raise TableUnreadable(
             f"there is no address table at {shown}; clickgen begins one where the settings name it: "
             f'programs = [{{ path = "prog.py", nicknames = "{Path(shown).as_posix()}" }}] in clickgen.toml'
         ) from None
-    except IsADirectoryError:
-        raise TableUnreadable(f"{shown} is a folder; name the nickname CSV in it") from None
+    except NoRegularFile:
+        raise TableUnreadable(f"{shown} is a pipe or a device; name a file") from None
     except OSError as error:
         if path.is_dir():  # Windows answers a folder with PermissionError.
             raise TableUnreadable(f"{shown} is a folder; name the nickname CSV in it") from None

@@ -7,21 +7,21 @@ build in which no program used that of DS5 any more: perhaps somebody renamed it
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from clickgen.device.banks import Address, parse_address
 from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.table.address_table import AddressTable
 from clickgen.table.rows import Row
-from clickgen.workspace import leads_elsewhere, read_if_there
+from clickgen.workspace import Workspace, leads_elsewhere
 
 _LEFT = re.compile(r"left (\S+) for (\S+)")
 _HEAD = "# Names that clickgen placed. Commit this file with the address table."
 
 
-def read_record(path: Path) -> bytes | None:
+def read_record(path: Path, workspace: Workspace | None = None) -> bytes | None:
     """The bytes of a record; None where there is none.
 
     Raises CouldNotRun for a link to another place, and for a file that is no record: clickgen would write over it.
@@ -29,7 +29,7 @@ def read_record(path: Path) -> bytes | None:
     if leads_elsewhere(path):
         raise CouldNotRun(f"{path} is a link to another place; clickgen keeps its own record there: take the link away")
     try:
-        data = read_if_there(path)
+        data = (workspace or Workspace()).look(path)
     except OSError as error:
         raise CouldNotRun(f"{path} cannot be read: {error.strerror or error}") from None
     lines = _lines(data)
@@ -40,15 +40,15 @@ def read_record(path: Path) -> bytes | None:
     return data
 
 
-def record_beside(table: Path) -> Path:
-    """Where the record of a table stands: ``nicknames.placed`` beside ``nicknames.csv``, where that really is."""
-    place = Path(os.path.realpath(table)) if table.is_symlink() else table
-    return place.with_suffix(".placed")
-
-
 def placed_in(data: bytes | None) -> dict[Address, str]:
     """The nickname that clickgen gave to each address; lines that say no such thing are passed over."""
     return dict(entry for line in _lines(data) if (entry := _entry(line)))
+
+
+def placed_still(data: bytes | None, table: AddressTable) -> frozenset[Address]:
+    """The addresses of the names that clickgen placed and that the table still has."""
+    rows = table.by_address
+    return frozenset(at for at, name in placed_in(data).items() if at in rows and rows[at].nickname == name)
 
 
 def left_in(data: bytes | None) -> dict[Address, Address]:

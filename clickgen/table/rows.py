@@ -175,7 +175,7 @@ def _single(value: float) -> float:
 _BIT_FORM = re.compile(r"[01]")
 _INTEGER_FORM = re.compile(r"-?[0-9]{1,10}")
 _HEX_FORM = re.compile(r"[0-9A-Fa-f]{1,4}")
-_FLOAT_FORM = re.compile(r"-?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_FLOAT_FORM = re.compile(r"-?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
 def initial_fault(kind: Kind, text: str) -> str | None:

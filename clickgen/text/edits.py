@@ -17,23 +17,33 @@ def apply_fixes(text: str, fixes: Iterable[Fix]) -> tuple[str, int]:
     ``text`` is the file as it stands, with its own line ends and byte order mark; new lines get the same line ends.
     """
     places = _Places(text)
-    taken: list[tuple[int, int]] = []
-    chosen: list[tuple[int, int, str]] = []
-    count = 0
-    for fix in sorted(fixes, key=lambda fix: min(edit.span[1:3] for edit in fix.edits)):
-        pieces = [_piece(places, edit) for edit in fix.edits]
-        if any(_overlap((start, end), other) for start, end, _ in pieces for other in taken):
-            continue
-        taken += [(start, end) for start, end, _ in pieces]
-        chosen += pieces
-        count += 1
+    fitting = _fitting(places, fixes)
+    chosen = [piece for _, pieces in fitting for piece in pieces]
     parts: list[str] = []
     done = 0
     # An insertion stands in front of what is replaced at its place; two insertions of one fix keep their order.
     for start, end, new in sorted(chosen, key=lambda piece: piece[:2]):
         parts += (text[done:start], new)
         done = end
-    return "".join((*parts, text[done:])), count
+    return "".join((*parts, text[done:])), len(fitting)
+
+
+def fixes_that_fit(text: str, fixes: Iterable[Fix]) -> list[Fix]:
+    """Those of the fixes that ``apply_fixes`` takes: none of them overlaps another."""
+    return [fix for fix, _ in _fitting(_Places(text), fixes)]
+
+
+def _fitting(places: _Places, fixes: Iterable[Fix]) -> list[tuple[Fix, list[tuple[int, int, str]]]]:
+    """The fixes that do not overlap, each with its stretches of the text and what is written there."""
+    taken: list[tuple[int, int]] = []
+    fitting: list[tuple[Fix, list[tuple[int, int, str]]]] = []
+    for fix in sorted(fixes, key=lambda fix: min(edit.span[1:3] for edit in fix.edits)):
+        pieces = [_piece(places, edit) for edit in fix.edits]
+        if any(_overlap((start, end), other) for start, end, _ in pieces for other in taken):
+            continue
+        taken += [(start, end) for start, end, _ in pieces]
+        fitting.append((fix, pieces))
+    return fitting
 
 
 def _piece(places: _Places, edit: Edit) -> tuple[int, int, str]:

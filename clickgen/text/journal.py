@@ -200,8 +200,18 @@ def _is_sound(step: Step, work: str) -> bool:
         return False
     names: Sequence[object] = (step.former,) if step.staged is None else (step.former, step.staged)
     own = [isinstance(name, str) and _OWN.fullmatch(name) for name in names]
-    is_plain = step.name not in ("", ".", "..") and os.path.basename(step.name) == step.name and "\0" not in step.name
+    is_plain = (
+        step.name not in ("", ".", "..") and os.path.basename(step.name) == step.name and _can_be_named(step.name)
+    )
     return is_plain and ":" not in step.name[1:2] and all(match and match[1] == work for match in own)
+
+
+def _can_be_named(name: str) -> bool:
+    """False for what no file can be called, and what JSON can hold all the same."""
+    try:
+        return b"\0" not in os.fsencode(name)
+    except UnicodeEncodeError:
+        return False
 
 
 def _is_plain(path: Path) -> bool:

@@ -23,7 +23,11 @@ NAME = ".clickgen-lock"
 PATIENCE = 60.0
 """Seconds to wait for another writer; each takes a fraction of one."""
 _PAUSE = 0.02
-_NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL}
+_GRACE = 2.0
+_WAITS_TO_OPEN = sys.platform == "win32"
+"""Windows refuses to open a file that its owner is just taking away: try again for so many seconds."""
+_NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL, errno.EBADF}
+"""EBADF is what NFS says of a lock file that is somebody else's and cannot be written to."""
 
 _threads = threading.RLock()
 _held: set[str] = set()
@@ -68,16 +72,27 @@ def _locked(folder: str) -> Iterator[None]:
 
 def _taken(path: Path) -> IO[bytes] | None:
     """The lock file, locked; None where this disk has no locks. Raises Busy and OSError."""
-    deadline = time.monotonic() + PATIENCE
+    start = time.monotonic()
     while True:
-        file = _opened(path)
+        try:
+            file = _opened(path)
+        except PermissionError:
+            if not _WAITS_TO_OPEN or time.monotonic() > start + _GRACE:
+                raise
+            time.sleep(_PAUSE)
+            continue
         if file is None:
             return None
         try:
+            is_late = time.monotonic() > start + PATIENCE
             if _try_lock(file.fileno()):
                 if _is_still_there(path, file):
                     return file
-            elif time.monotonic() > deadline:
+                if is_late:  # A network disk that does not know a file again: its locks are worth nothing.
+                    file.close()
+                    _remove_empty(path)
+                    return None
+            elif is_late:
                 raise Busy(str(path.parent))
         except OSError as error:
             file.close()
@@ -115,11 +130,16 @@ def _is_still_there(path: Path, file: IO[bytes]) -> bool:
 
 
 def _release(path: Path, file: IO[bytes]) -> None:
-    if sys.platform != "win32":
-        _remove_empty(path)
-    file.close()
     if sys.platform == "win32":
-        _remove_empty(path)  # Windows keeps an open file; one who waits has it open, and takes it away in turn.
+        # Windows unlocks what is closed, but only when it comes to it. It keeps an open file: one who waits has it
+        # open, and takes it away in turn.
+        with contextlib.suppress(OSError):
+            _unlock(file.fileno())
+        file.close()
+        _remove_empty(path)
+    else:
+        _remove_empty(path)
+        file.close()
 
 
 def _remove_empty(path: Path) -> None:
@@ -132,12 +152,17 @@ if sys.platform == "win32":
     import msvcrt
 
     def _try_lock(descriptor: int) -> bool:
+        """Lock the first byte, which need not be there; the position is where the lock begins."""
         try:
             os.lseek(descriptor, 0, os.SEEK_SET)
             msvcrt.locking(descriptor, msvcrt.LK_NBLCK, 1)
         except PermissionError:
             return False
         return True
+
+    def _unlock(descriptor: int) -> None:
+        os.lseek(descriptor, 0, os.SEEK_SET)
+        msvcrt.locking(descriptor, msvcrt.LK_UNLCK, 1)
 
 else:
     import fcntl

@@ -181,8 +181,9 @@ class _Work:
             path = Path(folder, journal_name(self.name))
             self.notes.append(path)
             # Under another name until it is whole: half a note says nothing.
-            _write(path.with_suffix(".new"), note.to_bytes(folder))
-            os.rename(path.with_suffix(".new"), path)
+            with _naming(Path(folder)):
+                _write(path.with_suffix(".new"), note.to_bytes(folder))
+                os.rename(path.with_suffix(".new"), path)
 
     def apply(self) -> None:
         self._note()
@@ -222,7 +223,8 @@ class _Work:
     def commit(self) -> None:
         """Everything is in place: from here on there is only to tidy up."""
         if self.notes:
-            os.rename(self.notes[-1], self.notes[-1].with_name(done_name(self.name)))
+            with _naming(self.notes[-1].parent):
+                os.rename(self.notes[-1], self.notes[-1].with_name(done_name(self.name)))
         self.is_done = True
         written.extend(self.changed)
         self.tidy()

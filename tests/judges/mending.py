@@ -8,7 +8,7 @@ from pathlib import Path
 from strategies.mending import TABLE, Mending
 
 import clickgen
-from clickgen.pipeline import check
+from clickgen.api import check
 from clickgen.problems.diagnostics import Diagnostic, Fix
 from clickgen.text.edits import apply_fixes
 

@@ -19,16 +19,16 @@ from typing import TYPE_CHECKING, TypeVar
 from clickgen.click.draw.grid import COLUMNS
 from clickgen.click.ladder_csv import HEADER
 from clickgen.click.read.grid import DrawnRung, Ladder, read_ladder
-from clickgen.click.read.kinds import PROGRAM_MAGIC
 from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.rtf import left_out
 from clickgen.device.banks import Kind, parse_address
+from clickgen.device.project_file import PROGRAM_MAGIC
 
 if TYPE_CHECKING:
     from laddercodec import Rung
     from laddercodec.instructions import AfToken
 
-    from clickgen.click.read.capture import CutRung
+    from clickgen.click.read.capture import Cut, CutRung
 
 _T = TypeVar("_T")
 _INDEX_AT = 0x40
@@ -99,7 +99,7 @@ def read_clipboard(data: bytes, file: str) -> Ladder:
         rungs = decoded if isinstance(decoded, list) else [decoded]
         is_whole = _guarded(lambda whole: _is_whole(whole, rungs), data, file)
     except LadderProblem as problem:
-        return Ladder((), (problem,))
+        return Ladder((), (_too_wide(cut(data), file) or problem,))
     said = cut(data)
     comments = [rung.comment for rung in said.rungs] + [b""] * len(rungs)
 
@@ -114,6 +114,18 @@ def read_clipboard(data: bytes, file: str) -> Ladder:
     if len(said.rungs) > len(rungs):
         return _with_problem(ladder, "there are more rungs in the capture than are read", file)
     return ladder
+
+
+def _too_wide(said: Cut, file: str) -> LadderProblem | None:
+    """A rung that laddercodec 0.2.2 encodes and cannot decode (findings/laddercodec-31-contacts.sh).
+
+    It looks for another filler after a box of two rows or more that has a contact in the last column before it.
+    """
+    for number, rung in enumerate(said.rungs if not said.fault else (), 1):
+        if any(row[-2].blob is not None and row[-1].header.height > 1 for row in rung.rows):
+            limit = "laddercodec 0.2.2 cannot decode 31 contacts before a box of two rows or more"
+            return LadderProblem(f"rung {number} is not damaged, but {limit}", file, 0, number, "CG710")
+    return None
 
 
 def _with_problem(ladder: Ladder, message: str, file: str) -> Ladder:

@@ -34,6 +34,8 @@ _FIELDS = re.compile(r"raw\([A-Za-z]\w*,0x[0-9a-f]{4,8},[1-9]\d{0,2}(?:,.*)?\)")
 """``raw(Email,0x2737,1,60a5=1)``. The older form, a number of many digits, would hide the addresses in it."""
 _LONG_RUN = re.compile(r"\[\d{4,}\]=")
 """So many empty fields no instruction has (the longest that is known, 250)."""
+_LENGTH_MAX = 16_384
+"""Far more than any instruction has. laddercodec looks at every blank of a formula as often as there are blanks."""
 _UNPRINTED = ("Cc", "Cs", "Zl", "Zp")
 _NOWHERE = Span("", 1, 1, 1, 2)
 
@@ -67,6 +69,8 @@ def fault_of(token: str) -> Fault | None:
 
     Kept is what the language has no word for: ``raw(...)``, and formulas that clickgen would print otherwise.
     """
+    if len(token) > _LENGTH_MAX:
+        return Fault(f"it has {len(token)} characters, and no instruction has so many", "draw the rung again in CLICK")
     if any(unicodedata.category(character) in _UNPRINTED for character in token):
         return Fault("it holds a line break or a control character", "copy it once more out of the ladder file")
     name = token.partition("(")[0]

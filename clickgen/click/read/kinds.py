@@ -6,13 +6,10 @@ import csv
 from enum import Enum, auto
 
 from clickgen.click.ladder_csv import HEADER
-from clickgen.device.project_file import is_click_project
+from clickgen.device.project_file import CLICKS_LADDER, CLIPBOARD_MAGIC, ONLY_CLICK, PROGRAM_MAGIC, is_click_project
 from clickgen.table.form import without_marks
 from clickgen.table.rows import COLUMNS as NICKNAME_COLUMNS
 
-# click-facts [click-file.captures, click-file.program]
-PROGRAM_MAGIC = b"SC-SCR  "
-CLIPBOARD_MAGIC = b"CLICK   "
 HEAD_BYTES = 4096
 """The beginning of a file that says of which kind it is: the first line ends in it."""
 
@@ -40,10 +37,7 @@ def other_kind(data: bytes, name: str = "") -> str:
     """What a file of this name is that is no ladder, after ``the file is``."""
     first = _first_line(data)
     if is_click_project(data, name):
-        return (
-            "a project of CLICK, which only CLICK opens: open it there, and give the folder of the Scr*.tmp files that "
-            "CLICK keeps of an open project, or rungs copied to the clipboard and saved by ClickNick"
-        )
+        return f"{ONLY_CLICK}: open it there, and give {CLICKS_LADDER}"
     if not data.strip(b"\x00\xef\xbb\xbf \t\r\n"):
         return "empty"
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):

@@ -13,7 +13,7 @@ from clickgen.text.source import EmbeddedText, SourceFile, Span
 
 ADDRESS = r"[A-Z]{1,3}[0-9]{1,4}u?"
 _TEXT = r'"(?:[^"]|"")*"'
-_NUMBER = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
+_NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
 _SIDE = rf"{ADDRESS}|[0-9A-Fa-f]{{1,8}}h|{_NUMBER}|{_TEXT}|\$[0-9A-Fa-f]{{2}}"
 _COMPARE = re.compile(rf"({_SIDE})\s*(==|!=|<=|>=|<|>)\s*({_SIDE})")
 _EDGE = re.compile(rf"(rise|fall)\(\s*({ADDRESS})\s*\)")

@@ -13,10 +13,10 @@ from pathlib import Path
 from clickgen.click.read.binary import ProgramHeader, program_header, read_clipboard, read_program
 from clickgen.click.read.calls import call_of
 from clickgen.click.read.grid import DrawnRung, Ladder, decode_ladder, read_ladder
-from clickgen.click.read.kinds import HEAD_BYTES, PROGRAM_MAGIC, Kind, kind_of, other_kind
+from clickgen.click.read.kinds import HEAD_BYTES, Kind, kind_of, other_kind
 from clickgen.click.read.problem import LadderProblem
 from clickgen.device.limits import SUBROUTINE_NAME_MAX
-from clickgen.device.project_file import is_click_project
+from clickgen.device.project_file import PROGRAM_MAGIC, is_click_project
 from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.workspace import read_file, read_start
 
@@ -151,6 +151,7 @@ def _usable(stem: str) -> str:
 
 def _folder(path: Path) -> Project:
     entries = sorted(entry for entry in path.iterdir() if not entry.name.startswith("."))
+    _refuse_devices(entries)
     tables = [entry for entry in entries if entry.suffix.casefold() == ".csv" and entry.is_file()]
     nicknames = next((table for table in tables if table.name.casefold() == "nicknames.csv"), None)
     if any(table.stem.casefold() == MAIN for table in tables):
@@ -161,6 +162,14 @@ def _folder(path: Path) -> Project:
     project = next((entry for entry in entries if is_click_project(b"", entry.name)), None)
     which = f" (and {project.name} is a project, which only CLICK opens)" if project else ""
     raise CouldNotRun(f"{path} holds neither main.csv nor a program file of CLICK{which}; import reads {_READS}")
+
+
+def _refuse_devices(entries: Iterable[Path]) -> None:
+    """What is named like ladder or a table and is neither file nor folder is not passed over."""
+    for entry in entries:
+        is_asked = entry.suffix.casefold() in (".csv", *_PROGRAM_ENDINGS)
+        if is_asked and entry.exists() and not (entry.is_file() or entry.is_dir()):
+            raise CouldNotRun(f"{_shown(entry)} is a pipe or a device, not a file")
 
 
 def _bundle(path: Path, entries: Sequence[Path], tables: Sequence[Path], nicknames: Path | None) -> Project:
@@ -180,6 +189,7 @@ def _bundle(path: Path, entries: Sequence[Path], tables: Sequence[Path], nicknam
 def _subroutine_files(entries: Sequence[Path]) -> list[Path]:
     folders = [entry for entry in entries if entry.name.casefold() == "subroutines" and entry.is_dir()]
     files = [file for folder in folders for file in sorted(folder.iterdir()) if not file.name.startswith(".")]
+    _refuse_devices(files)
     tables = [file for file in files if file.suffix.casefold() == ".csv" and file.is_file()]
     return [file for file in tables if not _is_copy(file, tables)]
 

@@ -11,6 +11,7 @@ from clickgen.dialects.if_rungs.discover import Target
 from clickgen.problems.diagnostics import TRACEBACK, CouldNotRun, Diagnostic
 from clickgen.rules.select import Selection
 from clickgen.text.source import Span
+from clickgen.workspace import Workspace
 
 if TYPE_CHECKING:
     from clickgen.device.banks import Address
@@ -23,21 +24,21 @@ Judged = tuple[Cached, Mapping[str, bytes | None]]
 
 
 class Judge(NamedTuple):
-    """``overlay`` gives files contents other than those on disk, by real path; such programs are not cached.
+    """``workspace`` has the files; where it has contents that count instead of those on disk, nothing is cached.
 
     ``progress`` is told after each program how many are done.
     """
 
     cache: Cache
     selection: Selection
-    reserved: tuple[Address, ...] = ()
-    overlay: Mapping[str, bytes] = {}
+    reserved: tuple[Address, ...]
+    workspace: Workspace
     progress: Callable[[int], None] = lambda _: None
 
     def __call__(self, targets: Sequence[Target]) -> dict[Target, Cached]:
         """The findings of each target. Raises CouldNotRun when one cannot be read."""
         found: dict[Target, Cached] = {}
-        keys = {target: self._key(target) for target in targets} if not self.overlay else {}
+        keys = {target: self._key(target) for target in targets} if not self.workspace.overlay else {}
         for target, key in keys.items():
             cached = self.cache.get(key)
             if cached is not None:
@@ -45,14 +46,14 @@ class Judge(NamedTuple):
         waiting = [target for target in targets if target not in found]
         for target, (cached, reads) in self._judged(waiting, is_one_of_many=len(targets) > 1):
             found[target] = cached
-            if reads and not self.overlay:
+            if reads and not self.workspace.overlay:
                 self.cache.put(keys[target], cached, reads)
             self.progress(len(found))
         return found
 
     def again(self, target: Target, named_elsewhere: frozenset[str]) -> Cached:
         """The findings of a target, with the knowledge of what other programs name: kept in no cache."""
-        return judge(target, self.selection, self.reserved, self.overlay, named_elsewhere)[0]
+        return judge(target, self.selection, self.reserved, self.workspace, named_elsewhere)[0]
 
     def _key(self, target: Target) -> str:
         return key_of(target, self.reserved, self.selection)
@@ -61,23 +62,25 @@ class Judge(NamedTuple):
         judged = judged_at_any_rate if is_one_of_many else judge
         cores = min(len(targets), os.cpu_count() or 1)
         if len(targets) < _MANY or cores < 2:
-            yield from ((target, judged(target, self.selection, self.reserved, self.overlay)) for target in targets)
+            yield from ((target, judged(target, self.selection, self.reserved, self.workspace)) for target in targets)
             return
         from clickgen.commands.check.pool import in_processes
 
-        tasks = [(target, self.selection, self.reserved, self.overlay) for target in targets]
+        # What this process has read stays here: to send it would cost more than to read it again.
+        workspace = Workspace(self.workspace.overlay)
+        tasks = [(target, self.selection, self.reserved, workspace) for target in targets]
         yield from zip(targets, in_processes(judged, tasks, cores), strict=True)
 
 
 def judged_at_any_rate(
-    target: Target, selection: Selection, reserved: tuple[Address, ...], overlay: Mapping[str, bytes]
+    target: Target, selection: Selection, reserved: tuple[Address, ...], workspace: Workspace
 ) -> Judged:
     """``judge`` of one program of several: what keeps this one from being judged is its problem, and not the others'.
 
     Such a problem is not remembered: nothing says what it depends on.
     """
     try:
-        return judge(target, selection, reserved, overlay)
+        return judge(target, selection, reserved, workspace)
     except CouldNotRun as error:
         reason, help = str(error), "mend this, and check again"
     except Exception as error:
@@ -93,20 +96,20 @@ def judge(
     target: Target,
     selection: Selection,
     reserved: tuple[Address, ...],
-    overlay: Mapping[str, bytes],
+    workspace: Workspace,
     named_elsewhere: frozenset[str] = frozenset(),
 ) -> Judged:
     """What is to be said about one program, of what is wanted. Raises CouldNotRun."""
-    from clickgen.pipeline import Settings, check
+    from clickgen.api import check
+    from clickgen.config import Settings
 
     settings = Settings(
         target.nicknames,
         reserved=reserved,
-        overlay=overlay,
         wants=selection.wants,
         is_part=target.is_part,
         named_elsewhere=named_elsewhere,
     )
-    result = check(target.path, settings)
+    result = check(target.path, settings, workspace)
     findings = tuple(finding for finding in result.diagnostics if selection.wants(finding.code))
     return Cached(findings, tuple(source.path for source in result.sources)), result.reads

@@ -16,7 +16,7 @@ from clickgen.dialects.if_rungs.discover import Target, discover, matches, partl
 from clickgen.problems.codes import CODES, LEFT
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Fix
 from clickgen.rules.select import Selection
-from clickgen.workspace import read_file
+from clickgen.workspace import Workspace
 
 if TYPE_CHECKING:
     from clickgen.commands.check.baseline import Baseline
@@ -44,15 +44,15 @@ class Request(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """What was found in the files that were ``checked``. ``overlay`` has those that fixes changed, by real path."""
+    """What was found in the files that were ``checked``, read in ``workspace``, with the changes of fixes in it."""
 
     findings: tuple[Diagnostic, ...]
     checked: tuple[str, ...]
+    workspace: Workspace
     empty: tuple[str, ...] = ()
     """Folders that were to be checked and have no program."""
     known: int = 0
     """How many findings the baseline keeps back."""
-    overlay: Mapping[str, bytes] = {}
     fixed: int = 0
     before: Mapping[str, bytes] = {}
     """Files that fixes change, as they are on disk."""
@@ -65,7 +65,7 @@ class Outcome(NamedTuple):
         @cache
         def lines(path: str) -> list[str]:
             try:
-                source = _decoded(path, _bytes(path, self.overlay))
+                source = _decoded(path, self.workspace.read(path))
             except OSError:
                 return []
             return source.lines if source else []
@@ -87,25 +87,25 @@ class Outcome(NamedTuple):
 
 def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
     """Check, and with ``fix`` mend in memory what can be mended. Raises CouldNotRun."""
-    overlay: dict[str, bytes] = {}
-    if request.stdin is not None:
-        overlay[os.path.realpath(request.paths[0])] = request.stdin
-    found, empty = discover(request.paths, request.config, request.exclude, request.force_exclude, overlay)
-    outcome = _look(request, found, overlay)
+    given = {os.path.realpath(request.paths[0]): request.stdin} if request.stdin is not None else {}
+    workspace = Workspace(given)
+    found, empty = discover(request.paths, request.config, request.exclude, request.force_exclude, workspace)
+    outcome = _look(request, found, workspace)
     if not fix:
         return outcome._replace(empty=empty)
     before: dict[str, bytes] = {}
     after: dict[str, bytes] = {}
     count = 0
     for _ in range(_ROUNDS_MAX):
-        changed = _mended(outcome, overlay, unsafe)
+        changed = _mended(outcome, workspace, unsafe)
         if not changed:
             break
         for path, (old, new, number) in changed.items():
             before.setdefault(path, old)
-            after[path] = overlay[os.path.realpath(path)] = new
+            after[path] = new
             count += number
-        outcome = _look(request, found, overlay)
+        workspace = workspace.apart({os.path.realpath(path): new for path, (_, new, _) in changed.items()})
+        outcome = _look(request, found, workspace)
     return outcome._replace(empty=empty, fixed=count, before=before, after=after)
 
 
@@ -117,7 +117,7 @@ def add_ignores(outcome: Outcome) -> Outcome:
     after: dict[str, bytes] = {}
     count = 0
     for path in outcome.checked:
-        data = read_file(path)
+        data = outcome.workspace.read(path)
         source = _decoded(path, data)
         fix = ignoring(source, outcome.findings) if source else None
         if source is not None and fix is not None:
@@ -129,13 +129,13 @@ def add_ignores(outcome: Outcome) -> Outcome:
 # -- looking ----------------------------------------------------------------------------------------------------------
 
 
-def _look(request: Request, found: Sequence[Target], overlay: Mapping[str, bytes]) -> Outcome:
+def _look(request: Request, found: Sequence[Target], workspace: Workspace) -> Outcome:
     cache = Cache(Path(request.config.root) / FOLDER if request.use_cache else None)
     judge = Judge(
         cache,
         request.selection,
         request.config.reserved,
-        dict(overlay),
+        workspace,
         lambda done: request.progress(done, len(found)),
     )
     judged = judge(found)
@@ -144,11 +144,11 @@ def _look(request: Request, found: Sequence[Target], overlay: Mapping[str, bytes
             if any(finding.code == LEFT for finding in cached.findings):
                 judged[target] = judge.again(target, request.elsewhere(target))
     checked = tuple(sorted({path for cached in judged.values() for path in cached.sources}))
-    findings = agreed(judged, lambda paths: partly_judged(paths, judged, request.config, overlay))
-    left, about = _heard(request, findings, checked, judged, overlay)
+    findings = agreed(judged, lambda paths: partly_judged(paths, judged, request.config, workspace))
+    left, about = _heard(request, findings, checked, judged, workspace)
     ignored = _Ignored(request.config)
     shown = [finding for finding in (*left, *about) if not ignored(finding)]
-    outcome = Outcome(tuple(sorted(shown, key=lambda finding: finding.sort_key)), checked, overlay=dict(overlay))
+    outcome = Outcome(tuple(sorted(shown, key=lambda finding: finding.sort_key)), checked, workspace)
     if request.baseline is None:
         return outcome
     news = request.baseline.news(list(outcome.findings), outcome.line_of)
@@ -160,10 +160,10 @@ def _heard(
     findings: list[Diagnostic],
     checked: Sequence[str],
     judged: Mapping[Target, Cached],
-    overlay: Mapping[str, bytes],
+    workspace: Workspace,
 ) -> tuple[list[Diagnostic], list[Diagnostic]]:
     """The findings that no comment silences, and what is wrong with such comments."""
-    speaking = {path: data for path in checked if b"clickgen" in (data := _bytes(path, overlay)).lower()}
+    speaking = {path: data for path in checked if b"clickgen" in (data := workspace.read(path)).lower()}
     if not speaking:
         return findings, []
     from clickgen.dialects.if_rungs.suppress import Directive, read_directives, report_unused, silenced
@@ -180,7 +180,7 @@ def _heard(
     ignored = _Ignored(request.config)
     waiting = [finding for finding in findings if not ignored(finding)]
     left, _ = silenced(waiting, directives)
-    whole = wholly_judged([source.path for source in sources], judged, request.config, overlay)
+    whole = wholly_judged([source.path for source in sources], judged, request.config, workspace)
     for source in sources:
         if source.path in whole:
             report_unused(source, directives, _judged_codes(request, source.path, judged), problems)
@@ -191,11 +191,6 @@ def _decoded(path: str, data: bytes) -> SourceFile | None:
     from clickgen.dialects.if_rungs.read.parse import decode
 
     return decode(path, data, Diagnostics())
-
-
-def _bytes(path: str, overlay: Mapping[str, bytes]) -> bytes:
-    data = overlay.get(os.path.realpath(path)) if overlay else None
-    return read_file(path) if data is None else data
 
 
 class _Ignored:
@@ -227,7 +222,7 @@ def _judged_codes(request: Request, path: str, judged: Mapping[Target, Cached]) 
 # -- mending ----------------------------------------------------------------------------------------------------------
 
 
-def _mended(outcome: Outcome, overlay: Mapping[str, bytes], unsafe: bool) -> dict[str, tuple[bytes, bytes, int]]:
+def _mended(outcome: Outcome, workspace: Workspace, unsafe: bool) -> dict[str, tuple[bytes, bytes, int]]:
     """The source files that the fixes change: each before and after, and how many fixes went in.
 
     A fix changes one file, which is one of those that were checked.
@@ -241,7 +236,7 @@ def _mended(outcome: Outcome, overlay: Mapping[str, bytes], unsafe: bool) -> dic
                 fixes.setdefault(paths.pop(), []).append(finding.fix)
     changed: dict[str, tuple[bytes, bytes, int]] = {}
     for path, wanted in fixes.items():
-        old = _bytes(path, overlay)
+        old = workspace.read(path)
         new, count = _fixed(old, wanted)
         if new != old:
             changed[path] = (old, new, count)

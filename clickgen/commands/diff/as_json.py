@@ -2,22 +2,46 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from clickgen.commands.diff.as_text import change_lines, summary
 from clickgen.commands.diff.changes import KINDS, Difference, RoutineChange, RungChange
-from clickgen.commands.diff.names import NameChanges
+from clickgen.commands.diff.names import name_changes
+from clickgen.commands.diff.pairs import Pair
 from clickgen.commands.diff.words import WordedRung, named
-from clickgen.emit.listing import Names
+from clickgen.emit.rung_words import Names
 from clickgen.text.wording import json_text
 
 VERSION = 1
 
 
-def render(difference: Difference, names: NameChanges) -> str:
-    """The whole difference as one object."""
-    tree = {
+def render(compared: Sequence[tuple[Pair, Difference | None]]) -> str:
+    """One object for a difference; for several, one that has them all in ``programs``.
+
+    Of a program with errors there is no difference, and of one alone nothing to write.
+    """
+    if len(compared) == 1:
+        [(pair, difference)] = compared
+        return "" if difference is None else json_text(_difference(pair, difference), indent=2) + "\n"
+    programs = [
+        _difference(pair, difference) if difference is not None else _broken(pair) for pair, difference in compared
+    ]
+    differs = any(difference is None or difference.differs for _, difference in compared)
+    return json_text({"version": VERSION, "differs": differs, "programs": programs}, indent=2) + "\n"
+
+
+def _broken(pair: Pair) -> dict[str, object]:
+    """A program that could not be compared: whether it differs, nobody knows."""
+    return {"version": VERSION, "old": pair.one, "new": pair.other, "differs": None}
+
+
+def _difference(pair: Pair, difference: Difference) -> dict[str, object]:
+    """The whole difference of two sides; null for a side that is not there."""
+    names = name_changes(difference.one, difference.other)
+    return {
         "version": VERSION,
-        "old": difference.one.shown,
-        "new": difference.other.shown,
+        "old": None if pair.is_new else difference.one.shown,
+        "new": None if pair.is_gone else difference.other.shown,
         "differs": difference.differs,
         "summary": summary(difference, names),
         "rungs": {kind: difference.count(kind) for kind in KINDS} | {"drawn_otherwise": difference.drawn_otherwise},
@@ -29,7 +53,6 @@ def render(difference: Difference, names: NameChanges) -> str:
         "nicknames": list(names.lines),
         "notes": list(difference.notes),
     }
-    return json_text(tree, indent=2) + "\n"
 
 
 def _routine(routine: RoutineChange, difference: Difference) -> dict[str, object]:

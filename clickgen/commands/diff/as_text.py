@@ -20,7 +20,7 @@ from clickgen.commands.diff.changes import (
 )
 from clickgen.commands.diff.names import NameChanges
 from clickgen.commands.diff.words import WordedRung, named
-from clickgen.emit.listing import Names
+from clickgen.emit.rung_words import Names
 from clickgen.text.wording import counted
 
 _RUNGS_SHOWN = 20

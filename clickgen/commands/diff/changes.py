@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from clickgen.commands.diff.sides import Side
 from clickgen.commands.diff.words import WordedRung, Wording
 from clickgen.device.banks import Address
-from clickgen.emit.listing import Names
+from clickgen.emit.rung_words import Names
 
 CHANGED, ADDED, REMOVED, MOVED, COMMENTED = KINDS = ("changed", "added", "removed", "moved", "commented")
 """What can happen to a rung; a comment is no logic."""

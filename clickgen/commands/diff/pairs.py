@@ -3,34 +3,62 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import NamedTuple
 
-from clickgen.commands.diff.revision import is_revision, named_revision
+from clickgen.commands.diff.revision import is_in_revision, is_revision, named_revision
 from clickgen.commands.diff.sides import is_program
 from clickgen.config import Config
 from clickgen.dialects.if_rungs.discover import targets
 from clickgen.problems.diagnostics import CouldNotRun
 
 
-def pairs_of(one: str, other: str, config: Config) -> list[tuple[str, str]]:
+class Pair(NamedTuple):
+    """Two sides. Of a program that one of two revisions does not have, that side is absent."""
+
+    one: str
+    other: str
+    is_new: bool = False
+    is_gone: bool = False
+
+
+def pairs_of(one: str, other: str, config: Config, configured_in: Callable[[str], list[str]]) -> list[Pair]:
     """The sides to compare, pair by pair.
 
     ``HEAD~1 HEAD`` are every program that the settings name, or the only one of the working folder, in both revisions;
-    ``HEAD~1 prog.py`` is that program in both. Raises CouldNotRun where nobody can tell which program is meant.
+    ``HEAD~1 prog.py`` is that program in both. ``configured_in`` says what the settings of a revision name: a program
+    may have come or gone with them. Raises CouldNotRun where nobody can tell which program is meant.
     """
     first, second = is_revision(one), is_revision(other)
     if not first and not second:
-        return [(one, other)]
+        return [Pair(one, other)]
     if first and second:
-        return [(f"{one}:{path}", f"{other}:{path}") for path in _programs(one, config)]
+        return _in_both(one, other, config, configured_in)
     revision, named = (one, other) if first else (other, one)
+    if not os.path.lexists(named) and named_revision(named) is None:
+        raise CouldNotRun(f"there is no file, folder or revision {named!r}")
     path = _program_of(named)
     if path is None:
         path, *more = _programs(revision, config)
         if more:
             raise CouldNotRun(_which(revision, [path, *more]))
-    return [(f"{one}:{path}", other) if first else (one, f"{other}:{path}")]
+    return [Pair(f"{one}:{path}", other) if first else Pair(one, f"{other}:{path}")]
+
+
+def _in_both(one: str, other: str, config: Config, configured_in: Callable[[str], list[str]]) -> list[Pair]:
+    """The programs in both revisions, and those that only one of them has."""
+    paths = dict.fromkeys([*configured_in(one), *configured_in(other)])
+    paths = dict.fromkeys([*(_programs(one, config) if config.programs or not paths else ()), *paths])
+    pairs: list[Pair] = []
+    for path in paths:
+        older, newer = f"{one}:{path}", f"{other}:{path}"
+        was, is_there = is_in_revision(older), is_in_revision(newer)
+        if was or is_there or len(paths) == 1:
+            pairs.append(Pair(older, newer, is_there and not was, was and not is_there))
+    if not pairs:
+        raise CouldNotRun(f"neither {one} nor {other} has one of the programs that the settings name")
+    return pairs
 
 
 def _program_of(side: str) -> str | None:

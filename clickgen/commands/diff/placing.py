@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 
+from clickgen.api import build
 from clickgen.click.compare.outputs import touched_by
 from clickgen.click.read.grid import DrawnRung, read_ladder
+from clickgen.config import Settings
 from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Address
 from clickgen.lower.effects import Cells, reads
-from clickgen.pipeline import BuildResult, build
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
-from clickgen.settings import TABLE_NAME, Settings
+from clickgen.results import BuildResult
 from clickgen.table.address_table import AddressTable
+from clickgen.table.names import TABLE_NAME
 from clickgen.table.read import read_table
 from clickgen.table.rows import Row
+from clickgen.workspace import Workspace
 
 
 def name_key(row: Row) -> tuple[str, str]:
@@ -33,12 +35,9 @@ def placed_alike(result: BuildResult, settings: Settings, shared: Sequence[Row],
     taken = {*_taken(result), *settings.reserved}
     rows = [row for row in shared if _with_twin(row.address).isdisjoint(taken)]
     table = _with_rows(result, rows)
-    alike = replace(
-        settings,
-        reserved=(*settings.reserved, *(row.address for row in theirs)),
-        overlay={**settings.overlay, os.path.realpath(result.table_path): table.to_bytes()},
-    )
-    found = build(str(result.program), settings=alike)
+    alike = settings._replace(reserved=(*settings.reserved, *(row.address for row in theirs)))
+    files = Workspace({os.path.realpath(result.table_path): table.to_bytes()})
+    found = build(str(result.program), settings=alike, workspace=files)
     full = next((problem for problem in found.diagnostics if problem.code == "CG208"), None)
     if full is not None:
         raise CouldNotRun(

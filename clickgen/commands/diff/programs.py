@@ -16,7 +16,7 @@ from clickgen.commands.diff.sides import Side
 from clickgen.commands.diff.words import WordedRung, Wording
 from clickgen.commands.nicknames.changes import differing
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
-from clickgen.emit.listing import Names
+from clickgen.emit.rung_words import Names
 from clickgen.table.rows import Row, default_row
 from clickgen.text.wording import counted
 

@@ -8,11 +8,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from clickgen.commands.diff.revision import Tree, named_revision, open_tree
+from clickgen.commands.diff.revision import Named, Tree, named_revision, open_tree
 from clickgen.commands.diff.sides import BrokenProgram, Side, is_program, ladder_side, program_in, program_side
-from clickgen.config import OWN_FILE, PROJECT_FILE, Config, find_config, read_config
+from clickgen.config import OWN_FILE, PROJECT_FILE, Config, Settings, find_config, read_config
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
-from clickgen.settings import TABLE_NAME, Settings
+from clickgen.table.names import TABLE_NAME
 from clickgen.table.rows import Row
 from clickgen.text.source import SourceFile, Span
 
@@ -48,7 +48,9 @@ def read_side(text: str, wanted: Wanted, folder: Path, note: Callable[[str], Non
         return ladder_side(Path(text), text, Path(wanted.export) if wanted.export else None)
     named = named_revision(text)
     if named is None:
-        raise CouldNotRun(f"there is no file or folder {text!r}; a revision of git is REV:PATH, such as HEAD:prog.py")
+        raise CouldNotRun(
+            f"there is no file, folder or revision {text!r}; a revision of git is REV:PATH, such as HEAD:prog.py"
+        )
     tree = open_tree(named, folder)
     path, said = tree.find()
     if said:
@@ -59,6 +61,24 @@ def read_side(text: str, wanted: Wanted, folder: Path, note: Callable[[str], Non
         raise _reworded(error, tree) from None
     except CouldNotRun as error:
         raise CouldNotRun(*map(tree.reworded, error.lines)) from None
+
+
+def absent_side(text: str) -> Side:
+    """What stands for a program in a revision that does not have it: nothing runs there."""
+    named = named_revision(text)
+    assert named is not None
+    path = posixpath.normpath(named.path)
+    return Side(f"{named.revision}:{path}", (), doubt=f"there is no {path} in {named.revision or 'the index'}")
+
+
+def configured_in(revision: str, wanted: Wanted, folder: Path) -> list[str]:
+    """The programs that the settings of a revision name, from the working folder. Raises CouldNotRun."""
+    tree = open_tree(Named(revision, "."), folder)
+    config = _Revision(tree, "", wanted).config()
+    if not config.root.is_relative_to(tree.folder):
+        return []
+    places = [Path(os.path.relpath(program.path, tree.working_folder)) for program in config.programs]
+    return [f"./{place.as_posix()}" for place in places]
 
 
 @dataclass(frozen=True)
@@ -99,7 +119,7 @@ class _Revision:
         return program_in(place, tree.shown(self.path))
 
     def _settings(self, place: Path) -> Settings:
-        config = self._config()
+        config = self.config()
         if config.root.is_relative_to(self.tree.folder):
             own = config.program(place)
         else:
@@ -108,7 +128,7 @@ class _Revision:
         table = Path(named) if named is not None else own.nicknames
         return Settings(None if table is None else self._as_it_was(table), named is not None, reserved=config.reserved)
 
-    def _config(self) -> Config:
+    def config(self) -> Config:
         """The settings that are named, else those that hold in the working folder, as the revision has them."""
         if self.wanted.config:
             return read_config(self._as_it_was(Path(self.wanted.config)))

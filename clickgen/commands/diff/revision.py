@@ -46,6 +46,12 @@ def named_revision(text: str) -> Named | None:
     return None
 
 
+def is_in_revision(text: str) -> bool:
+    """True for ``REV:./PATH`` that the revision has."""
+    named = named_revision(text)
+    return named is not None and _git(named, "rev-parse", "--verify", "--quiet", text, may_fail=True) != b""
+
+
 def is_revision(text: str) -> bool:
     """True for a revision without a path, such as ``HEAD~1``; a file or folder of that name is none."""
     if not text or text.startswith("-") or os.path.lexists(text) or named_revision(text) or _DRIVE.match(text):

@@ -10,19 +10,20 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
+from clickgen.api import build
 from clickgen.click.read.built import built_ladders
 from clickgen.click.read.grid import Ladder
 from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.project import DrawnRoutine, Project, read_project
 from clickgen.commands.diff.placing import name_key, placed_alike
+from clickgen.config import Settings
 from clickgen.device.banks import Address, parse_address
-from clickgen.pipeline import BuildResult, build
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic, Diagnostics
-from clickgen.settings import TABLE_NAME, Settings
+from clickgen.results import BuildResult
 from clickgen.table.address_table import AddressTable, Entry
 from clickgen.table.form import TableForm
 from clickgen.table.judge_row import initial_value_fault, retention_fault
-from clickgen.table.layers import is_workbook
+from clickgen.table.names import TABLE_NAME, is_workbook
 from clickgen.table.read import PROBLEMS_MAX, TableUnreadable, read_table
 from clickgen.table.rows import HEADER, Row, format_row, is_scratch
 from clickgen.text.source import SourceFile

@@ -14,7 +14,7 @@ from clickgen.click.read.operands import ADDRESS
 from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.rungs import import_rung
 from clickgen.device.banks import Address, parse_address
-from clickgen.emit.listing import Names, condition_lines, item_lines
+from clickgen.emit.rung_words import Names, condition_lines, item_lines
 from clickgen.instructions.control import END, NEXT, NOP, RETURN
 from clickgen.ir.conditions import Always, Compare
 from clickgen.ir.operands import Cell, Operand

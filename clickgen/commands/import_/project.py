@@ -22,20 +22,20 @@ from clickgen.commands.import_.routines import (
     is_complete,
     missing_subroutines,
 )
+from clickgen.config import Settings
 from clickgen.dialects.if_rungs.write.declarations import declarations
 from clickgen.dialects.if_rungs.write.files import a_file_each
 from clickgen.dialects.if_rungs.write.routine import rung_lines, write_source
 from clickgen.ir.program import Routine
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
-from clickgen.settings import Settings
 from clickgen.text.source import SourceFile, Span
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
-from clickgen.workspace import read_file, read_if_there
+from clickgen.workspace import Workspace, read_file, read_if_there
 
 if TYPE_CHECKING:
     from clickgen.commands.import_.proof import Redrawn, Verdict
-    from clickgen.pipeline import BuildResult
+    from clickgen.results import BuildResult
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,7 @@ def _nicknames(project: Project, target: Target, given: Path | None) -> Nickname
     for path in (given, project.nicknames):
         if path is not None:
             return nicknames_of(path, str(path))
-    if target.table.is_file():
+    if target.table.exists() and not target.table.is_dir():
         return nicknames_of(target.table, str(target.table), is_kept=True)
     return no_nicknames()
 
@@ -205,12 +205,11 @@ class _Import:
         self._add("CG702", message, place, "change it in CLICK and import again")
 
     def _built(self) -> BuildResult:
-        from clickgen.pipeline import build
+        from clickgen.api import build
 
         files = {path: text.encode() for path, text in self._texts(as_proof(self.routines)).items()}
         overlay = {os.path.realpath(path): data for path, data in {**files, **self._table()}.items()}
-        settings = replace(self.target.settings, overlay={**self.target.settings.overlay, **overlay})
-        return build(self.target.program, settings=settings)
+        return build(self.target.program, settings=self.target.settings, workspace=Workspace(overlay))
 
     def _table(self) -> dict[Path, bytes]:
         """The address table where it is to stand; none where names were not given, or are declared in the program."""
@@ -283,8 +282,11 @@ class _Import:
 _HELP = {
     "CG701": "mend the file, or export it again; --keep-going leaves a marked rung in its place",
     "CG702": "change it in CLICK and import again, or use --keep-going, which leaves a marked rung in its place",
-    "CG703": "please report this with the rung; --keep-going leaves a marked rung in its place",
+    "CG703": "if CLICK drew the rung, please report it with the file; if another program wrote the file, draw the rung "
+    "as CLICK does, or use --keep-going, which leaves a marked rung in its place",
     "CG708": "draw the rung again in CLICK, or use --keep-going, which leaves a marked rung in its place",
+    "CG710": "in CLICK, put some of the contacts on a bit in a rung before and copy the rungs again; or copy the "
+    "others without this one, and write it by hand",
     "CG709": "look whether the comment says in the program what it says in CLICK",
     "CG704": "what it does is the same: look whether it was meant so",
     "CG705": "there is nothing to do",

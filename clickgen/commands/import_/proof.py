@@ -14,8 +14,8 @@ from clickgen.click.read.grid import DrawnRung
 from clickgen.commands.import_.routines import ImportedRoutine, RungImport
 from clickgen.device.banks import Address
 from clickgen.ir.program import Rung, loops_in
-from clickgen.pipeline import BuildResult
 from clickgen.problems.diagnostics import Diagnostic
+from clickgen.results import BuildResult
 from clickgen.text.source import Span
 
 

@@ -1,4 +1,7 @@
-"""Finishing a rename that somebody began in the text: the sources say the new name, the table still has the old one."""
+"""Finishing a rename that somebody began in the text: the sources say the new name, the table still has the old one.
+
+Half done, the sources say both: that is finished where a build has recorded that the new name came for the old one.
+"""
 
 from __future__ import annotations
 
@@ -8,17 +11,20 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
-from clickgen.commands.nicknames.programs import Files, Program
+from clickgen.commands.nicknames.programs import Program
 from clickgen.commands.nicknames.prove import Side
 from clickgen.commands.nicknames.tables import Table
-from clickgen.commands.nicknames.uses import FileNames
+from clickgen.commands.nicknames.uses import FileNames, read_names
 from clickgen.device.banks import CURRENT_VALUE_OF
+from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.facts.uses import addresses_of
-from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.ir.program import BlockDeclaration
+from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
 from clickgen.table.record import left_in, placed_in, record_of
 from clickgen.table.rows import Row
+from clickgen.workspace import Workspace
 
-Edited = Callable[[FileNames, str, str, Files], bytes]
+Edited = Callable[[FileNames, str, str, Workspace], bytes]
 """A file with another name in the place of one."""
 
 
@@ -34,19 +40,23 @@ class Adoption(NamedTuple):
     old: str
     """The old name; where no source could say it, one that stands for it in the proof."""
     before: Side
+    edited: Mapping[str, FileNames] = {}
+    """The sources that said the old name still, by their real paths."""
 
 
 def adopt(
-    old: str, new: str, members: Iterable[Program], tables: Mapping[str, Table], files: Files, edited: Edited
+    old: str, new: str, members: Iterable[Program], tables: Mapping[str, Table], files: Workspace, edited: Edited
 ) -> Adoption | None:
     """The new name at the address of the old one; None where the sources do not say the new name for the old one.
 
     They do where some say the new one and none the old one, and where the new one has no address yet, or one that a
-    build gave to it when the old one left. Raises CouldNotRun where the two are of different banks.
+    build gave to it when the old one left. Where some say the old one still, a build must have recorded that the new
+    one came for it. Raises CouldNotRun where the two are of different banks.
     """
     sources = {os.path.realpath(file.source.path): file for program in members for file in program.names}
     using = {key: file for key, file in sources.items() if file.of(new)}
-    if not using or any(file.of(old) or file.blocks_of(old) or file.blocks_of(new) for file in sources.values()):
+    behind = {key: file for key, file in sources.items() if file.of(old)}
+    if not using or any(file.blocks_of(old) or file.blocks_of(new) for file in sources.values()):
         return None
     used = {address for file in sources.values() for cell in file.cells for address in addresses_of(cell)}
     alias = old if old.isidentifier() else re.sub(r"\W", "_", old)
@@ -61,6 +71,8 @@ def adopt(
         record = files.look(str(table.record))
         if other is not None and (other.address in used or not _came_for(other, row, record)):
             return None
+        if other is None and behind:
+            return None
         _refuse_other_bank(row, new, using.values())
         without = table.table.changed({other.address: None}) if other else table.table
         writes[key] = without.renamed(row.address, new).to_bytes()
@@ -69,9 +81,46 @@ def adopt(
             writes[os.path.realpath(table.record)] = _record(record, row, other, new)
         rows.append(row)
         freed += [other] if other else []
+    if not rows:
+        return None
+    after = {key: edited(file, old, new, files) for key, file in behind.items()}
+    texts = {
+        key: _with_alias(file, after.get(key), new, alias, files, edited) for key, file in {**using, **behind}.items()
+    }
+    before = Side(files.apart({**tables_before, **texts}), {})
+    return Adoption({**writes, **after}, rows[0], tuple(freed), alias, before, behind)
+
+
+def adopt_block(
+    old: str, new: str, members: Iterable[Program], tables: Mapping[str, Table], files: Workspace, edited: Edited
+) -> Adoption | None:
+    """The new name in the marks of a block; None where the sources do not say the new name of it for the old one."""
+    sources = {os.path.realpath(file.source.path): file for program in members for file in program.names}
+    using = {key: file for key, file in sources.items() if file.every(new)}
+    is_declared = any(
+        isinstance(each, BlockDeclaration) and each.named.name.lower() == new.lower()
+        for file in using.values()
+        for each in file.declarations
+    )
+    marks = [row for table in tables.values() for row, _ in table.marks_of(old)]
+    if not is_declared or not marks or any(file.every(old) for file in sources.values()):
+        return None
+    alias = old if old.isidentifier() else re.sub(r"\W", "_", old)
+    writes = {key: table.with_block_renamed(old, new) for key, table in tables.items() if table.marks_of(old)}
+    before = {key: table.with_block_renamed(old, alias) for key, table in tables.items() if table.marks_of(old)}
     texts = {key: edited(file, new, alias, files) for key, file in using.items()}
-    before = Side({**files.overlay, **tables_before, **texts}, {})
-    return Adoption(writes, rows[0], tuple(freed), alias, before) if rows else None
+    return Adoption(writes, marks[0], (), alias, Side(files.apart({**before, **texts}), {}))
+
+
+def _with_alias(file: FileNames, data: bytes | None, new: str, alias: str, files: Workspace, edited: Edited) -> bytes:
+    """A source with the old name, or what stands for it, in all places of the new one; ``data`` is what it becomes."""
+    if data is None:
+        return edited(file, new, alias, files)
+    path = file.source.path
+    source = decode(path, data, Diagnostics())
+    renamed = read_names(source, Diagnostics()) if source is not None else None
+    assert renamed is not None
+    return edited(renamed, new, alias, Workspace({os.path.realpath(path): data}))
 
 
 def _came_for(other: Row, row: Row, record: bytes | None) -> bool:

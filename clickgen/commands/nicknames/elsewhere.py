@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 
-from clickgen.commands.nicknames.programs import Files, Job, programs_around, table_of
+from clickgen.api import build_all
+from clickgen.commands.nicknames.programs import Job, programs_around
 from clickgen.config import Config
 from clickgen.facts.uses import addresses_of
-from clickgen.pipeline import BuildResult, build_all
 from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.results import BuildResult
+from clickgen.workspace import Workspace
 
 
 def build_among(jobs: Sequence[Job], config: Callable[[], Config]) -> list[BuildResult]:
@@ -27,7 +28,7 @@ def build_among(jobs: Sequence[Job], config: Callable[[], Config]) -> list[Build
         for job, result in zip(jobs, results, strict=True)
     ]
     return build_all(
-        (job.program, replace(job.settings, named_elsewhere=names)) for job, names in zip(jobs, known, strict=True)
+        (job.program, job.settings._replace(named_elsewhere=names)) for job, names in zip(jobs, known, strict=True)
     )
 
 
@@ -37,10 +38,10 @@ def named_elsewhere(job: Job, config: Config, others: Sequence[Job] = ()) -> fro
     Looks at the programs around the table, at those of the settings and at ``others``. A program that cannot be read
     may use any: nobody knows, and nothing is found.
     """
-    table = os.path.realpath(table_of(job.program, job.settings))
+    table = os.path.realpath(job.settings.table_of(job.program))
     own = os.path.realpath(job.program)
     try:
-        around = programs_around([job, *others], config, Files())
+        around = programs_around([job, *others], config, Workspace())
     except CouldNotRun:
         return frozenset()
     found: set[str] = set()

@@ -2,36 +2,33 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from clickgen.api import build
 from clickgen.commands.nicknames.programs import Program
 from clickgen.device.banks import Address
-from clickgen.emit.listing import listing
-from clickgen.emit.nickname_csv import nickname_csv
-from clickgen.emit.sourcemap import source_map
+from clickgen.emit.registry import Outputs
 from clickgen.lower.scratch import renamed_reason
-from clickgen.pipeline import BuildResult, build
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
-from clickgen.settings import TABLE_NAME
+from clickgen.results import BuildResult
 from clickgen.table.blocks import renamed_mark
 from clickgen.table.rows import Row, is_scratch
-
-_LISTING, _SOURCES = "listing.txt", "sources.json"
+from clickgen.workspace import Workspace
 
 
 @dataclass(frozen=True)
 class Side:
-    """The files of one side by their real paths; ``tables`` are tables read in the stead of others."""
+    """The files of one side; ``tables`` are tables that are read instead of others, by the real paths of these."""
 
-    overlay: Mapping[str, bytes]
+    workspace: Workspace
     tables: Mapping[str, Path]
 
     def build(self, program: Program) -> BuildResult:
         table = self.tables.get(program.table_key, program.settings.nicknames)
-        return build(program.path, settings=replace(program.settings, nicknames=table, overlay=self.overlay))
+        settings = program.settings._replace(nicknames=table)
+        return build(program.path, settings=settings, workspace=self.workspace.apart())
 
 
 def errors_of(result: BuildResult) -> list[Diagnostic]:
@@ -49,15 +46,8 @@ def prove_same(before: BuildResult, after: BuildResult, old: str, new: str, is_b
         return replace(row, nickname=new) if row.nickname.lower() == old.lower() else row
 
     rows = _by_address(map(renamed, before.rows))
-    base = os.path.dirname(str(before.program))
-    expected = {
-        **before.files,
-        TABLE_NAME: nickname_csv(rows.values()),
-        _LISTING: listing(
-            before.program.stem, before.routines, {row.address: row.nickname for row in rows.values() if row.nickname}
-        ),
-        _SOURCES: source_map(before.routines, map(renamed, before.scratch_rows), list(before.files), base),
-    }
+    scratch = tuple(map(renamed, before.scratch_rows))
+    expected = Outputs(replace(before.built, rows=tuple(rows.values()), scratch=scratch))
     found = _by_address(after.rows)
     differing = [name for name in {**expected, **after.files} if expected.get(name) != after.files.get(name)]
     if {address: row.content for address, row in rows.items()} != {a: row.content for a, row in found.items()}:

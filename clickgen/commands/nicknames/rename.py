@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import keyword
 import os
+import shlex
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
-from clickgen.commands.nicknames.adopt import Adoption, adopt
-from clickgen.commands.nicknames.programs import Files, Job, Program, programs_around
+from clickgen.commands.nicknames.adopt import Adoption, adopt, adopt_block
+from clickgen.commands.nicknames.programs import Job, Program, programs_around
 from clickgen.commands.nicknames.prove import Side, errors_of, prove_same
 from clickgen.commands.nicknames.tables import Table, read_tables
 from clickgen.commands.nicknames.uses import FileNames, comments_with, read_names, word_pattern
@@ -26,6 +27,7 @@ from clickgen.table.rows import is_scratch, looks_like_scratch
 from clickgen.text.edits import apply_fixes
 from clickgen.text.source import Span
 from clickgen.text.wording import counted
+from clickgen.workspace import Workspace
 
 __all__ = ["Rename", "rename"]
 
@@ -60,7 +62,7 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
     CouldNotRun when the new name is not free or not legal, or when a program would not stay what it is.
     """
     _check_names(old, new)
-    files = Files()
+    files = Workspace()
     programs = programs_around(jobs, find_config(Path.cwd()) if config is None else config, files)
     keys = {program.table_key for program in programs if program.is_job}
     sharing = [program for program in programs if program.table_key in keys]
@@ -73,11 +75,15 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
     _refuse_unread(members, old)
     adoption = adopt(old, new, members, tables, files, _edited_as)
     if adoption is not None:
-        return _adopted(old, new, members, files, adoption)
+        _refuse_strangers((each for each in programs if each.table_key not in tables), adoption.edited, old)
+        return _adopted(members, files, adoption, _Wanted(old, new, False))
     wanted = _Wanted(old, new, _is_block(tables.values(), sources.values(), old, new))
     if wanted.is_block and not any(character.isalpha() for character in new):
         raise CouldNotRun(f"{new!r} cannot be the name of a block: it has no letter")
-    _check_tables(tables.values(), wanted)
+    _check_tables(tables.values(), wanted, _ways_back(sources.values(), jobs, old, new))
+    adoption = adopt_block(old, new, members, tables, files, _block_edited_as) if wanted.is_block else None
+    if adoption is not None:
+        return _adopted(members, files, adoption, wanted)
     _check_sources(sources.values(), wanted)
     places = {key: found for key, file in sources.items() if (found := wanted.places(file))}
     using = {key: sources[key] for key in places}
@@ -91,31 +97,35 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
     else:
         changed.update((key, table.renamed(old, new)) for key, table in tables.items() if table.row(old))
         records = _records(tables.values(), old, new, files)
-    written = {key: data for key, data in changed.items() if files.contents[key] != data}
+    written = {key: data for key, data in changed.items() if files.on_disk(key) != data}
     stand_ins = {key: stand_in for key, table in tables.items() if (stand_in := table.stand_in(*wanted))}
     earlier = {os.path.realpath(path): data for path, data in stand_ins.values()}
-    before = Side({**files.overlay, **earlier}, {key: path for key, (path, _) in stand_ins.items()})
-    proven = _proven(members, before, Side({**files.overlay, **written}, {}), wanted)
+    before = Side(files.apart(earlier), {key: path for key, (path, _) in stand_ins.items()})
+    proven = _proven(members, before, Side(files.apart(written), {}), wanted)
     return Rename(
         old,
         new,
-        {Path(files.shown[key]): data for key, data in {**written, **records}.items()},
-        {Path(files.shown[key]): data for key, data in files.contents.items()},
-        {Path(files.shown[key]): len(places[key]) if key in places else marked[key] for key in written},
+        {Path(files.shown(key)): data for key, data in {**written, **records}.items()},
+        {Path(path): data for path, data in files.found.items()},
+        {Path(files.shown(key)): len(places[key]) if key in places else marked[key] for key in written},
         {Path(file.source.path): count for file in sources.values() if (count := comments_with(file.source, old))},
         proven,
         _left(programs, members, old),
     )
 
 
-def _adopted(old: str, new: str, members: Sequence[Program], files: Files, adoption: Adoption) -> Rename:
-    """The end of a rename that somebody began in the sources: the table follows, no source changes."""
-    after = Side({**files.overlay, **adoption.writes}, {})
-    proven = _proven(members, adoption.before, after, _Wanted(adoption.old, new, False))
-    writes = {Path(files.shown[key]): data for key, data in adoption.writes.items()}
-    unchanged = {Path(files.shown[key]): data for key, data in files.contents.items()}
+def _adopted(members: Sequence[Program], files: Workspace, adoption: Adoption, wanted: _Wanted) -> Rename:
+    """The end of a rename that somebody began in the sources: the table follows, and the sources that lag behind."""
+    old, new, is_block = wanted
+    after = Side(files.apart(adoption.writes), {})
+    proven = _proven(members, adoption.before, after, _Wanted(adoption.old, new, is_block))
+    writes = {Path(files.shown(key)): data for key, data in adoption.writes.items()}
+    unchanged = {Path(path): data for path, data in files.found.items()}
     counts = {path: 1 for path in writes if path.suffix == ".csv"}
-    return Rename(old, new, writes, unchanged, counts, {}, proven, adoption=adoption)
+    edited = adoption.edited.items()
+    counts.update((Path(files.shown(key)), len(file.of(old))) for key, file in edited)
+    comments = {Path(file.source.path): count for _, file in edited if (count := comments_with(file.source, old))}
+    return Rename(old, new, writes, unchanged, counts, comments, proven, adoption=adoption)
 
 
 class _Wanted(NamedTuple):
@@ -179,7 +189,23 @@ def _unknown(old: str, programs: Iterable[Program], tables: Iterable[Table]) -> 
     return f"there is no nickname or block {old} in {places} or in the programs{f'; {hint}' if hint else ''}"
 
 
-def _check_tables(tables: Iterable[Table], wanted: _Wanted) -> None:
+def _ways_back(files: Iterable[FileNames], jobs: Sequence[Job], old: str, new: str) -> str:
+    """What to do, in order, where a build gave another address to what was the old name, and nothing recorded that."""
+    places = [str(named.span) for file in files for named in file.of(new)]
+    more = f" and {counted(len(places) - _PLACES, 'more place')}" if len(places) > _PLACES else ""
+    table = next((job.settings.nicknames for job in jobs if job.settings.nicknames is not None), None)
+    words = [*(job.program for job in jobs), *(["--nicknames", os.fspath(table)] if table is not None else [])]
+    prune = shlex.join(["clickgen", "nicknames", "sync", "--prune", *words])
+    again = shlex.join(["clickgen", "nicknames", "rename", old, new, *words])
+    write = f"write {old} again at {', '.join(places[:_PLACES])}{more}, " if places else ""
+    return f"where a build gave it to what was {old}, {write}run {prune}, and then {again}"
+
+
+_PLACES = 5
+"""So many places are listed."""
+
+
+def _check_tables(tables: Iterable[Table], wanted: _Wanted, ways_back: str) -> None:
     old, new, is_block = wanted
     for table in tables:
         row, other = table.row(old), table.row(new)
@@ -198,11 +224,7 @@ def _check_tables(tables: Iterable[Table], wanted: _Wanted) -> None:
                 "programs"
             )
         if row is not None and other is not None and other.address != row.address:
-            again = (
-                f"where a build gave it to what was {old}, write {old} in the programs again, run clickgen nicknames "
-                "sync --prune, and then this"
-            )
-            raise _taken(new, f"it is {other.address} ({table.place(other)})", again)
+            raise _taken(new, f"it is {other.address} ({table.place(other)})", ways_back)
 
 
 def _taken(new: str, reason: str, again: str = "") -> CouldNotRun:
@@ -252,13 +274,15 @@ def _refuse_strangers(others: Iterable[Program], edited: Mapping[str, FileNames]
 def _does_not_build(path: str, errors: Sequence[Diagnostic]) -> str:
     first = errors[0]
     more = f" (and {counted(len(errors) - 1, 'more error')})" if len(errors) > 1 else ""
-    return f"{path} has errors, and only programs that build are renamed in: {first.span}: {first.message}{more}"
+    way = f"; its way out: {first.help}" if first.code == "CG205" else ""
+    said = f"{first.span}: {first.message}{more}"
+    return f"{path} has errors, and only programs that build are renamed in: {said}{way}"
 
 
 # -- what is changed --------------------------------------------------------------------------------------------------
 
 
-def _records(tables: Iterable[Table], old: str, new: str, files: Files) -> dict[str, bytes]:
+def _records(tables: Iterable[Table], old: str, new: str, files: Workspace) -> dict[str, bytes]:
     """The records of names that clickgen placed, by their real paths, where this name is in them."""
     renamed: dict[str, bytes] = {}
     for table in tables:
@@ -286,7 +310,7 @@ def _left(programs: Iterable[Program], members: Sequence[Program], old: str) -> 
     return tuple(named.span for path, file in files.items() if path not in done for named in file.of(old))
 
 
-def _edited(file: FileNames, wanted: _Wanted, files: Files) -> bytes:
+def _edited(file: FileNames, wanted: _Wanted, files: Workspace) -> bytes:
     """The file with the new name, every other byte kept; what is read there now is what was read, renamed."""
     old, new, _ = wanted
     edits: list[Edit] = [edit for named in wanted.places(file) for edit in file.place(named).edits(new)]
@@ -299,8 +323,12 @@ def _edited(file: FileNames, wanted: _Wanted, files: Files) -> bytes:
     return data
 
 
-def _edited_as(file: FileNames, old: str, new: str, files: Files) -> bytes:
+def _edited_as(file: FileNames, old: str, new: str, files: Workspace) -> bytes:
     return _edited(file, _Wanted(old, new, False), files)
+
+
+def _block_edited_as(file: FileNames, old: str, new: str, files: Workspace) -> bytes:
+    return _edited(file, _Wanted(old, new, True), files)
 
 
 def _said(file: FileNames, wanted: _Wanted) -> list[tuple[str, str, object]]:

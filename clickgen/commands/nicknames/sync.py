@@ -7,15 +7,18 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from clickgen.commands.nicknames.programs import Files, Job, Program, programs_around
+from clickgen.api import build, build_all
+from clickgen.commands.nicknames.programs import Job, Program, programs_around
 from clickgen.config import Config, find_config
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, VALUE_BANK, Address
-from clickgen.pipeline import BuildResult, build, build_all
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.results import BuildResult
 from clickgen.table.address_table import AddressTable
+from clickgen.table.names import record_beside
 from clickgen.table.read import read_table
-from clickgen.table.record import left_in, placed_in, read_record, record_beside, record_of
+from clickgen.table.record import left_in, placed_in, read_record, record_of
 from clickgen.table.rows import Row, is_scratch
+from clickgen.workspace import Workspace
 
 
 @dataclass(frozen=True)
@@ -62,7 +65,7 @@ def sync(jobs: Sequence[Job], config: Config, prune: bool = False) -> Sync:
         return Sync(tuple(results), (), {}, {})
     places = [result.table_path for result in results]
     places += [Path(os.path.realpath(place)) for place in places]
-    around = programs_around(jobs, _with_programs_of(config, places), Files(), places)
+    around = programs_around(jobs, _with_programs_of(config, places), Workspace(), places)
     tables: list[TableSync] = []
     writes: dict[Path, bytes] = {}
     unchanged: dict[Path, bytes | None] = {}
@@ -107,8 +110,8 @@ class _Table:
         named = [row for row in table.own_rows if row.nickname and not BANKS[row.address.bank].settings_fixed]
         unused = [row for row in named if not any(_is_used(row, result) for result in users)]
         gone = {row.address for row in unused}
-        pairs = ((left.new.address, left.old.address) for result in own for left in result.left)
-        self._left |= {came: old for came, old in pairs if old in gone}
+        pairs = [left for result in own for left in result.left if left.is_half or left.old.address in gone]
+        self._left |= {left.new.address: left.old.address for left in pairs}
         removed: list[Row] = []
         kept: dict[Address, str] = {}
         for row in unused if prune else ():
@@ -169,7 +172,7 @@ def _read(programs: Iterable[Program], path: Path, table: AddressTable) -> tuple
     overlay = {os.path.realpath(path): table.to_bytes()}
     for program in programs:
         try:
-            result = build(program.path, settings=replace(program.settings, overlay=overlay))
+            result = build(program.path, settings=program.settings, workspace=Workspace(overlay))
         except CouldNotRun:
             doubtful.append(program.path)
             continue

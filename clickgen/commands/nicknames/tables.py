@@ -7,15 +7,17 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
-from clickgen.commands.nicknames.programs import Files, Program
+from clickgen.commands.nicknames.programs import Program
 from clickgen.lower.scratch import renamed_reason
 from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
 from clickgen.table.address_table import AddressTable
 from clickgen.table.blocks import Block, MarkedRow, marked_blocks, read_marks, renamed_mark
 from clickgen.table.layers import beside_workbook
+from clickgen.table.names import record_beside
 from clickgen.table.read import TableUnreadable, bytes_of_table, read_table
-from clickgen.table.record import left_in, placed_in, record_beside, record_of
+from clickgen.table.record import left_in, placed_in, record_of
 from clickgen.table.rows import Row, is_scratch
+from clickgen.workspace import Workspace
 
 
 @dataclass(frozen=True)
@@ -96,7 +98,7 @@ class Table:
         return self.path, AddressTable.empty(str(self.path)).extended(rows).to_bytes()
 
 
-def read_tables(programs: Iterable[Program], files: Files) -> dict[str, Table]:
+def read_tables(programs: Iterable[Program], files: Workspace) -> dict[str, Table]:
     """The tables of these programs by their real paths. Raises CouldNotRun for one that has errors."""
     tables: dict[str, Table] = {}
     for program in programs:
@@ -112,14 +114,14 @@ def over_workbook(table: AddressTable, workbook: Path, problems: Diagnostics) ->
     return beside_workbook(table, read_workbook(workbook, str(workbook), problems), problems)
 
 
-def _look(path: Path, files: Files) -> bytes | None:
+def _look(path: Path, files: Workspace) -> bytes | None:
     """The bytes of a table, None where there is none. Raises TableUnreadable, and OSError."""
     if path.exists():
         bytes_of_table(path, str(path))
     return files.look(str(path))
 
 
-def _read(program: Program, files: Files) -> AddressTable:
+def _read(program: Program, files: Workspace) -> AddressTable:
     shown = str(program.table)
     problems = Diagnostics()
     try:

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-import ast
-import io
 import re
-import tokenize
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
+import libcst as cst
+
 from clickgen.device.banks import Address, points_of
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import ADDRESSES, Node, index_of, text_value
 from clickgen.dialects.if_rungs.read.program import read_file
+from clickgen.dialects.if_rungs.read.statements import Layout, Part, layout_of
 from clickgen.ir.imports import Import
 from clickgen.ir.operands import Cell, Immediate, Named, Operand, Range
 from clickgen.ir.program import BlockDeclaration, Declaration, FormulaText, Routine, actions_in, rungs_in
@@ -67,18 +69,19 @@ class FileNames:
 
     def place(self, named: Named) -> Place:
         """Where one of ``named`` or ``blocks`` has its name."""
-        node = self._nodes.get(named.span)
-        if isinstance(node, ast.Subscript) and named.part is not None:
+        node = self._node(named.span)
+        if isinstance(node, cst.Subscript) and named.part is not None:
             # ds.Recipe[3] and ds["Door alarms"][0:4]: the name stands before the index.
             node = node.value
         if node is None:
-            text, start = self._characters[named.span.line, named.span.col]
+            text, start = self._characters(named.span)
             match = _IN_FORMULA.match(text.value, start)
             assert match is not None
             group = next(group for group, name in match.groupdict().items() if name is not None)
             return Place(_stretches(text, *match.span(group)), group == "plain", True)
-        if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant):
-            text = self._context.embedded(node.slice)
+        index = index_of(node) if isinstance(node, cst.Subscript) else None
+        if isinstance(index, Node) and text_value(index) is not None:
+            text = self._context.embedded(index)
             return Place(_stretches(text, 0, len(text.value)), False, False)
         _, _, _, line, end, _ = self._context.span(node)
         word = _LAST_WORD.search(self.source.line(line)[: end - 1])
@@ -86,26 +89,53 @@ class FileNames:
         return Place((self.source.span(line, word.start() + 1, line, end),), True, False)
 
     @cached_property
+    def _layout(self) -> Layout:
+        layout = layout_of(self.source)
+        assert layout is not None
+        return layout
+
+    @cached_property
     def _context(self) -> Context:
-        return Context(self.source, Diagnostics())
+        return Context(self.source, Diagnostics(), places=self._layout.places)
 
     @cached_property
-    def _nodes(self) -> dict[Span, ast.expr]:
-        """The addresses and texts of the file by their spans."""
-        kinds = ast.Attribute | ast.Subscript | ast.Constant
-        nodes = (node for node in ast.walk(ast.parse(self.source.text)) if isinstance(node, kinds))
-        return {self._context.span(node): node for node in nodes}
+    def _starts(self) -> list[int]:
+        return [part.start for part in self._layout.parts]
 
     @cached_property
-    def _characters(self) -> dict[tuple[int, int], tuple[EmbeddedText, int]]:
-        """The character of a formula at a line and column of the file."""
-        found: dict[tuple[int, int], tuple[EmbeddedText, int]] = {}
+    def _read_last(self) -> dict[Part, dict[Span, Node]]:
+        """The addresses and texts of the part that was looked at last, by their spans."""
+        return {}
+
+    def _node(self, span: Span) -> Node | None:
+        """The address or the text with this span; None for what is inside a text."""
+        part = self._layout.parts[bisect_left(self._starts, span.line) - 1]
+        if part not in self._read_last:
+            self._read_last.clear()
+            self._read_last[part] = {
+                self._context.span(node): node
+                for node in self._layout.nodes(part)
+                if node.__class__ in ADDRESSES or text_value(node) is not None
+            }
+        return self._read_last[part].get(span)
+
+    @cached_property
+    def _formulas_by_line(self) -> dict[int, list[FormulaText]]:
+        found: dict[int, list[FormulaText]] = {}
         for formula in self.formulas:
-            node = self._nodes[formula.span]
-            assert isinstance(node, ast.Constant)
-            text = self._context.embedded(node)
-            found.update({place: (text, index) for index, place in enumerate(text.positions[:-1])})
+            for line in range(formula.span.line, formula.span.end_line + 1):
+                found.setdefault(line, []).append(formula)
         return found
+
+    def _characters(self, span: Span) -> tuple[EmbeddedText, int]:
+        """The text of the formula that has a name at this place, and the character with which the name begins."""
+        for formula in self._formulas_by_line[span.line]:
+            node = self._node(formula.span)
+            assert node is not None
+            text = self._context.embedded(node)
+            if (span.line, span.col) in text.positions[:-1]:
+                return text, text.positions.index((span.line, span.col))
+        raise LookupError(span)
 
 
 def read_names(source: SourceFile, problems: Diagnostics) -> FileNames | None:
@@ -166,8 +196,11 @@ def comments_with(source: SourceFile, word: str) -> int:
     wanted = word_pattern(word)
     if not wanted.search(source.text):
         return 0
-    tokens = tokenize.generate_tokens(io.StringIO(source.text).readline)
-    return sum(wanted.search(token.string) is not None for token in tokens if token.type == tokenize.COMMENT)
+    layout = layout_of(source)
+    if layout is None:
+        return 0
+    parts = (part for part in layout.parts if wanted.search(layout.text(part)))
+    return sum(wanted.search(comment.text) is not None for part in parts for comment in layout.comments(part))
 
 
 def word_pattern(word: str) -> re.Pattern[str]:

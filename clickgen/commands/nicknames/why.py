@@ -8,12 +8,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, VALUE_BANK, Address, parse_address
-from clickgen.device.system import addresses_of_system_name, find_system_name, system_name_of
+from clickgen.device.system import addresses_of_system_name, doubt_about, find_system_name, system_name_of
 from clickgen.facts.uses import Use, extents_of
 from clickgen.formula.printer import source_reference
 from clickgen.ir.operands import Named
-from clickgen.pipeline import BuildResult
 from clickgen.problems.diagnostics import did_you_mean
+from clickgen.results import BuildResult
 from clickgen.table.blocks import Block, marked_blocks
 from clickgen.table.record import placed_in
 from clickgen.table.rows import Row, is_scratch
@@ -41,12 +41,8 @@ def why(name: str, result: BuildResult, reserved: Iterable[Address], record: byt
 
 
 def _moved_lines(name: str) -> list[str]:
-    """What is to be said of one of CLICK's own names that has two addresses in two versions of CLICK."""
-    addresses = addresses_of_system_name(name)
-    if not addresses:
-        return []
-    newest, *others = addresses
-    return [f"{name} is {newest} in CLICK 3.41 and {' and '.join(map(str, others))} in another version"]
+    """What is to be said of one of CLICK's own names that may mean one of several addresses."""
+    return [doubt_about(name)] if addresses_of_system_name(name) else []
 
 
 def suggestion(name: str, results: Iterable[BuildResult]) -> str:

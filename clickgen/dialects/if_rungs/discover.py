@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fnmatch import fnmatch
 from functools import cache, cached_property
 from pathlib import Path
@@ -12,7 +12,7 @@ from typing import NamedTuple, NoReturn
 
 from clickgen.config import Config
 from clickgen.problems.diagnostics import CouldNotRun
-from clickgen.workspace import READ_MAX, open_file, require_size
+from clickgen.workspace import Workspace
 
 _USUAL_EXCLUDES = ("build", "dist", "venv", "node_modules", "__pycache__", "site-packages")
 """Folders that hold no sources; those with a dot in front are left out too."""
@@ -38,16 +38,15 @@ def discover(
     config: Config,
     exclude: Iterable[str] = (),
     force: bool = False,
-    overlay: Mapping[str, bytes] | None = None,
+    workspace: Workspace | None = None,
 ) -> Found:
     """The programs that these paths name. Raises CouldNotRun for what is not there or cannot be read.
 
     Without paths it is the configured programs, and without those the working folder. ``exclude`` and the configured
     patterns hold for what is found in folders; with ``force`` also for files that were named, and those of them that
-    have nothing to do with a program are left alone: pre-commit names every Python file. ``overlay`` gives files
-    contents other than those on disk, by real path.
+    have nothing to do with a program are left alone: pre-commit names every Python file.
     """
-    repository = _Repository(config, (*config.check.exclude, *exclude), overlay or {})
+    repository = _Repository(config, (*config.check.exclude, *exclude), workspace or Workspace())
     if not paths and config.programs:
         return Found(_each_once(repository.configured_targets()))
     found: list[Target] = []
@@ -65,36 +64,36 @@ def targets(
     config: Config,
     exclude: Iterable[str] = (),
     force: bool = False,
-    overlay: Mapping[str, bytes] | None = None,
+    workspace: Workspace | None = None,
 ) -> list[Target]:
     """The programs that ``discover`` finds."""
-    return discover(paths, config, exclude, force, overlay).targets
+    return discover(paths, config, exclude, force, workspace).targets
 
 
 def wholly_judged(
-    paths: Iterable[str], judged: Iterable[Target], config: Config, overlay: Mapping[str, bytes] | None = None
+    paths: Iterable[str], judged: Iterable[Target], config: Config, workspace: Workspace | None = None
 ) -> set[str]:
     """Those of these files of which every program was judged: nothing more can be found in them.
 
     A part that no program imports is never among them: some other file will bring what it lacks.
     """
-    done, programs = _programs_of(paths, judged, config, overlay)
+    done, programs = _programs_of(paths, judged, config, workspace)
     return {path for path, needed in programs.items() if needed and needed <= done}
 
 
 def partly_judged(
-    paths: Iterable[str], judged: Iterable[Target], config: Config, overlay: Mapping[str, bytes] | None = None
+    paths: Iterable[str], judged: Iterable[Target], config: Config, workspace: Workspace | None = None
 ) -> set[str]:
     """Those of these files that belong to a program which was not judged."""
-    done, programs = _programs_of(paths, judged, config, overlay)
+    done, programs = _programs_of(paths, judged, config, workspace)
     return {path for path, needed in programs.items() if not needed <= done}
 
 
 def _programs_of(
-    paths: Iterable[str], judged: Iterable[Target], config: Config, overlay: Mapping[str, bytes] | None
+    paths: Iterable[str], judged: Iterable[Target], config: Config, workspace: Workspace | None
 ) -> tuple[set[str], dict[str, set[str]]]:
     """The programs that were judged, and those that each of these files belongs to, by their real paths."""
-    repository = _Repository(config, (), overlay or {})
+    repository = _Repository(config, (), workspace or Workspace())
     done = {os.path.realpath(target.path) for target in judged if not target.is_part}
     return done, {path: {os.path.realpath(program) for program in repository.programs_with(path)} for path in paths}
 
@@ -144,11 +143,10 @@ class _File:
 class _Repository:
     """The files around the programs, each read once."""
 
-    def __init__(self, config: Config, patterns: Sequence[str], overlay: Mapping[str, bytes]) -> None:
+    def __init__(self, config: Config, patterns: Sequence[str], files: Workspace) -> None:
         self._config = config
         self._patterns = patterns
-        self._overlay = overlay
-        self._reals: dict[str, str] = {}
+        self._workspace = files
         self._files: dict[str, _File] = {}
         self._programs: dict[str, list[str]] = {}
         self._parts: dict[str, set[str]] = {}
@@ -166,7 +164,7 @@ class _Repository:
         if os.path.isdir(path):
             for file in self._walk(path):
                 yield from self._targets_of(file)
-        elif not os.path.exists(path) and self._real(path) not in self._overlay:
+        elif not os.path.exists(path) and self._real(path) not in self._workspace.overlay:
             raise CouldNotRun(f"there is no file or folder {path}")
         elif not force or (not self._is_excluded(path) and (self._is_ours(path) or self._importers(path))):
             yield from self._targets_of(path)
@@ -280,23 +278,19 @@ class _Repository:
         """What a file is. Raises CouldNotRun when it cannot be read: it could be a program."""
         real = self._real(path)
         if real not in self._files:
-            self._files[real] = _File(path, self._text(path, real))
+            self._files[real] = _File(path, self._text(path))
         return self._files[real]
 
     def _real(self, path: str) -> str:
-        if path not in self._reals:
-            self._reals[path] = os.path.realpath(path)
-        return self._reals[path]
+        return self._workspace.real(path)
 
-    def _text(self, path: str, real: str) -> str:
-        if real in self._overlay:
-            return self._overlay[real].decode("utf-8-sig", "replace").replace("\r\n", "\n")
+    def _text(self, path: str) -> str:
         try:
-            with open(path, encoding="utf-8-sig", errors="replace", opener=open_file) as file:
-                return require_size(file.read(READ_MAX + 1), path)
+            text = self._workspace.read(path).decode("utf-8-sig", "replace")
         except OSError as error:
             error.filename = path
             _give_up(error)
+        return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
 
 def _give_up(error: OSError) -> NoReturn:

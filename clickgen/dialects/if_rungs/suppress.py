@@ -6,15 +6,18 @@ Behind code a comment speaks of its line; on a line of its own of the rung or st
 from __future__ import annotations
 
 import ast
-import io
 import re
-import tokenize
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from clickgen.problems.codes import CODES, Severity
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Edit, Fix, did_you_mean
 from clickgen.text.source import SourceFile, Span
+
+if TYPE_CHECKING:
+    from clickgen.dialects.if_rungs.read.statements import CommentAt, Layout
 
 _DIRECTIVE = re.compile(
     r"#\s*(?P<name>clickgen)(?P<colon>\s*:)?\s*(?P<word>[\w-]*)\s*(?:\[(?P<codes>[^\]#]*)\])?", re.IGNORECASE
@@ -94,35 +97,34 @@ def read_directives(source: SourceFile, problems: Diagnostics) -> list[Directive
     """Every directive of a file; what looks like one and is none is a problem."""
     if "clickgen" not in source.text.lower():
         return []
-    try:
-        tokens = list(tokenize.generate_tokens(io.StringIO(source.text).readline))
-        tree = ast.parse(source.text)
-    except (SyntaxError, tokenize.TokenError):
+    # Heavy, and needed for a file with such a comment alone.
+    from clickgen.dialects.if_rungs.read.statements import layout_of
+
+    layout = layout_of(source)
+    if layout is None:
         return []
-    statements = _Statements(tree)
-    code_lines = {token.start[0] for token in tokens if token.type not in _BLANK}
+    statements = _Statements(layout.tree)
     found: list[Directive] = []
-    for token in tokens:
-        for match in _directives_in(token):
-            line, col = token.start
-            span = source.span(line, col + match.start() + 1, line, col + match.end() + 1)
-            found += _read(source, span, match, line not in code_lines, statements, problems)
+    for part in layout.parts:
+        if "clickgen" not in layout.text(part).lower():
+            continue
+        for comment in layout.comments(part):
+            for match in _directives_in(comment.text):
+                line, col = comment.line, comment.col
+                span = source.span(line, col + match.start(), line, col + match.end())
+                found += _read(source, span, match, comment.stands_alone, statements, problems)
     return found
 
 
-def _directives_in(token: tokenize.TokenInfo) -> Iterator[re.Match[str]]:
+def _directives_in(comment: str) -> Iterator[re.Match[str]]:
     """What speaks to clickgen in a comment; one that only names it does not."""
-    if token.type == tokenize.COMMENT:
-        for match in _DIRECTIVE.finditer(token.string):
-            if match["colon"] or (match["word"].lower() in _WORDS and match["codes"] is not None):
-                yield match
+    for match in _DIRECTIVE.finditer(comment):
+        if match["colon"] or (match["word"].lower() in _WORDS and match["codes"] is not None):
+            yield match
 
 
 def _is_well_written(match: re.Match[str]) -> bool:
     return match["name"] == "clickgen" and match["colon"] == ":" and match["word"] in _WORDS
-
-
-_BLANK = (tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER)
 
 
 class _Statements:
@@ -210,37 +212,55 @@ def ignoring(source: SourceFile, findings: Iterable[Diagnostic]) -> Fix | None:
         codes += [finding.code] if finding.code not in codes else []
     if not wanted:
         return None
-    tokens = list(tokenize.generate_tokens(io.StringIO(source.text).readline))
-    ends = {token.start[0]: token for token in tokens if token.type in (tokenize.NEWLINE, tokenize.NL)}
-    comments = {token.start[0]: token for token in tokens if token.type == tokenize.COMMENT}
-    statements = sorted(node.lineno for node in ast.walk(ast.parse(source.text)) if isinstance(node, ast.stmt))
-    edits = [
-        _ignoring_line(source, line, codes, comments.get(line), line in ends, statements)
-        for line, codes in sorted(wanted.items())
-    ]
+    from clickgen.dialects.if_rungs.read.statements import layout_of
+
+    layout = layout_of(source)
+    if layout is None:
+        return None
+    ends = _Ends(source, layout, wanted)
+    statements = sorted(node.lineno for node in ast.walk(layout.tree) if isinstance(node, ast.stmt))
+    edits = [_ignoring_line(source, line, codes, ends, statements) for line, codes in sorted(wanted.items())]
     return Fix(tuple(edits))
 
 
-def _ignoring_line(
-    source: SourceFile,
-    line: int,
-    codes: list[str],
-    comment: tokenize.TokenInfo | None,
-    has_end: bool,
-    statements: list[int],
-) -> Edit:
-    text = source.line(line)
-    match = _DIRECTIVE.search(comment.string) if comment else None
+class _Ends:
+    """What is at the ends of these lines: comments, or no place for one."""
+
+    def __init__(self, source: SourceFile, layout: Layout, lines: Iterable[int]) -> None:
+        self.comments: dict[int, CommentAt] = {}
+        self._open: set[int] = set()
+        """Lines that end inside a text."""
+        self._source = source
+        wanted = sorted(lines)
+        for part in layout.parts:
+            if bisect_right(wanted, part.last) > bisect_right(wanted, part.start):
+                self.comments.update((comment.line, comment) for comment in layout.comments(part))
+                for node in layout.nodes(part):
+                    if type(node).__name__ in ("SimpleString", "FormattedString"):
+                        first, last = (bisect_right(source.starts, place) for place in layout.places.of(node))
+                        self._open.update(range(first, last))
+
+    def has_room(self, line: int) -> bool:
+        """True for a line after which a comment can be put: it does not end inside a text, and no backslash ends it."""
+        text = self._source.line(line)
+        is_line = bool(text) or line < len(self._source.lines)
+        is_joined = text.endswith("\\") and line not in self.comments
+        return is_line and not is_joined and line not in self._open
+
+
+def _ignoring_line(source: SourceFile, line: int, codes: list[str], ends: _Ends, statements: list[int]) -> Edit:
+    text, comment = source.line(line), ends.comments.get(line)
+    match = _DIRECTIVE.search(comment.text) if comment else None
     if comment and match and match["word"] == "ignore" and match["codes"] and _is_well_written(match):
-        start = comment.start[1] + match.start("codes") + 1
+        start = comment.col + match.start("codes")
         span = source.span(line, start, line, start + len(match["codes"]))
         known = [code.strip() for code in match["codes"].split(",")]
         return Edit(span, ", ".join([*known, *(code for code in codes if code not in known)]))
     directive = f"# clickgen: ignore[{', '.join(codes)}]"
-    if has_end:
+    if ends.has_room(line):
         end = len(text) + 1
         return Edit(source.span(line, end, line, end), f"  {directive}")
-    # No comment fits behind a line that goes on: it stands above the statement.
+    # No comment fits behind a line that goes on: it is put above the statement.
     above = max((start for start in statements if start <= line), default=line)
     indent = source.line(above)[: len(source.line(above)) - len(source.line(above).lstrip())]
     return Edit(source.span(above, 1, above, 1), f"{indent}{directive}\n")

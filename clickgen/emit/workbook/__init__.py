@@ -1,47 +1,30 @@
-"""The project as an Excel workbook: for the cabinet, the commissioning and the shelf.
-
-Each sheet is a function from the project to rows, in a file of its own; ``book.py`` writes them, ``looks.py`` says what
-they look like.
-"""
+"""The program as an Excel workbook: for the cabinet, the commissioning and the shelf."""
 
 from __future__ import annotations
 
-from clickgen.emit.workbook.cross_reference import cross_reference
-from clickgen.emit.workbook.memory import memory
-from clickgen.emit.workbook.memory_map import memory_map
-from clickgen.emit.workbook.overview import overview
-from clickgen.emit.workbook.points import inputs_and_outputs
-from clickgen.emit.workbook.project import Project
-from clickgen.emit.workbook.rungs import rungs
-from clickgen.emit.workbook.scratch import scratch
-from clickgen.emit.workbook.sheet import Sheet
-from clickgen.emit.workbook.stretches import stretches
-from clickgen.emit.workbook.tags import tags
-from clickgen.emit.workbook.timers import timers_and_counters
+import re
 
-__all__ = ["Project", "sheets", "workbook"]
+from clickgen.emit.built import BuiltProgram
+from clickgen.emit.writer import Writer
 
-_SHEETS = (
-    inputs_and_outputs,
-    tags,
-    cross_reference,
-    timers_and_counters,
-    memory,
-    stretches,
-    memory_map,
-    scratch,
-    rungs,
+
+def _workbook(built: BuiltProgram, _: str) -> bytes:
+    # A build makes no workbook and must not load what writes one.
+    from clickgen.emit.workbook.sheets import workbook
+
+    return workbook(built)
+
+
+def _is_own(data: bytes) -> bool:
+    from clickgen.emit.workbook.archive import is_ours
+
+    return is_ours(data)
+
+
+WRITER = Writer(
+    paths=lambda built: (f"{built.name}.xlsx",),
+    write=_workbook,
+    owns=re.compile(r"[^/]+\.xlsx"),
+    is_own=_is_own,
+    on_request=True,
 )
-
-
-def sheets(project: Project) -> tuple[Sheet, ...]:
-    """Every sheet in its order."""
-    others = tuple(sheet(project) for sheet in _SHEETS)
-    return (overview(project, others), *others)
-
-
-def workbook(project: Project) -> bytes:
-    """The workbook: the same project gives the same bytes."""
-    from clickgen.emit.workbook.book import to_bytes
-
-    return to_bytes(sheets(project), project.name)

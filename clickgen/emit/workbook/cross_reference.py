@@ -13,10 +13,10 @@ from typing import NamedTuple
 
 from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import UPPER_BYTE_BANKS, Address, points_of
-from clickgen.emit.listing import known_numbers
+from clickgen.emit.uses import RungUse, known_numbers
 from clickgen.emit.workbook.project import Project, listed
 from clickgen.emit.workbook.sheet import Cells, Column, Sheet
-from clickgen.facts.uses import Use, addresses_of
+from clickgen.facts.uses import addresses_of
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Immediate, Pointer, Range
 
@@ -75,7 +75,7 @@ class _Line(NamedTuple):
 
 def _rows(project: Project) -> Iterator[Cells]:
     lines = _Lines(project)
-    for use in project.uses.every:
+    for use in project.built.uses.every:
         lines.add(use)
     lines.add_long_ranges()
     for line, rungs in sorted(lines.found.items(), key=lambda item: item[0].order):
@@ -83,7 +83,7 @@ def _rows(project: Project) -> Iterator[Cells]:
         address = lines.addresses.get(key.text)
         yield (
             key.text,
-            project.names.nickname(address) if address else "",
+            project.built.names.nickname(address) if address else "",
             "read" if line.is_read else "written",
             line.routine,
             listed(rungs) if len(rungs) != 1 else rungs[0],
@@ -101,9 +101,9 @@ class _Lines:
     addresses: dict[str, Address] = field(default_factory=dict)
     _long: dict[tuple[str, bool], set[tuple[int, int]]] = field(default_factory=lambda: defaultdict(set))
 
-    def add(self, use: Use) -> None:
+    def add(self, use: RungUse) -> None:
         """The lines of one use: its operand, and every known address that a range or a word leads to."""
-        operand = use.operand.target if isinstance(use.operand, Immediate) else use.operand
+        operand = use.target
         if isinstance(operand, Cell):
             self._note(operand.address, use)
             self._add_points(operand, use, str(operand.address))
@@ -112,7 +112,7 @@ class _Lines:
         elif isinstance(operand, Pointer):
             self._put(_Key(Address(operand.bank, -1).sort_key, 0, operand_token(operand)), use)
 
-    def _add_range(self, operand: Range, use: Use) -> None:
+    def _add_range(self, operand: Range, use: RungUse) -> None:
         bank = operand.bank
         low, high = sorted((operand.first, operand.last))
         if low == high:
@@ -128,7 +128,7 @@ class _Lines:
         for number in numbers[bisect_left(numbers, low) : bisect_left(numbers, high + 1)]:
             self._note(Address(bank, number), use, text)
 
-    def _add_points(self, operand: Cell | Range, use: Use, text: str) -> None:
+    def _add_points(self, operand: Cell | Range, use: RungUse, text: str) -> None:
         """The known inputs or outputs that words hold."""
         if operand.bank in UPPER_BYTE_BANKS:
             for point in (point for word in addresses_of(operand) for point in points_of(word)):
@@ -145,22 +145,22 @@ class _Lines:
                 key = _Key.of(address, ", ".join(texts) + (f" and {more} more" if more else ""))
                 self.found[_Line(key, not is_written, "", "", "in a long range: see there")] = []
 
-    def _note(self, address: Address, use: Use, through: str = "") -> None:
+    def _note(self, address: Address, use: RungUse, through: str = "") -> None:
         key = _Key.of(address, through)
         self.addresses[key.text] = address
         self._put(key, use)
 
-    def _put(self, key: _Key, use: Use) -> None:
+    def _put(self, key: _Key, use: RungUse) -> None:
         source = self.project.line(use.operand.span)
-        line = _Line(key, not use.is_written, use.routine.name, source, _form(use))
+        line = _Line(key, not use.is_written, use.routine, source, _form(use))
         rungs = self.found.setdefault(line, [])
-        number = self.project.rung_of(use)
+        number = use.rung
         if not rungs or rungs[-1] != number:
             rungs.append(number)
 
     @cached_property
     def _known(self) -> Mapping[str, Sequence[int]]:
-        return known_numbers(self.project.names, (use.operand for use in self.project.uses.every))
+        return known_numbers(self.project.built.names, self.project.built.uses.every)
 
 
 def _range_text(bank: str, low: int, high: int) -> str:
@@ -183,7 +183,7 @@ def _covered(numbers: Sequence[int], ranges: set[tuple[int, int]]) -> Iterator[t
             yield number, list(islice(around, _SHOWN)), max(len(around) - _SHOWN, 0)
 
 
-def _form(use: Use) -> str:
+def _form(use: RungUse) -> str:
     """How an operand stands in a rung: ``NC contact``, ``comparison >=``, ``copy``, ``ctu input: rising edge``."""
     words = _leaf(use.leaf) if use.leaf else ""
     if use.action is not None:

@@ -67,7 +67,7 @@ def _longest_free(project: Project, bank: Bank) -> str:
 def pointers(project: Project) -> Mapping[str, list[str]]:
     """What is to be said of banks that pointers lead into: which of their cells, nobody sees here."""
     found: dict[tuple[str, bool], dict[str, None]] = defaultdict(dict)
-    for use in project.uses.every:
+    for use in project.built.uses.every:
         if isinstance(use.operand, Pointer):
             bank = use.operand.bank
             for name in (bank, WORD_TWINS.get(bank) or CURRENT_VALUE_OF.get(bank)):

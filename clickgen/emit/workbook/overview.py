@@ -19,7 +19,7 @@ def overview(project: Project, others: Sequence[Sheet]) -> Sheet:
     return Sheet(
         "Project",
         "What the project is, and what the other sheets hold.",
-        (Column("CLICK program", 34, wraps=True), Column(project.name, 100, wraps=True)),
+        (Column("CLICK program", 34, wraps=True), Column(project.built.name, 100, wraps=True)),
         _rows(project, others),
         has_filter=False,
     )
@@ -44,12 +44,12 @@ def _part(*titles: str) -> Iterator[Cells]:
 
 
 def _counts(project: Project) -> Iterator[Cells]:
-    for routine in project.routines:
+    for routine in project.built.routines:
         rows = sum(len(rung.grid) for rung in routine.rungs)
         yield routine.name, f"{counted(len(routine.rungs), 'rung')}, {counted(rows, 'row')}"
-    yield "Tags", sum(not row.is_default for row in project.rows)
-    if project.new:
-        yield "not in the address table yet", f"{project.new}: clickgen build writes them into it"
+    yield "Tags", sum(not row.is_default for row in project.built.rows)
+    if project.built.new:
+        yield "not in the address table yet", f"{project.built.new}: clickgen build writes them into it"
     for bank in GIVEN:
         states = project.states.count(bank)
         taken = states[State.USED] + states[State.SCRATCH]

@@ -33,7 +33,7 @@ def inputs_and_outputs(project: Project) -> Sheet:
 
 
 def _slot(project: Project, word: Address) -> Iterator[Cells]:
-    points = points_of(word)
+    points, built = points_of(word), project.built
     slot = f"{points[0]}-{points[-1]}"
     states = {project.states.at(point) for point in points}
     if states in ({State.FREE}, {State.RESERVED}):
@@ -43,7 +43,7 @@ def _slot(project: Project, word: Address) -> Iterator[Cells]:
     for point in points:
         state = project.states.at(point)
         look = Look.FAINT if state is State.FREE else Look.PLAIN
-        written, read = (project.places(uses) for uses in (project.uses.writes(point), project.uses.reads(point)))
-        nickname, comment = project.names.nickname(point), project.text_of(point) or project.spare_word(point)
+        written, read = (project.places(uses) for uses in (built.uses.writes(point), built.uses.reads(point)))
+        nickname, comment = built.names.nickname(point), project.text_of(point) or project.spare_word(point)
         texts = (slot, str(word), str(point), nickname, comment, state.words, written, read)
         yield tuple(Marked(text, look) for text in texts)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import zip_longest
 
-from clickgen.emit.listing import condition_lines, item_lines
+from clickgen.emit.rung_words import condition_lines, item_lines
 from clickgen.emit.workbook.project import Project
 from clickgen.emit.workbook.sheet import Cells, Column, Look, Marked, Sheet
 from clickgen.lower.split import ClickRung
@@ -31,7 +31,7 @@ def rungs(project: Project) -> Sheet:
 
 
 def _rows(project: Project) -> Iterator[Cells]:
-    for routine in project.routines:
+    for routine in project.built.routines:
         for number, rung in enumerate(routine.rungs, 1):
             comments = _portions(rung.comment.split("\n"), _COMMENT_WIDTH)
             ladders = _portions(_words(project, rung), _LADDER_WIDTH)
@@ -41,8 +41,8 @@ def _rows(project: Project) -> Iterator[Cells]:
 
 
 def _words(project: Project, rung: ClickRung) -> Iterator[str]:
-    yield from condition_lines("", rung.condition, project.names)
-    yield from item_lines("  ", rung.items, project.names)
+    yield from condition_lines("", rung.condition, project.built.names)
+    yield from item_lines("  ", rung.items, project.built.names)
 
 
 def _portions(lines: Iterable[str], width: int) -> Iterator[str]:

@@ -27,13 +27,13 @@ def scratch(project: Project) -> Sheet:
 
 
 def _rows(project: Project) -> Iterator[Cells]:
-    needed = {row.address for row in project.scratch}
-    rows = {row.address: row for row in (*filter(is_scratch, project.rows), *project.scratch)}
+    needed = {row.address for row in project.built.scratch}
+    rows = {row.address: row for row in (*filter(is_scratch, project.built.rows), *project.built.scratch)}
     for address in sorted(rows, key=lambda address: address.sort_key):
         row = rows[address]
         texts = (str(address), row.nickname, row.comment)
         if address in needed:
-            written, read = project.uses.writes(address), project.uses.reads(address)
+            written, read = project.built.uses.writes(address), project.built.uses.reads(address)
             yield *texts, project.places(written), project.places(read)
         else:
             yield tuple(Marked(text, Look.FAINT) for text in (*texts, "not needed now", ""))

@@ -10,8 +10,9 @@ from itertools import groupby
 from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address, Bank
+from clickgen.emit.uses import RungUse
 from clickgen.emit.workbook.sheet import Look
-from clickgen.facts.uses import Uses, extents_of
+from clickgen.facts.uses import extents_of
 from clickgen.table.rows import Row, is_scratch
 
 
@@ -55,7 +56,9 @@ class States:
     _by_bank: Mapping[str, list[State]]
 
     @staticmethod
-    def of(rows: Iterable[Row], blocks: Iterable[Address], reserved: Iterable[Address], uses: Uses) -> States:
+    def of(
+        rows: Iterable[Row], blocks: Iterable[Address], reserved: Iterable[Address], uses: Iterable[RungUse]
+    ) -> States:
         return States(_states(tuple(rows), blocks, reserved, uses))
 
     def at(self, address: Address) -> State:
@@ -75,7 +78,7 @@ class States:
 
 
 def _states(
-    rows: tuple[Row, ...], blocks: Iterable[Address], reserved: Iterable[Address], uses: Uses
+    rows: tuple[Row, ...], blocks: Iterable[Address], reserved: Iterable[Address], uses: Iterable[RungUse]
 ) -> dict[str, list[State]]:
     states = {bank.name: [State.FREE] * (bank.last + 1) for bank in GIVEN}
 
@@ -90,7 +93,7 @@ def _states(
     mark((row.address for row in rows if not row.is_default), State.NAMED)
     mark(blocks, State.BLOCK)
     mark((row.address for row in rows if row.nickname), State.NAMED)
-    for name, first, last in {extent for use in uses.every for extent in extents_of(use.operand)}:
+    for name, first, last in {extent for use in uses for extent in extents_of(use.operand)}:
         bank = CURRENT_VALUE_OF.get(name, name)
         if bank in states:
             states[bank][first : last + 1] = [State.USED] * (last - first + 1)

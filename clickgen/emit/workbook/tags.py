@@ -31,7 +31,7 @@ def tags(project: Project) -> Sheet:
 
 
 def _rows(project: Project) -> Iterator[Cells]:
-    for row in sorted(project.rows, key=lambda row: row.address.sort_key):
+    for row in sorted(project.built.rows, key=lambda row: row.address.sort_key):
         if not row.is_default:
             retentive = "Yes" if row.retentive else "No"
             kind = row.address.kind.value

@@ -43,7 +43,7 @@ def timers_and_counters(project: Project) -> Sheet:
 
 def _rows(project: Project) -> Iterator[Cells]:
     found: list[tuple[Address, Cells]] = []
-    for routine in project.routines:
+    for routine in project.built.routines:
         for number, rung in enumerate(routine.rungs, 1):
             for action in rung.actions:
                 for name in ("timer", "counter"):
@@ -57,7 +57,7 @@ def _rows(project: Project) -> Iterator[Cells]:
 def _line(project: Project, action: Action, bit: Address) -> Cells:
     return (
         str(bit),
-        project.names.nickname(bit),
+        project.built.names.nickname(bit),
         _kind(project, action, bit),
         *_setpoint(project, action),
         _unit(action),
@@ -69,7 +69,7 @@ def _line(project: Project, action: Action, bit: Address) -> Cells:
 
 def _kind(project: Project, action: Action, bit: Address) -> str:
     """The instruction of the source; what clickgen built an rtof from says so in its scratch bits."""
-    is_rtof = any(row.comment.startswith(f"rtof {bit}: ") for row in project.scratch)
+    is_rtof = any(row.comment.startswith(f"rtof {bit}: ") for row in project.built.scratch)
     return "rtof" if is_rtof else action.spec.name
 
 
@@ -79,8 +79,8 @@ def _setpoint(project: Project, action: Action) -> tuple[Value, Value]:
     if isinstance(setpoint, Integer):
         return setpoint.value, None
     assert isinstance(setpoint, Operand)
-    row = project.by_address.get(setpoint.address) if isinstance(setpoint, Cell) else None
-    return project.names.show(setpoint), initial(row) if row else None
+    row = project.built.by_address.get(setpoint.address) if isinstance(setpoint, Cell) else None
+    return project.built.names.show(setpoint), initial(row) if row else None
 
 
 def _unit(action: Action) -> str:
@@ -93,5 +93,5 @@ def _pin(project: Project, action: Action, name: str) -> str:
     if all(param.name != name for param in action.spec.pins):
         return ""
     condition = action.pin(name)
-    words = condition_words(condition, project.names.show) if condition else f"never ({NEVER_CONTACT})"
+    words = condition_words(condition, project.built.names.show) if condition else f"never ({NEVER_CONTACT})"
     return words if len(words) <= _WORDS_MAX else words[:_WORDS_MAX] + "... (see the rung)"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import unicodedata
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from typing import TextIO
@@ -65,11 +64,17 @@ class Renderer:
         return f"\x1b[{style}m{text}\x1b[0m" if self._color and text else text
 
 
+_NARROW = "\u0300"
+"""Before the first combining mark, every character takes one column."""
+
+
 def _width(text: str) -> int:
     """The columns that a text takes in a terminal."""
-    if text.isascii():
+    if text.isascii() or max(text) < _NARROW:
         return len(text)
-    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
+    from rich.cells import cell_len
+
+    return cell_len(text)
 
 
 _NOUNS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}

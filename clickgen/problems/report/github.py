@@ -9,7 +9,7 @@ from clickgen.problems.diagnostics import Diagnostic
 from clickgen.problems.report import Report, message_of, shown_path
 from clickgen.problems.report.frames import summary
 from clickgen.text.source import Span
-from clickgen.text.wording import printable
+from clickgen.text.wording import escaped, printable
 
 LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
 LIMIT = 10
@@ -50,7 +50,7 @@ def _properties(finding: Diagnostic) -> dict[str, str]:
 
 
 def _place(span: Span) -> Iterator[tuple[str, str]]:
-    yield "file", shown_path(span.path)
+    yield "file", escaped(shown_path(span.path))
     yield "line", str(span.line)
     yield "endLine", str(max(span.line, span.end_line))
     # The runner takes no columns for several lines (ValidateLinesAndColumns in ActionCommandManager.cs of
@@ -65,7 +65,7 @@ def _text(finding: Diagnostic) -> str:
     lines = [message_of(finding)]
     for label in finding.labels:
         here = finding.span and label.span.path == finding.span.path
-        place = f"line {label.span.line}" if here else f"{shown_path(label.span.path)}:{label.span.line}"
+        place = f"line {label.span.line}" if here else f"{escaped(shown_path(label.span.path))}:{label.span.line}"
         lines.append(f"note: {label.text} ({place})")
     if finding.help:
         lines.append(f"help: {finding.help}")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
@@ -26,20 +26,31 @@ CODE = "CG557"
 def check(facts: Facts, problems: Diagnostics) -> None:
     said: set[Address] = set()
     for placed in facts.actions:
+        lost: dict[Address, Span] = {}
         for address, span in _cleared(facts, placed):
             bit = Address(CURRENT_VALUE_OF.get(address.bank, address.bank), address.number, address.upper)
             if bit not in said and facts.is_retentive(bit) and _is_meant(facts, bit):
                 said.add(bit)
-                name, bank = facts.nickname(bit) or "Total", bit.bank.lower()
-                written = f"{bank}.{name}" if name.isidentifier() else f'{bank}["{name}"]'
-                problems.add(
-                    CODE,
-                    span,
-                    f"{facts.shown(bit)} is retentive and cleared here in the first scan: what it kept is lost at "
-                    "every power-up",
-                    f"clear it on a condition of its own to keep the value; where it is to begin anew, declare that: "
-                    f" nickname({written}, {bank}[{bit.number}], retentive=False)",
-                )
+                lost[bit] = span
+        if lost:
+            _report(facts, problems, lost)
+
+
+def _report(facts: Facts, problems: Diagnostics, lost: Mapping[Address, Span]) -> None:
+    """One finding for all that one instruction clears."""
+    first, span = next(iter(lost.items()))
+    name, bank = facts.nickname(first) or "Total", first.bank.lower()
+    written = f"{bank}.{name}" if name.isidentifier() else f'{bank}["{name}"]'
+    one = len(lost) == 1
+    are, they, them = ("is", "it", "it") if one else ("are", "they", "them")
+    problems.add(
+        CODE,
+        span,
+        f"{facts.listed([*lost])} {are} retentive and cleared here in the first scan: what {they} kept is lost at "
+        "every power-up",
+        f"clear {them} on a condition of its own to keep the value; where {they} {are} to begin anew, declare that"
+        f"{'' if one else ' for each'}:  nickname({written}, {bank}[{first.number}], retentive=False)",
+    )
 
 
 def _cleared(facts: Facts, placed: Placed) -> Iterator[tuple[Address, Span]]:
@@ -73,7 +84,10 @@ def _is_meant(facts: Facts, address: Address) -> bool:
     if address.bank == "CT" or not BANKS[address.bank].retentive:
         return True
     declared = facts.declared.get(address)
-    in_block = any(block.retentive and address in block.range.addresses() for block in facts.program.blocks)
+    in_block = any(
+        block.retentive and block.range.bank == address.bank and block.range.first <= address.number <= block.range.last
+        for block in facts.program.blocks
+    )
     return bool(declared and declared.retentive) or in_block
 
 
@@ -93,6 +107,16 @@ CLICK makes them so are left alone: to clear a step in the first scan is good pr
             """
 if re(x.Part):
     ctu(ct.Parts, 1000).reset(any(c.NewBatch, sc._1st_SCAN))  # <-
+"""
+        ),
+        Wrong(
+            """
+if sc._1st_SCAN:
+    copy_fill(0, ctd[10:20])  # <-
+if re(x.Part):
+    ctu(ct[10], 1000).reset(c.NewBatch)
+if re(x.Bad):
+    ctu(ct[11], 1000).reset(c.NewBatch)
 """
         ),
         Wrong(

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from functools import cached_property
 from typing import NamedTuple
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import STARTING, Facts, Placed
+from clickgen.facts.idle import never_run
 from clickgen.facts.pulses import Pulses
 from clickgen.facts.uses import addresses_of
 from clickgen.instructions.coils import OUT, RESET, SET
+from clickgen.ir.operands import Cell, Immediate, form_of
 from clickgen.ir.walk import condition_operands
+from clickgen.logic.conditions import are_exclusive, implies, looked_at
 from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.advice.double_coils import never_run
 from clickgen.rules.rule import Rule, Wrong
 
 CODE = "CG543"
@@ -30,80 +33,153 @@ class _Latch(NamedTuple):
     """True where it is one of several bits that one instruction sets or resets."""
 
 
+class _Loss(NamedTuple):
+    """A latch that a coil undoes."""
+
+    bit: Address
+    coil: Placed
+    latch: Placed
+    is_later: bool
+    """True when the latch comes after the coil."""
+    is_held: bool
+    """True for a reset that works for as long as its rung is on."""
+
+
 def check(facts: Facts, problems: Diagnostics) -> None:
     coils: dict[Address, list[tuple[Placed, int]]] = defaultdict(list)
-    latches: dict[Address, list[_Latch]] = defaultdict(list)
     idle = never_run(facts)
     for at, placed in enumerate(facts.actions):
-        if placed.spec not in (OUT, SET, RESET) or id(placed.action) in idle:
-            continue
-        bits = addresses_of(placed.action.args["address"])
-        for bit in bits:
-            if placed.spec is OUT:
+        if placed.spec is OUT and id(placed.action) not in idle:
+            for bit in addresses_of(placed.action.args["address"]):
                 coils[bit].append((placed, at))
-            else:
-                latches[bit].append(_Latch(placed, at, len(bits) > 1))
-    said: set[tuple[int, int]] = set()
-    pulses = Pulses(facts)
-    for bit in coils.keys() & latches.keys():
-        for coil, at in coils[bit][:_MANY]:
-            lost = next((one for one in latches[bit][:_MANY] if _is_lost(facts, pulses, bit, coil, at, one)), None)
-            if lost is None:
-                continue
-            pair = id(coil.action), id(lost.placed.action)
-            if pair not in said:
-                said.add(pair)
-                _report(facts, problems, bit, coil, lost.placed, is_later=lost.at > at)
-            break
+    latches: dict[Address, list[_Latch]] = defaultdict(list)
+    for at, placed in enumerate(facts.actions):
+        if placed.spec in (SET, RESET) and id(placed.action) not in idle:
+            bits = addresses_of(placed.action.args["address"])
+            for bit in bits:
+                if bit in coils:
+                    latches[bit].append(_Latch(placed, at, len(bits) > 1))
+    judge = _Judge(facts)
+    # A range is spoken of once, with all bits in which it is undone, a single bit once with each coil.
+    losses: dict[tuple[int, ...], list[_Loss]] = defaultdict(list)
+    for bit, own in coils.items():
+        for coil, at in own[:_MANY] if bit in latches else ():
+            for latch in latches[bit][:_MANY]:
+                loss = judge.loss(bit, coil, at, latch)
+                if loss is not None:
+                    action = id(latch.placed.action)
+                    losses[(action,) if latch.is_range else (action, id(coil.action))].append(loss)
+                    break
+    for group in losses.values():
+        _report(facts, problems, group)
 
 
-def _is_lost(facts: Facts, pulses: Pulses, bit: Address, coil: Placed, at: int, latch: _Latch) -> bool:
-    """True where out undoes what the latch does, in the same scan or in the next one."""
-    placed = latch.placed
-    if placed.depends_only_on(STARTING) or not _runs_with(facts, coil, placed):
+class _Judge:
+    """Says which latches a coil undoes."""
+
+    def __init__(self, facts: Facts) -> None:
+        self._facts, self._pulses = facts, Pulses(facts)
+        self._reset: dict[Address, bool] = {}
+
+    def loss(self, bit: Address, coil: Placed, at: int, latch: _Latch) -> _Loss | None:
+        """How out undoes the latch, in the same scan or in a later one; None where the two work together."""
+        facts, placed = self._facts, latch.placed
+        if placed.depends_only_on(STARTING) or not self._runs_with(coil, placed):
+            return None
+        # A coil that seals itself in takes up what the latch did.
+        if any(bit in addresses_of(operand) for way in facts.ways_to(coil) for operand in condition_operands(way)):
+            return None
+        loss = _Loss(bit, coil, placed, latch.at > at, False)
+        is_short = self._has_pulse(placed)
+        if latch.at < at:
+            is_lost = placed.spec is SET or not latch.is_range or bit.bank == "Y" or not self._serves_others(placed)
+        elif placed.spec is SET:
+            # Below the coil a level overrides it for as long as it is there: a lamp test.
+            is_lost = is_short or not latch.is_range or self._is_reset(bit)
+        else:
+            is_lost = is_short
+            if not is_short and not latch.is_range and self._is_by_inputs(placed) and not self._has_pulse(coil):
+                is_answered = are_exclusive(placed.condition, *facts.ways_to(coil)) or self._is_answered(coil, placed)
+                is_lost = not is_answered
+                loss = loss._replace(is_held=True)
+        return loss if is_lost else None
+
+    def _is_answered(self, coil: Placed, latch: Placed) -> bool:
+        """True where what turns the coil off also takes away what the coil waits for: it does not come on again."""
+        for address in looked_at(coil.condition):
+            for writer in self._facts.writers(address) if isinstance(address, Address) else ():
+                if writer.spec not in (OUT, SET) and implies(latch.condition, writer.condition):
+                    return True
         return False
-    # A coil that seals itself in takes up what the latch did.
-    if any(bit in addresses_of(operand) for way in facts.ways_to(coil) for operand in condition_operands(way)):
-        return False
-    if latch.at < at:
-        return not latch.is_range or placed.spec is SET
-    # Below the coil a level overrides it for as long as it is there: an interlock, a lamp test.
-    is_short = pulses.has(placed.condition, placed.routine)
-    if placed.spec is RESET:
-        return is_short
-    resets = (writer for writer in facts.writers(bit) if writer.spec is RESET and not writer.depends_only_on(STARTING))
-    is_reset = any(len(addresses_of(writer.action.args["address"])) == 1 for writer in resets)
-    return is_short or is_reset or not latch.is_range
+
+    def _runs_with(self, coil: Placed, placed: Placed) -> bool:
+        """True where both are in one routine, or where the coil runs in every scan and the latch may run in the same.
+
+        An output that several routines drive is CG522's. A reset in another routine turns off what a subroutine that is
+        no longer called has left on.
+        """
+        facts = self._facts
+        if coil.routine is placed.routine:
+            return coil.routine.name not in facts.left_early
+        if addresses_of(coil.action.args["address"])[0].bank == "Y" or facts.sometimes(coil.routine) is not None:
+            return False
+        return (placed.spec is SET or self._has_pulse(placed)) and not facts.run_apart(coil.routine, placed.routine)
+
+    def _has_pulse(self, placed: Placed) -> bool:
+        return self._pulses.has(placed.condition, placed.routine)
+
+    def _is_by_inputs(self, placed: Placed) -> bool:
+        """True for a condition of inputs alone: the rung goes off when the button is let go."""
+        operands = list(condition_operands(self._facts.seen_through(placed.condition)))
+        return bool(operands) and all(form_of(operand) == "X" for operand in operands)
+
+    def _is_reset(self, bit: Address) -> bool:
+        """True where something resets this bit alone."""
+        if bit not in self._reset:
+            resets = (one for one in self._facts.writers(bit) if one.spec is RESET)
+            alone = (one for one in resets if isinstance(_target(one), Cell))
+            self._reset[bit] = any(not one.depends_only_on(STARTING) for one in alone)
+        return self._reset[bit]
+
+    def _serves_others(self, reset: Placed) -> bool:
+        """True where a reset of a range has bits to turn off that something else than out turns on."""
+        return not self._latched.isdisjoint(addresses_of(reset.action.args["address"]))
+
+    @cached_property
+    def _latched(self) -> frozenset[Address]:
+        """The bits that something else than out and reset writes."""
+        return frozenset(
+            address
+            for use in self._facts.uses.every
+            if use.is_written and use.action and use.action.spec not in (OUT, RESET)
+            for address in addresses_of(use.operand)
+        )
 
 
-def _runs_with(facts: Facts, coil: Placed, latch: Placed) -> bool:
-    """True where both are in one routine, or where the coil runs in every scan and the latch may run in the same one.
-
-    An output that several routines drive is CG522's. A reset in another routine turns off what a subroutine that is no
-    longer called has left on.
-    """
-    if coil.routine is latch.routine:
-        return coil.routine.name not in facts.left_early
-    if latch.spec is RESET or addresses_of(coil.action.args["address"])[0].bank == "Y":
-        return False
-    return facts.sometimes(coil.routine) is None and not facts.run_apart(coil.routine, latch.routine)
+def _target(placed: Placed) -> object:
+    operand = placed.action.args["address"]
+    return operand.target if isinstance(operand, Immediate) else operand
 
 
-def _report(facts: Facts, problems: Diagnostics, bit: Address, coil: Placed, latch: Placed, is_later: bool) -> None:
-    name, word = facts.shown(bit), latch.spec.name
-    here, there = (latch, coil) if is_later else (coil, latch)
-    place = there.action.span.seen_from(here.action.span)
-    if is_later:
-        fault = f"{word} does not hold {name}: out in {place} writes it again in every scan"
-    else:
-        fault = f"this out writes {name} in every scan, so {word} in {place} does not hold it"
-    problems.add(
-        CODE,
-        here.action.span,
-        f"{fault}, {'off while its rung is off' if latch.spec is SET else 'on while its rung is on'}",
-        "drive the bit by set and reset alone, or by one out that seals itself in, or give the latch a bit of its own",
-        (Label(there.action.span, f"{there.spec.name} is here"),),
+def _report(facts: Facts, problems: Diagnostics, losses: list[_Loss]) -> None:
+    _, coil, latch, is_later, is_held = losses[0]
+    bits = list(dict.fromkeys(loss.bit for loss in losses))
+    others = len({id(loss.coil.action) for loss in losses}) - 1
+    name, it, word = facts.listed(bits), "it" if len(bits) == 1 else "them", latch.spec.name
+    here, there = (latch, coil) if is_later or others else (coil, latch)
+    place = there.action.span.seen_from(here.action.span) + (f" and {others} more" if others else "")
+    state = "off while its rung is off" if latch.spec is SET else "on while its rung is on"
+    help = (
+        "drive the bit by set and reset alone, or by one out that seals itself in, or give the latch a bit of its own"
     )
+    if is_held:
+        fault = f"reset holds {name} off only while its rung is on: out in {place} turns it on again after that"
+        help = "put the condition into the rung of the out, negated, or reset what the out waits for too"
+    elif here is latch:
+        fault = f"{word} does not hold {name}: out in {place} writes {it} again in every scan, {state}"
+    else:
+        fault = f"this out writes {name} in every scan, so {word} in {place} does not hold {it}, {state}"
+    problems.add(CODE, here.action.span, fault, help, (Label(there.action.span, f"{there.spec.name} is here"),))
 
 
 RULE = Rule(
@@ -118,10 +194,14 @@ while it is pressed, the alarm goes off by itself.
 Drive the bit by `set` and `reset` alone, by one `out` that seals itself in, or give the latch a bit of its own and put
 that into the rung of the `out`.
 
+A `reset` below the `out` holds for as long as its rung is on. A button lets go, and the motor starts again by itself.
+
 The rule is silent where the two work together: an `out` that looks at its own bit takes up what was set or reset; a
-`reset` below the `out` that stays on is an interlock, and a `set` of several bits there that nothing resets is a lamp
-test; what only the first scan does prepares the bit. It is silent too about a bit that a subroutine drives and another
-routine turns off: `out` in a subroutine that is not called leaves its bit as it is.
+`reset` below the `out` is an interlock where more than inputs decide it, where it is a range that is kept off for as
+long as an emergency stop is pressed, and where it also takes away what the `out` waits for; a `set` of several bits
+there that nothing resets is a lamp test; a `reset` of several C bits above the `out` is there for those that
+something else turns on; what only the first scan does prepares the bit. It is silent too about a bit that a
+subroutine drives and another routine turns off: `out` in a subroutine that is not called leaves its bit as it is.
 """,
     wrong=(
         Wrong(
@@ -155,6 +235,43 @@ if x.Acknowledge:
 
 if x.Overload:
     out(c.Alarm)  # <-
+"""
+        ),
+        Wrong(
+            """
+if x.EmergencyStop:
+    reset(y[1:17])  # <-
+
+if c.Run:
+    out(y[1])
+
+if c.Jog:
+    out(y[2])
+
+if c.Fill:
+    out(c.ValveOpen)
+
+if x.Stop:
+    reset(c.ValveOpen)  # <-
+"""
+        ),
+        Wrong(
+            """
+def main():
+    if re(x.Acknowledge):
+        reset(c.Alarm)
+    if True:
+        call(alarms)
+    if True:
+        end()
+
+
+@sub
+def alarms():
+    if x.Overload:
+        out(c.Alarm)  # <-
+    if True:
+        return
 """
         ),
     ),
@@ -191,6 +308,26 @@ if x.EmergencyStop:
 
 if x.LampTest:
     set(y[1:5])
+""",
+        """
+if x.Clear:
+    reset(c[1:9])
+if re(x.Start):
+    set(c[1])
+if x.Near:
+    out(c[2])
+if c.Wanted:
+    out(y.Valve)
+    out(y.Heater)
+if nc(x.TankFull):
+    out(y.Pump)
+if x.TankFull:
+    reset(y.Pump)
+if x.Stop:
+    reset(y.Valve)
+    reset(c.Wanted)
+if c.Tripped:
+    reset(y.Heater)
 """,
         """
 def main():

@@ -8,6 +8,7 @@ from itertools import product
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import STARTING, Facts, Placed
+from clickgen.facts.idle import never_run
 from clickgen.facts.uses import addresses_of
 from clickgen.instructions import communication, drums
 from clickgen.instructions.coils import OUT, RESET, SET
@@ -19,7 +20,6 @@ from clickgen.ir.program import Action, actions_in
 from clickgen.ir.walk import leaves
 from clickgen.logic.conditions import are_exclusive, terms_of
 from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.advice.double_coils import never_run
 from clickgen.rules.rule import Rule, Wrong
 
 CODE = "CG546"

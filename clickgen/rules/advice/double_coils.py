@@ -6,10 +6,10 @@ from collections import defaultdict
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts, Placed
+from clickgen.facts.idle import never_run
 from clickgen.facts.uses import addresses_of
 from clickgen.instructions.coils import OUT
 from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.advice.unreached_rung import unreached
 from clickgen.rules.rule import Rule, Wrong
 
 # click-facts [coil.two-outs]
@@ -41,15 +41,6 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 break
         for address in bits:
             driven[address].append(placed)
-
-
-def never_run(facts: Facts) -> set[int]:
-    """The coils that decide nothing, by id: of subroutines that nothing calls, and behind an end() or return."""
-    idle = {id(missed.action) for routine in facts.program.routines for missed in unreached(routine.rungs)}
-    if facts.program.main is None:  # A part of a program: what runs, another file says.
-        return idle
-    uncalled = (one for one in facts.actions if not one.routine.is_main and one.routine.name not in facts.calls)
-    return idle | {id(placed.action) for placed in uncalled}
 
 
 RULE = Rule(

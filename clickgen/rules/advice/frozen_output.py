@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator
 
 from clickgen.device.banks import Address, current_value
-from clickgen.device.system import ALWAYS_ON
-from clickgen.facts.facts import Facts, Placed, Site
+from clickgen.facts.facts import Facts, Placed
+from clickgen.facts.meanwhile import Watch
 from clickgen.facts.uses import addresses_of
 from clickgen.instructions.coils import OUT
-from clickgen.instructions.timers import TOF, TON
-from clickgen.ir.conditions import All, Always, Any, Condition, Contact
+from clickgen.instructions.drums import SPECS as DRUMS
+from clickgen.instructions.spec import Spec
+from clickgen.instructions.timers import RTOF, RTON, TOF, TON
+from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine
-from clickgen.ir.walk import condition_operands
-from clickgen.logic.conditions import implies
+from clickgen.ir.reach import touches
+from clickgen.logic.conditions import are_exclusive, can_hold, implies
 from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.rules.rule import Rule, Wrong
 
@@ -29,11 +30,12 @@ _Frozen = list[tuple[Placed, Address]]
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
-    watch = _Watch(facts)
+    watch = Watch(facts)
     for routine in facts.program.subroutines:
         if routine.name not in watch.sometimes:
             continue
         outputs, timers = [*_outputs(facts, watch, routine)], [*_timers(facts, watch, routine)]
+        lasting = [*_lasting_timers(facts, watch, routine)]
         if outputs:
             named = facts.listed(_bits(outputs))
             stay, left, on = ("stays", "it", "it was") if len(_bits(outputs)) == 1 else ("stay", "them", "they were")
@@ -48,101 +50,71 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             )
             help = "put the timer into a rung that every scan looks at, with the condition of the call in its own"
             _report(facts, problems, routine, timers, fault, help)
+        if lasting:
+            named = facts.listed(_bits(lasting))
+            count, reset = ("counts", "resets") if len(_bits(lasting)) == 1 else ("count", "reset")
+            fault = f"while {routine.name} is not called, {named} neither {count} nor {reset}"
+            help = "put the timer into a rung that every scan looks at, with the condition of the call in its own"
+            _report(facts, problems, routine, lasting, fault, help)
 
 
 def _bits(frozen: _Frozen) -> list[Address]:
     return list(dict.fromkeys(bit for _, bit in frozen))
 
 
-def _outputs(facts: Facts, watch: _Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
+def _outputs(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
     for placed in facts.actions_of(routine):
-        if placed.spec is not OUT:
+        if placed.spec not in (OUT, *DRUMS):
             continue
-        for bit in addresses_of(placed.action.args["address"]):
-            # Whoever else writes it may turn it off.
-            writers = facts.writers(bit)
-            if any(one.spec is not OUT or one.routine is not routine for one in writers):
+        for bit in _driven(placed):
+            if facts.uses.is_pointed(bit.bank, is_written=True) or watch.is_written_meanwhile(bit, routine):
                 continue
             # It is called for as long as its output is on.
-            is_held = implies(Contact(Cell(bit, routine.span), routine.span), watch.sometimes[routine.name])
-            if is_held or facts.uses.is_pointed(bit.bank, is_written=True):
+            if implies(Contact(Cell(bit, routine.span), routine.span), watch.sometimes[routine.name]):
                 continue
-            if bit.bank == "Y" or watch.is_felt(bit, routine):
+            if bit.bank == "Y" or watch.is_felt(bit, routine) or watch.is_taken_up(bit, placed):
                 yield placed, bit
 
 
-def _timers(facts: Facts, watch: _Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
-    when = watch.sometimes[routine.name]
-    for placed in facts.actions_of(routine):
-        timer = placed.action.args.get("timer")
-        if placed.spec not in (TON, TOF) or not isinstance(timer, Cell):
-            continue
+def _driven(placed: Placed) -> list[Address]:
+    """The bits that an out or a drum turns on and off."""
+    if placed.spec is OUT:
+        return addresses_of(placed.action.args["address"])
+    operands = (touch.operand for touch in touches(placed.action) if touch.param.name == "outputs")
+    return [bit for operand in operands for bit in addresses_of(operand)]
+
+
+def _timers(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
+    for placed, timer in _timers_of(facts, routine, (TON, TOF)):
         bit, value = timer.address, current_value(timer.address)
-        # Whoever writes the current value starts it anew; a timer that looks at its own bit restarts by itself.
-        if any(one.action is not placed.action for one in facts.writers(value)):
+        # A timer that looks at its own bit restarts by itself.
+        if implies(placed.condition, Contact(timer, timer.span, negated=True)):
             continue
-        is_own_reset = implies(placed.condition, Contact(timer, timer.span, negated=True))
-        if is_own_reset or facts.uses.is_pointed("TD", is_written=True):
-            continue
-        starts_with_call = placed.spec is TON and (placed.is_unconditional or implies(when, placed.condition))
         is_used = bool(facts.uses.reads(bit) or facts.uses.reads(value))
-        if (starts_with_call and is_used) or watch.is_felt(bit, routine) or watch.is_felt(value, routine):
+        if is_used and not watch.is_stopped_meanwhile(placed):
             yield placed, bit
 
 
-class _Watch:
-    """Who feels it that a bit or value stands still while a subroutine is not called."""
-
-    def __init__(self, facts: Facts) -> None:
-        self._facts = facts
-        found = ((routine.name, facts.sometimes(routine)) for routine in facts.program.subroutines)
-        self.sometimes: dict[str, Any] = {name: condition for name, condition in found if condition}
-        """When each subroutine is called that is not called in every scan."""
-        self._sites: dict[Address, list[Site]] = defaultdict(list)
-        for site in facts.sites:
-            for address in {one for operand in condition_operands(site.condition) for one in addresses_of(operand)}:
-                self._sites[address].append(site)
-
-    def is_felt(self, address: Address, routine: Routine) -> bool:
-        """True where something outside the subroutine looks at an address also while the subroutine is not called."""
-        when = self.sometimes[routine.name]
-        for use in self._facts.uses.reads(address):
-            if use.routine is not routine and use.leaf is None:
-                placed = self._facts.place_of(use.action) if use.action else None
-                if placed is None or not implies(All(self._way(placed.routine, placed.condition), routine.span), when):
-                    return True
-        return any(
-            site.routine is not routine and self._makes_a_difference(address, site, when)
-            for site in self._sites.get(address, ())
-        )
-
-    def _makes_a_difference(self, address: Address, site: Site, when: Any) -> bool:
-        way = All(self._way(site.routine, *site.above, site.condition), site.condition.span)
-        if implies(way, when):
-            return False
-        on, off = _with(way, address, True), _with(way, address, False)
-        if on is None or off is None:
-            return True
-        return not implies(on, Any((when, off), way.span)) or not implies(off, Any((when, on), way.span))
-
-    def _way(self, routine: Routine, *conditions: Condition) -> tuple[Condition, ...]:
-        call = self.sometimes.get(routine.name)
-        return (*conditions, call) if call else conditions
+def _lasting_timers(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
+    """The retentive timers that somebody watches while they wait, or whose reset waits for the subroutine to end."""
+    when = watch.sometimes[routine.name]
+    for placed, timer in _timers_of(facts, routine, (RTON, RTOF)):
+        bit, reset = timer.address, placed.action.pin("reset")
+        is_felt = watch.is_felt(bit, routine) or watch.is_felt(current_value(bit), routine)
+        if is_felt or (reset is not None and can_hold(reset) and are_exclusive(when, reset)):
+            yield placed, bit
 
 
-def _with(condition: Condition, bit: Address, is_on: bool) -> Condition | None:
-    """A condition with a bit that stands still, on or off; None where it looks at the address as a value."""
-    if isinstance(condition, All | Any):
-        terms = [_with(term, bit, is_on) for term in condition.terms]
-        known = [term for term in terms if term is not None]
-        return type(condition)(tuple(known), condition.span) if len(known) == len(terms) else None
-    if not any(bit in addresses_of(operand) for operand in condition_operands(condition)):
-        return condition
-    if not isinstance(condition, Contact) or not isinstance(condition.operand, Cell):
-        return None
-    if not condition.edge and is_on is not condition.negated:
-        return Always(condition.span)
-    return Contact(Cell(ALWAYS_ON, condition.span), condition.span, negated=True)
+def _timers_of(facts: Facts, routine: Routine, specs: tuple[Spec, ...]) -> Iterator[tuple[Placed, Cell]]:
+    """The timers of a routine whose current values nothing else writes."""
+    for placed in facts.actions_of(routine):
+        timer = placed.action.args.get("timer")
+        if placed.spec not in specs or not isinstance(timer, Cell):
+            continue
+        # Whoever writes the current value starts it anew.
+        others = (one for one in facts.writers(current_value(timer.address)) if one.action is not placed.action)
+        if not any(others) and not facts.uses.is_pointed("TD", is_written=True):
+            yield placed, timer
 
 
 def _report(facts: Facts, problems: Diagnostics, routine: Routine, frozen: _Frozen, fault: str, help: str) -> None:
@@ -157,16 +129,28 @@ RULE = Rule(
     check,
     """
 Rungs of a subroutine that is not called are not looked at. An `out` there writes nothing then, not even off: its bit
-stays as the last call left it, and the motor runs on after the mode was switched. A timer there neither counts nor
-resets: with the next call it goes on from where it was, or is over at once because its bit never went off.
+stays as the last call left it, and the motor runs on after the mode was switched. The outputs of a drum do the same. A
+timer there neither counts nor resets: with the next call it goes on from where it was, or is over at once because its
+bit never went off.
 
 Drive outputs in a rung that every scan looks at, from bits that tell what the subroutine wants and that are reset where
 it is not called. Put the timer beside the call, with the condition of the call in its rung.
 
-The rule is silent where anything else writes the bit, such as a `reset` in main or another subroutine with an `out`, or
-writes the current value of the timer, and where the bit itself keeps the subroutine called. It is silent about C bits
-and timers that only the subroutine looks at, unless the timer starts with the call; about retentive timers, which are
-meant to wait; and about a timer that restarts itself.
+The rule goes by the harm:
+
+- A Y stays on, whoever looks at it.
+- A C bit matters where a rung looks at it while the subroutine is not called, and where nothing in the program reads
+  it: then it is for a panel. A bit that only its own subroutine reads matters where the next call looks at it before it
+  is written anew. A coil that seals itself in starts by itself then.
+- `ton` and `tof` go on from where they were, which makes the next delay too short, also where only their own subroutine
+  reads them.
+- `rton` and `rtof` are meant to wait. They matter where something outside looks at them, because their reset does not
+  work in the meantime, and where the reset is one that never comes while the subroutine is called.
+
+The rule is silent where something outside writes the bit while the subroutine is not called, such as a `reset` in main,
+or writes the current value of the timer; where the subroutine resets the bit and ends its own calls; where something
+outside turns off what a `ton` waits for; where the bit itself keeps the subroutine called; and about a timer that
+restarts itself.
 """,
     wrong=(
         Wrong(
@@ -209,6 +193,62 @@ def soak():
         return
 """
         ),
+        Wrong(
+            """
+def main():
+    if c.Auto:
+        call(automatic)
+    if all(c.Auto, c.Running):
+        out(y.Motor)
+    if t.Worn:
+        out(y.Lamp)
+    if True:
+        end()
+
+
+@sub
+def automatic():
+    if all(any(x.Start, c.Running), x.Stop):
+        out(c.Running)  # <-
+        out(c[101:105])
+    if all(c.Running, x.Part):
+        ton(t.Jam, 5, Ts)  # <-
+    if t.Jam:
+        set(c.Jammed)
+    if c.Running:
+        rton(t.Worn, 100, unit=Th).reset(x.Serviced)  # <-
+    if True:
+        return
+"""
+        ),
+        Wrong(
+            """
+def main():
+    if c.Wash:
+        call(wash)
+    if True:
+        end()
+
+
+@sub
+def wash():
+    if True:
+        event_drum(  # <-
+            outputs=[y.Fill, y.Drain],
+            events=[x.Full, x.Empty],
+            pattern=[[1, 0], [0, 1]],
+            current_step=ds.Step,
+            completion_flag=c.Washed,
+            reset=lambda: c.Again,
+        )
+    if c.Washed:
+        rton(t.Rest, 30, unit=Tm).reset(nc(c.Wash))  # <-
+    if t.Rest:
+        set(c.Rested)
+    if True:
+        return
+"""
+        ),
     ),
     right=(
         """
@@ -217,6 +257,7 @@ def main():
         call(automatic)
     if nc(c.Auto):
         reset(c.MotorWanted)
+        copy(0, ds.Step)
     if c.MotorWanted:
         out(y.Motor)
     if all(c.Auto, c.LampWanted):
@@ -233,9 +274,16 @@ def automatic():
     if x.Part:
         out(c.Seen)
     if all(c.Seen, c.Run):
-        ton(t.Jam, 5, Ts)
-    if t.Jam:
-        set(c.Jammed)
+        copy(3, ds.Step)
+    if ds.Step == 3:
+        out(c.Heating)
+    if c.Heating:
+        ton(t.Heat, 5, Ts)
+        rton(t.Hours, 100, unit=Th).reset(x.Serviced)
+    if t.Heat:
+        set(c.Heated)
+    if t.Hours:
+        set(c.Worn)
     if True:
         return
 """,

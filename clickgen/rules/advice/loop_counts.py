@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 from clickgen.device.banks import Address
-from clickgen.facts.facts import Facts, Placed
+from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
+from clickgen.facts.written import equals, is_relative, left_in, whole_condition
 from clickgen.instructions.control import FOR
-from clickgen.instructions.copies import COPY, COPY_FILL
-from clickgen.ir.conditions import MIRRORED, Compare, Condition
+from clickgen.ir.conditions import MIRRORED, All, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Integer
-from clickgen.logic.conditions import are_exclusive
+from clickgen.logic.conditions import are_exclusive, implies, looked_at, terms_of
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
 
@@ -39,38 +39,32 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 def _why_not_positive(facts: Facts, loop: Placed, count: Address) -> str:
     """What gives the register such a number, or may; "" where the program keeps it above 0. Pointers lead elsewhere."""
     writers = facts.writers(count)
-    if any(_raises(writer, count) and _comes_before(facts, writer, loop) for writer in writers):
+    values = {id(writer): _value(writer, count) for writer in writers}
+    good = [writer for writer in writers if (values[id(writer)] or 0) > 0]
+    doubtful = [writer for writer in writers if (values[id(writer)] or 0) <= 0]
+    if any(_asks_for_too_few(writer.condition, count) and _comes_before(facts, writer, loop) for writer in good):
         return ""
-    values = [_value(writer) for writer in writers]
-    if any(value is not None and value <= 0 for value in values):
-        return f"the program writes {min(value for value in values if value is not None)} there"
-    if not _begins_positive(facts, count):
-        is_set_before = any(
-            writer.is_unconditional and (_value(writer) or 0) > 0 and _comes_before(facts, writer, loop)
-            for writer in writers
-        )
-        if not is_set_before:
-            return "it begins with 0" if writers else "nothing in the program writes it"
-    return "" if None not in values else "the program works it out"
+    if any(_is_fresh(facts, writer, loop, doubtful) for writer in good):
+        return ""
+    least = min((value for value in values.values() if value is not None), default=1)
+    if least <= 0:
+        return f"the program writes {least} there"
+    if doubtful:
+        return "the program works it out"
+    if _begins_positive(facts, count) or any(_gets_ready(facts, writer, loop, count) for writer in good):
+        return ""
+    return "it begins with 0" if writers else "nothing in the program writes it"
 
 
-def _value(writer: Placed) -> int | None:
+def _value(writer: Placed, count: Address) -> int | None:
     """The number that an instruction writes; None for one that is not always the same."""
-    source = writer.action.args.get("source")
-    is_constant = writer.spec in (COPY, COPY_FILL) and isinstance(source, Integer)
-    return source.value if is_constant and isinstance(source, Integer) else None
+    return None if is_relative(writer, count) else left_in(writer, count, 0)
 
 
 def _begins_positive(facts: Facts, count: Address) -> bool:
     """True where the source or the table gives the register a number above 0 to begin with."""
     initial = facts.initial(count)
     return initial.isdecimal() and int(initial) > 0
-
-
-def _raises(writer: Placed, count: Address) -> bool:
-    """True for ``if ds.Rows < 1: copy(1, ds.Rows)``, which leaves no number of 0 or less."""
-    value = _value(writer)
-    return value is not None and value > 0 and _asks_for_too_few(writer.condition, count)
 
 
 def _asks_for_too_few(condition: Condition, count: Address) -> bool:
@@ -85,13 +79,68 @@ def _asks_for_too_few(condition: Condition, count: Address) -> bool:
     return (op == "<" and right.value > 0) or (op == "<=" and right.value >= 0)
 
 
+# -- what ran before the loop -----------------------------------------------------------------------------------------
+
+_Moment = tuple[int, int]
+"""When an action runs in a scan: its place in main, or that of the call and its own place in the subroutine."""
+
+
+def _moments(facts: Facts, placed: Placed) -> list[_Moment]:
+    place = facts.places[id(placed.action)]
+    calls = () if placed.routine.is_main else facts.calls.get(placed.routine.name, ())
+    return [(facts.places[id(call.action)], place) for call in calls] or [(place, -1)]
+
+
 def _comes_before(facts: Facts, writer: Placed, loop: Placed) -> bool:
-    """True for an earlier rung of the loop's own routine."""
-    return writer.routine is loop.routine and writer.rung is not loop.rung and _is_first(facts.actions, writer, loop)
+    """True where the writer is looked at before the loop, each time that the loop is."""
+    if writer.routine is loop.routine:
+        return facts.places[id(writer.action)] < facts.places[id(loop.action)]
+    first = min(_moments(facts, writer))
+    return all(first < moment for moment in _moments(facts, loop))
 
 
-def _is_first(actions: Iterable[Placed], one: Placed, other: Placed) -> bool:
-    return next(action for action in actions if action is one or action is other) is one
+def _gets_ready(facts: Facts, writer: Placed, loop: Placed, count: Address) -> bool:
+    """True for what writes the register in the first scan, or while it is still 0: ``if sc[2]: copy(3, ds.Rows)``."""
+    span = writer.action.span
+    at_start = All((Contact(Cell(FIRST_SCAN, span), span), equals(count, 0, span)), span)
+    return _comes_before(facts, writer, loop) and implies(at_start, whole_condition(facts, writer))
+
+
+def _is_fresh(facts: Facts, writer: Placed, loop: Placed, others: Sequence[Placed]) -> bool:
+    """True where the writer runs whenever the loop does, in the same scan before it, and none of the others between."""
+    if writer.action.flag("oneshot") or not _comes_before(facts, writer, loop):
+        return False
+    is_repeated = loop.loop is not None or any(call.loop for call in facts.calls.get(loop.routine.name, ()))
+    if is_repeated and others:
+        return False
+    if any(_runs_between(facts, other, writer, loop) for other in others):
+        return False
+    if _is_above(writer, loop):
+        return True
+    if not implies(whole_condition(facts, loop), whole_condition(facts, writer)):
+        return False
+    asked = [one for one in looked_at(writer.condition) if isinstance(one, Address)]
+    return not any(_runs_between(facts, changer, writer, loop) for one in asked for changer in facts.writers(one))
+
+
+def _is_above(writer: Placed, loop: Placed) -> bool:
+    """True in the loop's own rung, where every condition is looked at once: it runs under all that the writer needs."""
+    held = {id(term) for term in terms_of(loop.condition)}
+    return writer.rung is loop.rung and all(id(term) in held for term in terms_of(writer.condition))
+
+
+def _runs_between(facts: Facts, other: Placed, writer: Placed, loop: Placed) -> bool:
+    """True where it may run after the writer and before the loop."""
+    if writer.routine is loop.routine:
+        first, last = facts.places[id(writer.action)], facts.places[id(loop.action)]
+        spots = [facts.places[id(other.action)]] if other.routine is loop.routine else []
+        spots += [place for place, own in _moments(facts, other) if own >= 0 and other.routine is not loop.routine]
+        return any(first < spot < last for spot in spots)
+    return any(
+        min(_moments(facts, writer)) < moment < until
+        for moment in _moments(facts, other)
+        for until in _moments(facts, loop)
+    )
 
 
 RULE = Rule(
@@ -103,7 +152,8 @@ the loop may be skipped, run once, or run until the watchdog stops the PLC. An e
 loaded or a register that was cleared brings such a number soon enough.
 
 Test the register in the rung of the loop, or give it a number above 0 in a rung before, and the rule is silent. It is
-silent too where the register begins above 0 and the program writes nothing else there.
+silent too where the register begins above 0, or the first scan gives it such a number, and the program writes nothing
+else there.
 """,
     wrong=(
         Wrong(
@@ -147,6 +197,14 @@ if x[2]:
     right=(
         """
 if all(c.SumUp, ds.Rows > 0):
+    for _ in range(ds.Rows):
+        if True:
+            calc("ds.Total + 1", ds.Total)
+""",
+        """
+if sc._1st_SCAN:
+    copy(3, ds.Rows)
+if c.SumUp:
     for _ in range(ds.Rows):
         if True:
             calc("ds.Total + 1", ds.Total)

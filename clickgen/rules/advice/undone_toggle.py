@@ -4,24 +4,25 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from clickgen.device.banks import Address
-from clickgen.facts.changes import Changes, Extent, meets
+from clickgen.facts.changes import Changes, Extent, extents_written, meets
 from clickgen.facts.copied import put_in
 from clickgen.facts.facts import STARTING, Facts, Placed
 from clickgen.facts.pulses import Pulses
+from clickgen.facts.scan import Step, scans
 from clickgen.facts.uses import addresses_of
-from clickgen.formula.nodes import Binary, Number
-from clickgen.formula.nodes import Operand as FormulaOperand
+from clickgen.facts.written import is_relative, left_in
 from clickgen.instructions import maths
 from clickgen.instructions.coils import RESET, SET
-from clickgen.instructions.control import END, FOR, NEXT, RETURN
+from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
 from clickgen.instructions.copies import COPY, COPY_FILL
 from clickgen.instructions.raw import NOT_IMPORTED, RAW
 from clickgen.ir.conditions import All, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Operand, Real, Single
-from clickgen.ir.program import FormulaText
+from clickgen.ir.program import Rung
 from clickgen.ir.walk import condition_operands
 from clickgen.logic.conditions import are_exclusive, implies, terms_of
 from clickgen.problems.diagnostics import Diagnostics, Label
@@ -41,67 +42,142 @@ _RUNGS_MAX = 20
 """A rung further up is not looked for."""
 
 
+@dataclass(eq=False, slots=True)
+class _Frame:
+    """A run through a routine, from its call to its return."""
+
+    start: int
+    barrier: int = -1
+    """The last step after which nobody knows what runs in it."""
+    rung: Rung | None = None
+    number: int = -1
+    """How many of its rungs have run before this one."""
+
+
 class _Write(NamedTuple):
     """A constant that an action puts into an address."""
 
-    placed: Placed
+    step: Step
+    frame: _Frame
+    at: int
+    """The place of the step in the scan."""
+    number: int
+    """The place of its rung in its run through the routine."""
+    slot: int
+    """The place of its rung in the scan."""
     value: Single | None
     """None for a bit that is turned off or on."""
     is_on: bool
-    rung: int
+
+    @property
+    def placed(self) -> Placed:
+        return self.step.placed
+
+
+class _Slot(NamedTuple):
+    """A rung in its scan: what it looks at and what it has written, with the ids of the actions that did."""
+
+    rung: Rung
+    looked_at: list[list[Extent]]
+    changed: list[tuple[int, list[Extent]]]
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
-    changes, pulses = Changes(facts), Pulses(facts)
-    walk: _Walk | None = None
-    for placed in facts.actions:
-        if walk is None or placed.routine is not walk.routine:
-            walk = _Walk(facts, problems, changes, pulses, placed)
-        walk.run(placed)
+    shared = _Shared(facts, problems)
+    for steps in scans(facts):
+        walk = _Walk(shared)
+        for step in steps:
+            walk.run(step)
+
+
+class _Shared:
+    """What the walks through a program look up."""
+
+    def __init__(self, facts: Facts, problems: Diagnostics) -> None:
+        self.facts, self.problems = facts, problems
+        self.changes, self.pulses = Changes(facts), Pulses(facts)
+        self.said: set[int] = set()
+        """The rungs that were spoken of."""
+        self.reads: dict[int, list[Extent]] = defaultdict(list)
+        """What each rung looks at and reads."""
+        self.reads_of: dict[str, list[Extent]] = defaultdict(list)
+        """The same of each routine."""
+        for use in facts.uses.every:
+            if not use.is_written:
+                extents = extents_written(use.operand)
+                self.reads[id(use.rung)] += extents
+                self.reads_of[use.routine.name] += extents
 
 
 class _Walk:
-    """One routine from its first rung to its last, with the constants that its rungs have written so far."""
+    """One scan from its first rung to its last, with the constants that its rungs have written so far."""
 
-    def __init__(self, facts: Facts, problems: Diagnostics, changes: Changes, pulses: Pulses, first: Placed) -> None:
-        self.routine = first.routine
-        self._facts, self._problems, self._changes, self._pulses = facts, problems, changes, pulses
-        self._rung = first.rung
-        self._number = 0
-        self._numbers = {id(first.rung): 0}
-        """The rungs so far, each with its place in the routine."""
+    def __init__(self, shared: _Shared) -> None:
+        self._shared, self._facts, self._changes = shared, shared.facts, shared.changes
+        self._base = self._frame = _Frame(0)
+        self._call: Placed | None = None
+        self._at = 0
+        self._slots: list[_Slot] = []
+        self._slot_of: dict[int, int] = {}
+        """The slot of each rung so far."""
         self._writes: dict[Address, list[_Write]] = defaultdict(list)
-        self._changed: list[list[tuple[int, Extent]]] = [[]]
-        """What each rung has written, with the id of the action that did."""
-        self._said: set[int] = set()
 
-    def run(self, placed: Placed) -> None:
-        if placed.rung is not self._rung:
-            self._rung = placed.rung
-            self._number += 1
-            self._numbers[id(placed.rung)] = self._number
-            self._changed.append([])
+    def run(self, step: Step) -> None:
+        placed, frame = step.placed, self._enter(step)
+        self._at += 1
         if placed.spec in _BARRIERS or placed.loop:
-            self._writes.clear()
+            frame.barrier = self._at
             return
+        slot = self._slots[-1]
         for address, value, is_on in _constants(placed):
-            write = _Write(placed, value, is_on, self._number)
+            write = _Write(step, frame, self._at, frame.number, len(self._slots) - 1, value, is_on)
             for earlier in self._writes[address]:
                 self._judge(address, earlier, write)
             self._writes[address] = [*self._writes[address][1 - _BEFORE_MAX :], write]
-        identity = id(placed.action)
-        self._changed[-1] += [(identity, extent) for extent in self._changes.of(placed.action)]
+        slot.changed.append((id(placed.action), self._changes.of(placed.action)))
+        if placed.spec is CALL:
+            slot.looked_at.append(self._shared.reads_of[placed.action.word("subroutine")])
+
+    def _enter(self, step: Step) -> _Frame:
+        is_new = step.call is not self._call
+        if is_new:
+            self._call = step.call
+            self._frame = self._base
+            if step.call is not None:
+                self._frame = _Frame(self._at)
+                self._open(step.call.rung)
+        frame, rung = self._frame, step.placed.rung
+        if frame.rung is not rung:
+            frame.rung, frame.number = rung, frame.number + 1
+            is_new = True
+        if is_new:
+            self._open(rung)
+        return frame
+
+    def _open(self, rung: Rung) -> None:
+        self._slot_of[id(rung)] = len(self._slots)
+        self._slots.append(_Slot(rung, [self._shared.reads[id(rung)]], []))
 
     def _judge(self, address: Address, first: _Write, second: _Write) -> None:
-        if second.rung - first.rung not in range(1, _RUNGS_MAX + 1) or id(second.placed.rung) in self._said:
+        if not self._comes_next(address, first, second):
             return
         if _same(first, second) or first.placed.depends_only_on(STARTING):
             return
         condition = self._seen_through(second.placed.condition, first, second)
-        looks = any(address in addresses_of(operand) for operand in condition_operands(condition))
-        if looks and self._follows(address, first, second, condition):
-            self._said.add(id(second.placed.rung))
+        if _looks(condition, address) and self._follows(address, first, second, condition):
             self._report(address, first, second)
+
+    def _comes_next(self, address: Address, first: _Write, second: _Write) -> bool:
+        """True for one in a rung further down that runs in the same scan, as far as loops, returns and ends go."""
+        if max(first.frame.barrier, self._base.barrier) > first.at:
+            return False
+        if first.frame is second.frame:
+            return 1 <= second.number - first.number <= _RUNGS_MAX
+        if second.frame.barrier > second.frame.start or second.slot - first.slot > _RUNGS_MAX:
+            return False
+        # CLICK looks at all conditions of a rung, those of its calls too, before the first action runs.
+        call = second.step.call
+        return first.step.rung is not second.step.rung or (call is not None and not _looks(call.condition, address))
 
     def _seen_through(self, condition: Condition, first: _Write, second: _Write) -> Condition:
         """A condition with what drives it in the place of each coil whose rung stands between the two writes."""
@@ -111,15 +187,14 @@ class _Walk:
         if driven is condition or not isinstance(condition, Contact) or not isinstance(condition.operand, Cell):
             return condition
         (writer,) = self._facts.writers(condition.operand.address)
-        number = self._numbers.get(id(writer.rung), -1)
-        return driven if first.rung < number < second.rung else condition
+        return driven if first.slot < self._slot_of.get(id(writer.rung), -1) < second.slot else condition
 
     def _follows(self, address: Address, first: _Write, second: _Write, condition: Condition) -> bool:
         """True when the second action, under this condition, always runs in a scan in which the first one has run."""
-        own = id(first.placed.action)
-        changed = [extent for rung in self._changed[first.rung : second.rung] for one, extent in rung if one != own]
-        span = second.placed.action.span
+        own, span = id(first.placed.action), second.placed.action.span
         after = _holds(address, first, span)
+        between = self._slots[first.slot : second.slot]
+        changed = [extent for slot in between for one, extents in slot.changed if one != own for extent in extents]
         if self._may_differ(Cell(address, span), changed):
             return False
         kept = [
@@ -133,14 +208,16 @@ class _Walk:
         known = All((*kept, after), span)
         if not implies(known, condition) or are_exclusive(known) or implies(after, condition):
             return False
-        if self._has_pulse(first.placed) and self._has_pulse(second.placed):
+        if self._has_pulse(first.step) and self._has_pulse(second.step):
             return True
         # On a level the second rung may be one that takes back what the first did for the rungs between.
         is_put_back = implies(first.placed.condition, _holds(address, second, span))
         return is_put_back and not self._is_read_between(address, first, second)
 
-    def _has_pulse(self, placed: Placed) -> bool:
-        return self._pulses.has(placed.condition, placed.routine)
+    def _has_pulse(self, step: Step) -> bool:
+        pulses = self._shared.pulses
+        ways = (step.own, step.call) if step.call else (step.own,)
+        return any(pulses.has(way.condition, way.routine) for way in ways)
 
     def _may_differ(self, operand: Operand, changed: list[Extent]) -> bool:
         if isinstance(operand, Immediate) or not self._changes.arriving.isdisjoint(addresses_of(operand)):
@@ -149,24 +226,34 @@ class _Walk:
 
     def _is_read_between(self, address: Address, first: _Write, second: _Write) -> bool:
         """True when a rung between the two looks at the address, or a subroutine may."""
-        lines = range(first.placed.rung.span.line + 1, second.placed.rung.span.line)
-        uses = self._facts.uses.reads(address)
-        return any(use.routine is not self.routine or use.rung.span.line in lines for use in uses)
+        cell = Cell(address, second.placed.action.span)
+        own = {id(rung) for write in (first, second) for rung in (write.step.rung, write.placed.rung)}
+        between = (slot for slot in self._slots[first.slot + 1 : second.slot] if id(slot.rung) not in own)
+        return any(meets(extents, cell) for slot in between for extents in slot.looked_at)
 
     def _report(self, address: Address, first: _Write, second: _Write) -> None:
-        here, there = second.placed.rung.head, first.placed.action.span
-        name = self._facts.shown(address)
+        call, there = second.step.call, first.placed.action.span
+        # Where the call asks, its rung is the one to change.
+        rung = call.rung if call and not _looks(second.step.own.condition, address) else second.placed.rung
+        if id(rung) in self._shared.said:
+            return
+        self._shared.said.add(id(rung))
+        here, name = rung.head, self._facts.shown(address)
         is_back = implies(first.placed.condition, _holds(address, second, here))
         what = "goes back at once" if is_back else "goes through both"
-        self._problems.add(
+        self._shared.problems.add(
             CODE,
             here,
-            f"this rung acts in the same scan as line {there.line}: that has just {_done(first, name)}, and this one "
-            f"{_does(second)}, so {name} {what}",
+            f"this rung acts in the same scan as {there.seen_from(here)}: that has just {_done(first, name)}, and this "
+            f"one {_does(second)}, so {name} {what}",
             "make them two branches of one rung, below the condition that they share: CLICK looks at both before "
             "either acts",
             (Label(there, "changed here first"),),
         )
+
+
+def _looks(condition: Condition, address: Address) -> bool:
+    return any(address in addresses_of(operand) for operand in condition_operands(condition))
 
 
 def _constants(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
@@ -185,24 +272,21 @@ def _constants(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
 
 
 def _calculated(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
-    """A register that is counted up or down by a constant, where the condition says what it holds: a step."""
-    formula, target = placed.action.args["formula"], placed.action.args["destination"]
-    if not isinstance(formula, FormulaText) or not isinstance(target, Cell):
+    """A register that gets a constant, or is worked out of its own number where the condition says which: a step."""
+    target = placed.action.args["destination"]
+    if not isinstance(target, Cell):
         return
-    root = formula.formula.root
-    if not (isinstance(root, Binary) and isinstance(root.left, FormulaOperand) and isinstance(root.right, Number)):
-        return
-    register = root.left.ref
-    if root.op not in ("+", "-") or not isinstance(register, Cell) or register.address != target.address:
-        return
-    for term in terms_of(placed.condition):
+    address = target.address
+    held: list[int] = [] if is_relative(placed, address) else [0]
+    for term in terms_of(placed.condition) if not held else ():
         if isinstance(term, Compare) and term.op == "==":
-            sides = (term.left, term.right), (term.right, term.left)
-            for cell, held in sides:
-                if isinstance(cell, Cell) and cell.address == target.address and isinstance(held, Integer):
-                    value = held.value + (root.right.value if root.op == "+" else -root.right.value)
-                    if isinstance(value, int):
-                        yield target.address, Integer(value, target.span), False
+            for cell, number in ((term.left, term.right), (term.right, term.left)):
+                if isinstance(cell, Cell) and cell.address == address and isinstance(number, Integer | Hex):
+                    held.append(number.value)
+    for before in held:
+        left = left_in(placed, address, before)
+        if left is not None:
+            yield address, Hex(left, target.span) if address.bank == "DH" else Integer(left, target.span), False
 
 
 def _same(one: _Write, other: _Write) -> bool:
@@ -243,9 +327,10 @@ In the same way one press walks through all steps of a sequence whose rungs stan
 Make branches of one rung of them, below the condition that they share. CLICK looks at all conditions of a rung before
 the first action of the rung runs, so only one branch acts. For steps it is enough to put the last step first.
 
-The rule speaks where it is sure that the second rung follows: not across a loop, an `end()` or a `return`, and not
-where something in between may have changed what it looks at. Without an edge it speaks only where the second rung puts
-back what was there before, and nothing in between has looked at it.
+The rule follows the calls of main into their subroutines. It speaks where it is sure that the second rung follows:
+not across a loop, an `end()` or a `return`, and not where something in between may have changed what it looks at.
+Without an edge it speaks only where the second rung puts back what was there before, and nothing in between has
+looked at it.
 """,
     wrong=(
         Wrong(
@@ -299,6 +384,42 @@ if all(re(x.Button), y.Lamp):  # <-
     reset(c.Lit)
 """
         ),
+        Wrong(
+            """
+if all(re(x.Button), ds.State == 0):
+    calc("1", ds.State)
+
+if all(re(x.Button), ds.State == 1):  # <-
+    calc("0", ds.State)
+"""
+        ),
+        Wrong(
+            """
+def main():
+    if all(re(x.Button), nc(c.Lamp)):
+        call(light)
+    if all(re(x.Button), c.Lamp):  # <-
+        call(darken)
+    if True:
+        end()
+
+
+@sub
+def light():
+    if True:
+        set(c.Lamp)
+    if True:
+        return
+
+
+@sub
+def darken():
+    if True:
+        reset(c.Lamp)
+    if True:
+        return
+"""
+        ),
     ),
     right=(
         """
@@ -307,6 +428,32 @@ if re(x.Button):
         set(c.Lamp)
     if c.Lamp:
         reset(c.Lamp)
+""",
+        """
+def main():
+    if re(x.Button):
+        if nc(c.Lamp):
+            call(light)
+        if c.Lamp:
+            call(darken)
+    if True:
+        end()
+
+
+@sub
+def light():
+    if True:
+        set(c.Lamp)
+    if True:
+        return
+
+
+@sub
+def darken():
+    if True:
+        reset(c.Lamp)
+    if True:
+        return
 """,
         """
 if all(re(x.Next), ds.Step == 2):

@@ -20,8 +20,14 @@ def check(facts: Facts, problems: Diagnostics) -> None:
     moved: dict[Address, tuple[Placed, ...]] = {}
     said: set[Address] = set()
     places = facts.places
+    # A panel chooses what is read, seldom where something is written.
+    chosen = {
+        use.operand.register.address
+        for use in facts.uses.every
+        if not use.is_written and isinstance(use.operand, Pointer) and isinstance(use.operand.register, Cell)
+    }
     for placed in facts.actions:
-        if placed.spec is RAW or placed.loop is not None:
+        if placed.spec is RAW:
             continue
         for touch in touches(placed.action):
             pointer = touch.operand
@@ -31,42 +37,60 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             if BANKS[pointer.bank].has(0) or address in said:
                 continue
             if address not in moved:
-                moved[address] = _movers(facts, address)
-            # Another routine may run before this one.
+                moved[address] = _movers(facts, address, address not in chosen)
+            # Another routine may run before this one. A register that is counted down to -1 leads nowhere either.
             before = [
                 one
                 for one in moved[address]
-                if one.routine is not placed.routine or places[id(one.action)] < places[id(placed.action)]
+                if BANKS[pointer.bank].has(left_in(one, address, 0) or 0)
+                and (one.routine is not placed.routine or places[id(one.action)] < places[id(placed.action)])
             ]
-            if not moved[address] or not _may_find_zero(facts, placed, address, before):
-                continue
-            said.add(address)
-            name = facts.text(pointer.register.span)
-            problems.add(
-                CODE,
-                pointer.span,
-                f"{facts.shown(address)} begins with 0 on a new PLC and is only counted on, and there is no "
-                f"{pointer.bank}0: the first time CLICK skips this and sets SC44 (_Address_Error)",
-                f"give it the number of the first cell in a rung above: if {name} == 0:, and in it copy(101, {name}) "
-                f"for {pointer.bank}101",
-                (Label(moved[address][0].action.span, "nothing but this gives it another number"),),
-            )
+            if moved[address] and _may_find_zero(facts, placed, address, before):
+                said.add(address)
+                _report(facts, problems, pointer, pointer.register, moved[address])
 
 
-def _movers(facts: Facts, address: Address) -> tuple[Placed, ...]:
-    """What makes another number of a register that holds 0; none where anything else may do so, or 0 is not there."""
+def _report(facts: Facts, problems: Diagnostics, pointer: Pointer, register: Cell, moved: tuple[Placed, ...]) -> None:
+    name, shown, bank = facts.text(register.span), facts.shown(register.address), pointer.bank
+    moves = {left_in(mover, register.address, 0) or 0 for mover in moved}
+    if moves == {0}:
+        fault = f"{shown} is never anything but 0, and there is no {bank}0: CLICK skips this"
+        label = "nothing but this writes it"
+    else:
+        way = "counted down" if max(moves) <= 0 else "counted on"
+        fault = (
+            f"{shown} begins with 0 on a new PLC and is only {way}, and there is no {bank}0: the first time CLICK "
+            "skips this"
+        )
+        label = "nothing but this gives it another number"
+    problems.add(
+        CODE,
+        pointer.span,
+        f"{fault} and sets SC44 (_Address_Error)",
+        f"give it the number of the first cell in a rung above: if {name} == 0:, and in it copy(101, {name}) "
+        f"for {bank}101",
+        (Label(moved[0].action.span, label),),
+    )
+
+
+def _movers(facts: Facts, address: Address, is_own: bool) -> tuple[Placed, ...]:
+    """What makes another number of a register that holds 0; none where anything else may do so, or 0 is not there.
+
+    Where the program only clears a register that is its own, that is what clears it.
+    """
     if facts.initial(address) not in ("", "0"):
         return ()
     movers: list[Placed] = []
+    idle: list[Placed] = []
     for writer in facts.writers(address):
         if not Asked(facts, writer, address).may_be(0):
             continue
         left = left_in(writer, address, 0)
         if left is None or (left != 0 and not is_relative(writer, address)):
             return ()
-        if left != 0:
-            movers.append(writer)
-    return tuple(movers)
+        (movers if left != 0 else idle).append(writer)
+    alone = tuple(writer for writer in idle if isinstance(writer.action.args.get("destination"), Cell))
+    return tuple(movers) or (alone if is_own else ())
 
 
 def _may_find_zero(facts: Facts, use: Placed, address: Address, before: list[Placed]) -> bool:
@@ -88,10 +112,11 @@ RULE = Rule(
 A register that nothing has written holds 0 on a new PLC. As a pointer it leads nowhere: CLICK skips the copy and sets
 SC44, so that the first entry of a log is lost, and nobody knows why there is one less.
 
-The rule speaks where the program only counts the register on from its own value, or clears it, and the pointer may be
-used before. It is silent where anything else gives the register a number, where the rung asks for a number that is not
-0, and where the register begins with one that CLICK does not mask (`initial=101, retentive=False`). A register that
-nothing in the program moves is a panel's.
+The rule speaks where the program only counts the register on or down from its own value, or clears it, and the pointer
+may be used before, in a loop as well. It is silent where anything else gives the register a number, where the rung asks
+for a number that is not 0, and where the register begins with one that CLICK does not mask
+(`initial=101, retentive=False`). A register that nothing in the program moves is a panel's, and so is one that is only
+cleared and says what is read.
 """,
     wrong=(
         Wrong(
@@ -111,6 +136,22 @@ if re(x.Show):
     copy(txt[ds.Row], txt.Shown)  # <-
 if re(x.Next):
     calc("ds.Row + 1", ds.Row)
+"""
+        ),
+        Wrong(
+            """
+if sc._1st_SCAN:
+    copy(0, ds.Line)
+if re(x.Sample):
+    copy(ds.Weight, dd[ds.Line])  # <-
+if re(x.Take):
+    calc("ds.Last - 1", ds.Last)
+    copy(dd[ds.Last], dd.Taken)  # <-
+if re(x.Clear):
+    for _ in range(50):
+        if True:
+            copy(0, df[ds.Cell])  # <-
+            calc("ds.Cell + 1", ds.Cell)
 """
         ),
     ),
@@ -133,6 +174,14 @@ if re(x.Next):
     calc("ds.Line + 1", ds.Line)
 if re(x.Load):
     copy(dd[ds.FromPanel], dd.Loaded)
+if re(x.Forget):
+    copy(0, ds.FromPanel)
+if re(x.Fetch):
+    copy(0, ds.Cell)
+    for _ in range(50):
+        if True:
+            calc("ds.Cell + 1", ds.Cell)
+            copy(dd[ds.Cell], dd.Largest)
 if all(re(x.Show), ds.Page > 0):
     copy(dd[ds.Page], dd.Shown)
 if re(x.Turn):

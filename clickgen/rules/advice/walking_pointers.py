@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
-from clickgen.facts.written import Asked, is_relative, left_in, whole_condition
+from clickgen.facts.walks import Step, Walk, each_turn, walk_of
+from clickgen.facts.written import Asked, whole_condition
 from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Integer, Pointer
@@ -21,17 +22,6 @@ from clickgen.text.source import Span
 CODE = "CG555"
 
 
-class _Walk(NamedTuple):
-    """How a program moves a register: the numbers that it gives it, and what counts it up."""
-
-    numbers: tuple[int, ...]
-    steps: tuple[Placed, ...]
-    size: int
-    """The greatest step."""
-    wraps: tuple[Placed, ...]
-    """What takes it back to a number under a condition on the register itself."""
-
-
 class _Reach(NamedTuple):
     """The cells that a pointer can lead to; ``is_open`` when nothing ends the way up."""
 
@@ -40,7 +30,7 @@ class _Reach(NamedTuple):
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:
-    walks: dict[Address, _Walk | None] = {}
+    walks: dict[Address, Walk | None] = {}
     for placed in facts.actions:
         if placed.spec is RAW:
             continue
@@ -50,7 +40,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 continue
             address = pointer.register.address
             if address not in walks:
-                walks[address] = _walk(facts, address)
+                walks[address] = walk_of(facts, address)
             walk = walks[address]
             reach = _reach(facts, placed, address, pointer.bank, walk) if walk else None
             if walk and reach:
@@ -75,7 +65,7 @@ def _hit(facts: Facts, address: Address, bank: str, reach: _Reach) -> list[Addre
 
 
 def _report(
-    facts: Facts, problems: Diagnostics, pointer: Pointer, walk: _Walk, reach: _Reach, hit: list[Address]
+    facts: Facts, problems: Diagnostics, pointer: Pointer, walk: Walk, reach: _Reach, hit: list[Address]
 ) -> None:
     assert isinstance(pointer.register, Cell)
     name, bank = facts.text(pointer.register.span), pointer.bank
@@ -87,7 +77,7 @@ def _report(
     else:
         says = f"{shown} can be {', '.join(map(str, sorted(set(reach.numbers))))}"
     one = len(hit) == 1
-    labels = (Label(walk.steps[0].action.span, "counted on here"),) if walk.steps else ()
+    labels = (Label(walk.steps[0].placed.action.span, "counted on here"),) if walk.steps else ()
     problems.add(
         CODE,
         pointer.span,
@@ -109,36 +99,10 @@ def _place(facts: Facts, bank: str) -> str:
 # -- where the register goes ------------------------------------------------------------------------------------------
 
 
-def _walk(facts: Facts, address: Address) -> _Walk | None:
-    """How the program moves a register; None where a panel, a calculation or a loop may give it any number."""
-    numbers: list[int] = []
-    steps: list[Placed] = []
-    wraps: list[Placed] = []
-    size = 0
-    for writer in facts.writers(address):
-        left = left_in(writer, address, 1)
-        if left is None:
-            return None
-        if not is_relative(writer, address):
-            numbers.append(left)
-            if Asked(facts, writer, address).is_asked:
-                wraps.append(writer)
-            continue
-        step = left - 1
-        if step <= 0 or left_in(writer, address, 100) != 100 + step or writer.loop is not None:
-            return None
-        steps.append(writer)
-        size = max(size, step)
-    if not numbers and not steps:
-        return None
-    return _Walk(tuple(numbers), tuple(steps), size, tuple(wraps))
-
-
-def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: _Walk) -> _Reach | None:
+def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: Walk) -> _Reach | None:
     """The numbers that the register can have where it is used; None where that is not known."""
-    asked = Asked(facts, use, address)
-    if use.loop is not None:
-        return None
+    is_shared = any(_share_loop(step, use) for step in walk.steps)
+    asked = Asked(facts, each_turn(facts, use) if is_shared else use, address)
     if not walk.steps:
         numbers = tuple(number for number in walk.numbers if asked.may_be(number) and BANKS[bank].has(number))
         return _Reach(numbers, False) if numbers else None
@@ -149,13 +113,19 @@ def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: _Walk) 
     if not starts or 0 in walk.numbers:
         starts.append(0)
     places = facts.places
-    is_counted_before = any(
-        step.rung is use.rung and places[id(step.action)] < places[id(use.action)] for step in walk.steps
-    )
+    before = [
+        step
+        for step in walk.steps
+        if step.placed.rung is use.rung and places[id(step.placed.action)] < places[id(use.action)]
+    ]
     # From 0 the pointer leads nowhere until it is counted on.
     low = min(starts)
-    low = low + walk.size if is_counted_before or low == 0 else low
+    if before or low == 0:
+        low += min(step.size for step in before or walk.steps)
     high = _bound(facts, use, asked, address, walk, low)
+    last = max((_last(facts, use, walk.steps, *start) for start in walk.starts), default=None)
+    if last is not None:
+        high = last if high is None else min(high, last)
     if high is not None:
         return _Reach(range(low, high + 1), False) if low <= high else None
     if any(address in _looked_at(leaf) for leaf in facts.comparisons):
@@ -163,39 +133,66 @@ def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: _Walk) 
     return _Reach(range(low, BANKS[bank].last + 1), True)
 
 
+def _last(facts: Facts, use: Placed, steps: Sequence[Step], giver: Placed, number: int) -> int:
+    """The greatest number that the register has where it is used, counted from what gives it a number."""
+    places = facts.places
+    given, used = places[id(giver.action)], places[id(use.action)]
+    for step in steps:
+        at = places[id(step.placed.action)]
+        if _share_loop(step, use) and giver.loop is not use.loop:
+            number += _in_loop(facts, step, use)
+            continue
+        is_between = given < at < used if given < used else at > given or at < used
+        if is_between or not use.routine is giver.routine is step.placed.routine:
+            number += step.size * (step.times or 1)
+    return number
+
+
+def _share_loop(step: Step, use: Placed) -> bool:
+    return step.times is not None and step.placed.loop is use.loop
+
+
+def _in_loop(facts: Facts, step: Step, use: Placed) -> int:
+    """How much a step has counted when their loop comes to the use for the last time."""
+    is_before = facts.places[id(step.placed.action)] < facts.places[id(use.action)]
+    return step.size * ((step.times or 1) - (0 if is_before else 1))
+
+
 def _looked_at(compare: Compare) -> list[Address]:
     return [side.address for side in (compare.left, compare.right) if isinstance(side, Cell)]
 
 
-def _bound(facts: Facts, use: Placed, asked: Asked, address: Address, walk: _Walk, low: int) -> int | None:
+def _bound(facts: Facts, use: Placed, asked: Asked, address: Address, walk: Walk, low: int) -> int | None:
     """The greatest number that the register can have where it is used; None where it is not known."""
     limits = sorted(limit for limit in set(_limits(facts, address)) if limit >= low)
     span = use.action.span
+    shared = [step for step in walk.steps if _share_loop(step, use) and step.moves is not step.placed]
+    inside = sum(_in_loop(facts, step, use) for step in shared)
     for limit in limits:
         if asked.implies(_at_most(address, limit, span)):
             return limit
     for limit in limits:
         bound = _at_most(address, limit, span)
-        if all(Asked(facts, step, address).implies(bound) for step in walk.steps):
-            return max(limit + walk.size, *walk.numbers, 0)
+        if all(Asked(facts, step.moves, address).implies(bound) for step in walk.steps):
+            return max(limit + (inside or walk.size), *walk.numbers, 0)
     for limit in limits:
         # Whoever counts by more than 1 may pass a number that is only asked for with ==.
         beyond = Compare(">", Cell(address, span), Integer(limit, span), span)
         if walk.size == 1:
             beyond = Compare("==", Cell(address, span), Integer(limit + 1, span), span)
         if any(implies(beyond, whole_condition(facts, wrap)) for wrap in walk.wraps):
-            return limit + (walk.size if _is_ahead_of_wrap(use, walk) else 0)
+            return limit + (inside or (walk.size if _is_ahead_of_wrap(use, walk) else 0))
     return None
 
 
-def _is_ahead_of_wrap(use: Placed, walk: _Walk) -> bool:
+def _is_ahead_of_wrap(use: Placed, walk: Walk) -> bool:
     """True where the register is counted on, then used, then taken back, in this order of rungs."""
     rungs = [id(rung) for rung in use.routine.rungs]
-    if any(other.routine is not use.routine for other in (*walk.steps, *walk.wraps)):
+    if any(other.routine is not use.routine for other in (*(step.placed for step in walk.steps), *walk.wraps)):
         return False
     try:
         at = rungs.index(id(use.rung))
-        steps = [rungs.index(id(step.rung)) for step in walk.steps]
+        steps = [rungs.index(id(step.placed.rung)) for step in walk.steps]
         wraps = [rungs.index(id(wrap.rung)) for wrap in walk.wraps]
     except ValueError:
         return False
@@ -227,7 +224,8 @@ place. The machine then works with a weight for a setpoint.
 The rule speaks where the program alone moves the register, by constants and by counting up, and the cells that it can
 reach hold a name whose address clickgen chose, or the register itself. A condition that bounds the register counts: in
 the rung of the pointer, where it is counted on, or where it is taken back. Where it is compared in a way that gives no
-number, or moved by a panel, a calculation or a loop, the rule is silent. A pointer that only reads harms nobody.
+number, or moved by a panel, a calculation or a loop of unknown length, the rule is silent. So it is where every run
+begins with a number of its own and ends inside the table. A pointer that only reads harms nobody.
 
 Give the table a block, and begin in it: clickgen places no name in a block.
 """,
@@ -281,6 +279,29 @@ if re(x.Choose):
     copy(9, ds[ds.Slot])  # <-
 """
         ),
+        Wrong(
+            """
+nickname(ds.History, ds[1001:1051])
+nickname(ds.Speed, ds[1051], comment="of the belt")
+
+
+def main():
+    if re(x.Clear):
+        copy(1001, ds.Row)
+
+    if re(x.Clear):
+        for _ in range(60):
+            if True:
+                copy(0, ds[ds.Row])  # <-
+                calc("ds.Row + 1", ds.Row)
+
+    if ds.Speed > 10:
+        out(y.Belt)
+
+    if True:
+        end()
+"""
+        ),
     ),
     right=(
         """
@@ -294,6 +315,27 @@ def main():
     if re(x.Sample):
         copy(ds.Weight, ds[ds.Row])
         calc("ds.Row + 1", ds.Row)
+
+    if True:
+        end()
+""",
+        """
+nickname(ds.History, ds[1001:1051])
+nickname(ds.Speed, ds[1051], comment="of the belt")
+
+
+def main():
+    if re(x.Clear):
+        copy(1001, ds.Row)
+
+    if re(x.Clear):
+        for _ in range(50):
+            if True:
+                copy(0, ds[ds.Row])
+                calc("ds.Row + 1", ds.Row)
+
+    if ds.Speed > 10:
+        out(y.Belt)
 
     if True:
         end()

@@ -5,10 +5,13 @@ click-facts [copy.block, copy.convert, copy.single]
 
 from __future__ import annotations
 
-from clickgen.device.banks import BANKS, PADDED_DIGITS, Address
+import re
+
+from clickgen.device.banks import BANKS, PADDED_DIGITS, Address, Kind
+from clickgen.dialects.if_rungs.ways_out.hints import flat_address
 from clickgen.facts.facts import Facts
-from clickgen.facts.values import refused_operands
-from clickgen.instructions.copies import CONVERSIONS, COPY, COPY_FILL
+from clickgen.facts.values import copies, refused_operands
+from clickgen.instructions.copies import CONVERSIONS, COPY, COPY_FILL, COPY_PACK
 from clickgen.instructions.spec import Pair, ParamKind
 from clickgen.ir.operands import Cell, Integer, Range, Text, form_of
 from clickgen.ir.program import Action, Options
@@ -129,7 +132,54 @@ def _refuse(facts: Facts, action: Action, source: str, target: str, pairs: list[
         shown = facts.text(bit.span) if isinstance(bit, Cell) else "c.Name"
         is_off = isinstance(value, Integer) and value.value == 0
         help = f"a bit is turned off with reset({shown})" if is_off else f"a bit is turned on with set({shown})"
+    help = _instead(facts, action) or help
     problems.add("CG305", action.span, f"CLICK cannot {action.spec.name} from {source} to {target}", help)
+
+
+def _instead(facts: Facts, action: Action) -> str:
+    """The way out for a copy that another instruction makes, or that a constant in quotes spoils; "" for none."""
+    source, target = (action.args[name] for name in action.spec.matrix)
+    if not isinstance(target, Cell | Range) or (isinstance(target, Cell) and target.address.upper):
+        return ""
+    name, to = action.spec.name, facts.text(target.span)
+    is_bit = BANKS[target.bank].is_bit
+    if isinstance(source, Text) and not is_bit and name in ("copy", "copy_fill"):
+        return _unquoted(name, source.value, target.bank, to)
+    if isinstance(source, Integer) and is_bit and isinstance(target, Range):
+        return f"bits are turned {'on with set' if source.value else 'off with reset'}({to})"
+    if not isinstance(source, Cell | Range):
+        return ""
+    given = facts.text(source.span)
+    if name == "copy" and isinstance(source, Cell) and isinstance(target, Cell):
+        if BANKS[source.bank].is_bit and not is_bit:
+            return f"a bit becomes a number in two rungs: if {given}: copy(1, {to}) and if nc({given}): copy(0, {to})"
+        if is_bit and BANKS[source.bank].kind not in (Kind.BIT, Kind.TEXT):
+            none = "0x0000" if BANKS[source.bank].kind is Kind.HEX else "0"
+            return f"a number becomes a bit by a comparison: if {given} != {none}: out({to})"
+    if name == "copy_block" and copies(COPY_PACK, source, target) and isinstance(target, Cell):
+        return f"bits or words become one number with copy_pack({given}, {to})"
+    return ""
+
+
+_ADDRESS = re.compile(r"(?:x|y|c|t|ct|sc|ds|dd|dh|df|xd|yd|td|ctd|sd|txt)[.\[][^\n]+")
+
+
+def _unquoted(name: str, text: str, bank: str, to: str) -> str:
+    """The way out for a text that goes to a number: ``copy("5", ds.A)``."""
+    kind = BANKS[bank].kind
+    if kind is Kind.HEX and re.fullmatch(r"(?:0[xX])?[0-9A-Fa-f]{1,4}[hH]?", text):
+        number = text.lower().removeprefix("0x").rstrip("h")
+        return f"without quotes it is a number: {name}(0x{int(number, 16):04X}, {to})"
+    if re.fullmatch(r"[+-]?[0-9]{1,9}", text):
+        return f"without quotes it is a number: {name}({int(text)}, {to})"
+    if re.fullmatch(r"[+-]?[0-9]{1,9}[.,][0-9]{1,9}", text):
+        decimal = text.replace(",", ".")
+        where = to if kind is Kind.FLOAT else "df.Name"
+        return f"without quotes it is a number, and decimals go to DF: {name}({decimal}, {where})"
+    flat = flat_address(text)
+    if flat or _ADDRESS.fullmatch(text):
+        return f"without quotes it is an address: {name}({flat or text}, {to})"
+    return f'text goes to TXT: copy("{text}", txt.Name)' if name == "copy" and text.isprintable() else ""
 
 
 def _check_lengths(action: Action, problems: Diagnostics) -> None:
@@ -140,7 +190,8 @@ def _check_lengths(action: Action, problems: Diagnostics) -> None:
     param = next(param for param in action.spec.params if param.name == action.spec.matrix[1])
     whole = reached(action, param)
     # How many characters a number becomes is known only when it is copied, so only its most is reserved.
-    if isinstance(target, Cell) and isinstance(whole, Range) and "options" not in action.args:
+    is_sure = isinstance(source, Text) or bool(param.extends_over)
+    if isinstance(target, Cell) and isinstance(whole, Range) and is_sure:
         _check_room(whole, target, problems)
     if not param.extends_over:
         return

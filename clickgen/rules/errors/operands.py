@@ -5,14 +5,15 @@ from __future__ import annotations
 import re
 
 from clickgen.device.banks import BANKS, READ_ONLY
-from clickgen.device.system import DISPUTED_SC, WRITABLE_SC, WRITABLE_SD
-from clickgen.dialects.if_rungs.ways_out.hints import reset_hint, text_hint
+from clickgen.device.system import DISPUTED_SC, WRITABLE_SC, WRITABLE_SD, system_name_of
+from clickgen.dialects.if_rungs.ways_out.hints import text_hint
+from clickgen.dialects.if_rungs.ways_out.unwritable import instead_of
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.setpoints import setpoint_hint
-from clickgen.facts.values import constant_fault, copies, value_class
-from clickgen.instructions.copies import COPY, COPY_BLOCK, COPY_FILL, COPY_PACK
+from clickgen.facts.values import constant_fault, copies, fitting, value_class
+from clickgen.instructions.copies import COPY, COPY_BLOCK, COPY_FILL, COPY_PACK, COPY_UNPACK
 from clickgen.instructions.data import SEARCH
-from clickgen.instructions.spec import Access, Param, Slot
+from clickgen.instructions.spec import Access, Param, Slot, Spec
 from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Operand, Pointer, Range, Text, form_of
 from clickgen.ir.program import Action, Operands
 from clickgen.problems.diagnostics import Diagnostics
@@ -60,7 +61,7 @@ def _check(facts: Facts, placed: Placed, param: Param, operand: Operand, problem
                 else "copy the value to a register first, and use that",
             )
     elif isinstance(operand, Constant):
-        _check_constant(placed, param, operand, problems)
+        _check_constant(facts, placed, param, operand, problems)
     elif operand.bank not in (slot.ranges if isinstance(operand, Range) else slot.cells):
         _refuse(facts, placed, param, operand, problems)
     elif isinstance(operand, Range) and operand.is_reversed and not slot.reversible:
@@ -80,7 +81,11 @@ def _refuse(facts: Facts, placed: Placed, param: Param, operand: Named | Cell | 
     slot = param.slot
     what = f"a range of {operand.bank}" if isinstance(operand, Range) else _shown(operand)
     help = f"for example: {placed.spec.example}"
-    if isinstance(operand, Cell) and operand.bank in slot.ranges:
+    target = placed.action.args.get(COPY.matrix[1])
+    unpacked = _packed(facts, operand, target) if placed.spec is COPY_BLOCK and param.name == COPY.matrix[0] else ""
+    if unpacked:
+        help = unpacked
+    elif isinstance(operand, Cell) and operand.bank in slot.ranges:
         number = operand.address.number
         bank = BANKS[operand.bank].dsl
         help = f"write a range: {bank}[{number}:{number + 1}] is one address"
@@ -110,6 +115,9 @@ def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str
     if placed.spec is not COPY:
         return general
     source, target = (placed.action.args.get(name) for name in COPY.matrix)
+    packed = _packed(facts, source, target)
+    if packed:
+        return packed
     if param.slot.access is Access.WRITE and isinstance(source, Constant):
         if isinstance(source, Text) and operand.bank == "TXT":
             return f"name the first address, {first}: the text goes on from there"
@@ -127,6 +135,32 @@ def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str
         return f"a text of several characters becomes a number with copy_pack({text}, {shown})"
     block = f"a range is copied with copy_block({text}, {shown})"
     return block if copies(COPY_BLOCK, operand, target) else general
+
+
+def _packed(facts: Facts, source: object, target: object) -> str:
+    """The way out for bits or words that become one number, or one number that becomes bits or words."""
+    if isinstance(source, Range) and isinstance(target, Cell):
+        text = _packed_part(facts, COPY_PACK, source, target, source)
+        what = "bits become a number" if BANKS[source.bank].is_bit else "two words become one number"
+        return f"{what} with copy_pack({text}, {_text(facts, target)})" if text else ""
+    if isinstance(target, Range) and isinstance(source, Cell):
+        text = _packed_part(facts, COPY_UNPACK, source, target, target)
+        what = "a number becomes bits" if BANKS[target.bank].is_bit else "a number becomes two words"
+        return f"{what} with copy_unpack({_text(facts, source)}, {text})" if text else ""
+    return ""
+
+
+def _packed_part(facts: Facts, spec: Spec, source: Operand, target: Operand, part: Range) -> str:
+    """The range as it is written, or as much of it as fits; "" where the banks are wrong. Of text the copy speaks."""
+    pairs = (pair for variant in spec.variants for pair in variant.pairs)
+    pair = next((one for one in pairs if form_of(source) in one.sources and form_of(target) in one.targets), None)
+    if pair is None or part.bank == "TXT":
+        return ""
+    low, high = pair.lengths or (1, len(part))
+    if low <= len(part) <= high:
+        return _text(facts, part)
+    is_cut = len(part) > high and BANKS[part.bank].is_bit and not part.is_reversed
+    return f"{BANKS[part.bank].dsl}[{part.first}:{part.first + high}]" if is_cut else ""
 
 
 _BLOCK = re.compile(r"[a-z]+(\.\w+|\[\"[^\"]*\"\])")
@@ -149,9 +183,8 @@ def _is_read_only(facts: Facts, placed: Placed, operand: Operand, slot: Slot, pr
         writable = _WRITABLE.get(address.bank)
         if writable is not None and address.number not in writable:
             numbers = ", ".join(map(str, sorted(writable)))
-            problems.add(
-                "CG304", operand.span, f"{address} cannot be written", f"the writable {address.bank}: {numbers}"
-            )
+            help = f"{_instead(facts, placed, Cell(address, operand.span))}; the writable {address.bank}: {numbers}"
+            problems.add("CG304", operand.span, f"{address} cannot be written", help)
             return True
     disputed = [str(address) for address in addresses if address.bank == "SC" and address.number in DISPUTED_SC]
     if disputed:
@@ -173,22 +206,16 @@ def _instead(facts: Facts, placed: Placed, target: object) -> str:
         shown = f"{dsl}.{name}" if name.isidentifier() else f"{dsl}[{target.address.number}]"
     else:
         shown = f"{dsl}[1]"
-    if bank in ("T", "CT") and placed.spec.name in ("out", "set"):
-        what = "timer" if bank == "T" else "counter"
-        return f"its {what} alone turns it on; turn on a bit of the program, {placed.spec.name}(c.Name)"
-    if bank in ("T", "CT"):
-        owners = (
-            one.spec.name for one in facts.actions if one.action.args.get("timer") is not None and _owns(one, target)
-        )
-        return reset_hint(bank, shown, frozenset(owners))
-    if bank == "X":
-        return "an input follows its terminal; write an output, y.Name, or a bit of the program, c.Name"
-    return "copy it to a DH register, and write that" if bank == "XD" else "write another address"
+    own = (system_name_of(target.address) or "") if isinstance(target, Cell) else ""
+    source = placed.action.args.get("source")
+    value = _text(facts, source) if isinstance(source, Cell | Constant) else ""
+    owners = frozenset(one.spec.name for one in facts.actions if _owns(one, target))
+    return instead_of(bank, shown, placed.spec.name, value, own, owners)
 
 
 def _owns(placed: Placed, target: object) -> bool:
     """True for the instruction of this timer."""
-    timer = placed.action.args["timer"]
+    timer = placed.action.args.get("timer")
     return isinstance(timer, Cell) and isinstance(target, Cell) and timer.address == target.address
 
 
@@ -201,7 +228,7 @@ def _shown(target: object) -> str:
     return f"{'an' if bank[0] == 'X' else 'a'} {bank} address"
 
 
-def _check_constant(placed: Placed, param: Param, constant: Constant, problems: Diagnostics) -> None:
+def _check_constant(facts: Facts, placed: Placed, param: Param, constant: Constant, problems: Diagnostics) -> None:
     slot, action = param.slot, placed.action
     if form_of(constant) not in slot.constants:
         help = setpoint_hint(action, param, constant)
@@ -229,7 +256,12 @@ def _check_constant(placed: Placed, param: Param, constant: Constant, problems: 
         return  # the rule about searches has the word
     fault = constant_fault(constant, kind_of(other))
     if fault:
-        problems.add("CG302", constant.span, fault, "write a constant that fits")
+        shown = _text(facts, other) if isinstance(other, Operand) and placed.spec in (COPY, COPY_FILL) else ""
+
+        def copied(number: str) -> str:
+            return f"{placed.spec.name}({number}, {shown})" if shown else number
+
+        problems.add("CG302", constant.span, fault, fitting(constant, kind_of(other), _text(facts, constant), copied))
 
 
 def _check_oneshot(action: Action, refused: set[Span], problems: Diagnostics) -> None:

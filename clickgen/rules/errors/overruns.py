@@ -7,11 +7,13 @@ import re
 from collections.abc import Iterator
 
 from clickgen.device.banks import BANKS, Address
+from clickgen.facts.copied import put_in
 from clickgen.facts.facts import Facts, Placed
+from clickgen.facts.written import Asked
 from clickgen.instructions.spec import Access, Param
-from clickgen.ir.operands import Cell, Text
+from clickgen.ir.operands import Cell, Constant, Integer, Pointer, Text
 from clickgen.ir.program import Action
-from clickgen.ir.reach import length_of
+from clickgen.ir.reach import characters, length_of
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.table.blocks import Block
 
@@ -21,31 +23,38 @@ _NUMBER = re.compile(r"[ _]*[0-9]*$")
 def check(facts: Facts, problems: Diagnostics) -> None:
     for placed in facts.actions:
         for cell, param, length in _long_writes(placed):
-            last = Address(cell.bank, cell.address.number + length - 1)
-            is_text = not param.extends_over
-            if not BANKS[last.bank].has(last.number):
-                _past_the_end(placed.action, cell, last, length, problems)
-                continue
-            block = _block_of(facts, cell.address)
-            reason = ""
-            if block is not None:
-                named = _first_named(facts, Address(cell.bank, block.last + 1), last)
-                over = f" and over {facts.shown(named)}" if named else ""
-                if last.number > block.last:
-                    reason = f"runs past the block {block.name} ({block}){over}"
-            elif is_text:
-                # Which registers a block copy writes, the person said by its source.
-                named = _first_named(facts, Address(cell.bank, cell.address.number + 1), last, cell.address)
-                reason = f"runs over {facts.shown(named)}" if named else ""
-            if reason:
-                what = _said(placed.action, length) if is_text else f"this copy of {length} addresses"
-                problems.add(
-                    "CG431",
-                    cell.span,
-                    f"{what} {reason}, to {last}",
-                    "begin it earlier, shorten it, or make room for it: a block of "
-                    f"{length} addresses, or other addresses for what follows",
-                )
+            _judge(facts, placed, cell, param, length, problems)
+        for pointer in _long_pointers(placed):
+            _judge_pointer(facts, placed, pointer, characters(placed.action), problems)
+
+
+def _judge(facts: Facts, placed: Placed, cell: Cell, param: Param, length: int, problems: Diagnostics) -> bool:
+    """Report a write that begins at this cell and can reach too far: True."""
+    last = Address(cell.bank, cell.address.number + length - 1)
+    is_text = not param.extends_over
+    if not BANKS[last.bank].has(last.number):
+        return _past_the_end(placed.action, cell, last, length, problems)
+    block = _block_of(facts, cell.address)
+    reason = ""
+    if block is not None:
+        named = _first_named(facts, Address(cell.bank, block.last + 1), last)
+        over = f" and over {facts.shown(named)}" if named else ""
+        if last.number > block.last:
+            reason = f"runs past the block {block.name} ({block}){over}"
+    elif is_text:
+        # Which registers a block copy writes, the person said by its source.
+        named = _first_named(facts, Address(cell.bank, cell.address.number + 1), last, cell.address)
+        reason = f"runs over {facts.shown(named)}" if named else ""
+    if reason:
+        what = _said(placed.action, length) if is_text else f"this copy of {length} addresses"
+        problems.add(
+            "CG431",
+            cell.span,
+            f"{what} {reason}, to {last}",
+            f"{_option(placed.action)}begin it earlier, shorten it, or make room for it: a block of "
+            f"{length} addresses, or other addresses for what follows",
+        )
+    return bool(reason)
 
 
 def _long_writes(placed: Placed) -> Iterator[tuple[Cell, Param, int]]:
@@ -58,26 +67,100 @@ def _long_writes(placed: Placed) -> Iterator[tuple[Cell, Param, int]]:
                 yield operand, param, length
 
 
-def _past_the_end(action: Action, cell: Cell, last: Address, length: int, problems: Diagnostics) -> None:
-    """A text that surely reaches too far is refused (CG306)."""
-    if cell.bank == "TXT" and not _is_sure_text(action):
-        end = BANKS["TXT"].last
-        problems.add(
-            "CG430",
-            cell.span,
-            f"{_said(action, length)} reaches {last}: TXT ends at TXT{end}",
-            f"begin it at txt[{end + 1 - length}] or earlier",
-        )
+def _past_the_end(action: Action, cell: Cell, last: Address, length: int, problems: Diagnostics) -> bool:
+    """A text that surely reaches too far is refused (CG306), unless a pointer leads to where it begins."""
+    target = action.args.get(action.spec.matrix[1])
+    if cell.bank != "TXT" or (_is_sure_text(action) and not isinstance(target, Pointer)):
+        return False
+    end = BANKS["TXT"].last
+    problems.add(
+        "CG430",
+        cell.span,
+        f"{_said(action, length)} reaches {last}: TXT ends at TXT{end}",
+        f"{_option(action)}begin it at txt[{end + 1 - length}] or earlier",
+    )
+    return True
 
 
 def _said(action: Action, length: int) -> str:
     if _is_sure_text(action):
         return f"this text of {length} characters"
-    return f"this number can take {length} characters as text, and then"
+    if "options" in action.args:
+        return f"this number can take {length} characters as text, and then"
+    return (
+        "what CLICK makes of a number in TXT without an option, no source says; "
+        f"as text it can take {length} characters, and then"
+    )
+
+
+def _option(action: Action) -> str:
+    """The beginning of the way out for a number that goes to TXT without an option."""
+    source = action.args.get(action.spec.matrix[0])
+    if isinstance(source, Text) or "to_text" not in action.spec.conversions or "options" in action.args:
+        return ""
+    if isinstance(source, Integer):
+        return f'write its digits as a text, "{source.value}"; or '
+    if isinstance(source, Constant):
+        return "write its digits as a text in quotes; or "
+    return "say what is meant, options=to_binary for one character or options=to_text(); or "
 
 
 def _is_sure_text(action: Action) -> bool:
     return isinstance(action.args.get(action.spec.matrix[0]), Text)
+
+
+# -- through a pointer ------------------------------------------------------------------------------------------------
+
+
+def _long_pointers(placed: Placed) -> Iterator[Pointer]:
+    """The pointers into TXT that a text of several characters goes through."""
+    target = placed.action.args.get(placed.spec.matrix[1])
+    if isinstance(target, Pointer) and target.bank == "TXT" and characters(placed.action) > 1:
+        yield target
+
+
+def _judge_pointer(facts: Facts, placed: Placed, pointer: Pointer, length: int, problems: Diagnostics) -> None:
+    """Where the text begins, the numbers say that the program gives the pointer; else anything that is not asked."""
+    register = pointer.register
+    if not isinstance(register, Cell):
+        return
+    param = next(param for param in placed.spec.params if param.name == placed.spec.matrix[1])
+    asked, bank = Asked(facts, placed, register.address), BANKS[pointer.bank]
+    numbers = _numbers(facts, register.address)
+    if numbers is not None:
+        for number in sorted(numbers):
+            start = Cell(Address(bank.name, number), pointer.span)
+            if bank.has(number) and asked.may_be(number) and _judge(facts, placed, start, param, length, problems):
+                return
+        return
+    looked_at = (side for leaf in facts.comparisons for side in (leaf.left, leaf.right))
+    if any(isinstance(side, Cell) and side.address == register.address for side in looked_at):
+        return  # How far the program lets it go, a comparison says.
+    highest = bank.last + 1 - length
+    problems.add(
+        "CG430",
+        pointer.span,
+        f"{_said(placed.action, length)} can reach past TXT{bank.last}: nothing keeps "
+        f"{facts.shown(register.address)} at {highest} or below",
+        f"{_option(placed.action)}test the pointer in this rung: "
+        f"if {facts.with_test(placed, f'{facts.text(register.span)} <= {highest}')}:",
+    )
+
+
+def _numbers(facts: Facts, register: Address) -> set[int] | None:
+    """All numbers that the program gives a register; None where it is not known."""
+    writers = facts.writers(register)
+    if not writers or facts.uses.is_pointed("DS", is_written=True):
+        return None
+    numbers = {put.value if isinstance(put := put_in(writer, register), Integer) else None for writer in writers}
+    begins = facts.initial(register)
+    known = {number for number in numbers if number is not None}
+    if None in numbers:
+        return None
+    return known | ({int(begins)} if begins.isdecimal() else set())
+
+
+# -- what lies there --------------------------------------------------------------------------------------------------
 
 
 def _block_of(facts: Facts, address: Address) -> Block | None:

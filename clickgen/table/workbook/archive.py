@@ -21,7 +21,8 @@ from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 
-from clickgen.table.read import TableUnreadable, read_bounded
+from clickgen.table.read import TableUnreadable
+from clickgen.workspace import NoRegularFile, Workspace
 
 FILE_MAX = 32 * 2**20
 PARTS_MAX = 64 * 2**20
@@ -48,12 +49,14 @@ _STRICT = b"http://purl.oclc.org/ooxml/spreadsheetml/main"
 _UNHEARD_OF = re.compile(rb"\0|<!(?!\[CDATA\[)|<\?(?!xml\s[^<>]{0,200}\?>)|<[^<]{250000}")
 
 
-def bytes_of_workbook(path: Path, shown: str) -> bytes:
+def bytes_of_workbook(path: Path, shown: str, workspace: Workspace | None = None) -> bytes:
     """The file's bytes, of a file that is too large only the first; raises TableUnreadable when it cannot be read."""
     try:
-        return read_bounded(path, FILE_MAX + 1, shown)
+        return (workspace or Workspace()).start(path, FILE_MAX + 1)
     except FileNotFoundError:
         raise TableUnreadable(f"there is no workbook at {shown}") from None
+    except NoRegularFile:
+        raise TableUnreadable(f"{shown} is a pipe or a device; name a file") from None
     except OSError as error:
         reason = "it is a folder" if path.is_dir() else error.strerror or error
         raise TableUnreadable(f"{shown} cannot be read: {reason}") from None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -106,11 +107,15 @@ def sheets_of(data: bytes, shown: str) -> list[Sheet]:
     return sheets
 
 
-_NO_VALUES = {"f": "a formula", "e": "an error", "d": "a date"}
+_NO_VALUES = {"f": "a formula", "d": "a date"}
+_NA = re.compile(r"=\s*NA\s*\(\s*\)", re.IGNORECASE)
+"""What Excel's own function for it writes instead of ``#N/A``."""
 
 
 def _cell(column: int, cell: Any) -> Cell:
     value, kind = cell.value, cell.data_type
+    if kind == "e" or (kind == "f" and _NA.fullmatch(str(value))):
+        return Cell(column, str(value), f"an error, {value if kind == 'e' else '#N/A'}")
     if kind in _NO_VALUES:
         return Cell(column, str(value), _NO_VALUES[kind])
     if isinstance(value, float) and not math.isfinite(value):

@@ -33,31 +33,28 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from clickgen.device.banks import BANKS, Address, Kind
+from clickgen.device.banks import BANKS, Address
 from clickgen.device.nicknames import nickname_fault
 from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.table.judge_row import (
     Fault,
-    address_comment_fault,
     address_nickname_fault,
     may_share_a_name,
     no_address,
-    retention_fault,
     short,
 )
 from clickgen.table.read import TableUnreadable
 from clickgen.table.rows import Row, default_row
 from clickgen.table.workbook.archive import bytes_of_workbook
 from clickgen.table.workbook.cells import Cell, Line, Sheet, sheets_of
+from clickgen.table.workbook.fields import agree, in_words, is_blank_value, says_something, value_of
 from clickgen.table.workbook.titles import HEADER_ROWS, AddressList, Field, lists_of
 from clickgen.table.workbook.values import (
     address_of,
-    initial_of,
+    addresses_in,
     is_spare,
     looks_like_address,
     name_of,
-    retentive_of,
-    same_initial,
     spare_where_twice,
 )
 from clickgen.text.source import Span
@@ -147,13 +144,13 @@ class _Reader:
 
     def _line(self, sheet: Sheet, listed: AddressList, line: Line) -> list[tuple[Field, Cell]]:
         """Take what a line says; returns the cells that should say something and hold no plain value."""
-        cells = {what: cell for what in _SAID if (cell := listed.cell(line, what)) and _says_something(what, cell)}
+        cells = {what: cell for what in _SAID if (cell := listed.cell(line, what)) and says_something(what, cell)}
         name = cells.get(Field.NICKNAME)
         is_spare = name is not None and self._is_spare(name, listed)
         if is_spare:
             del cells[Field.NICKNAME]
         at = listed.cell(line, Field.ADDRESS)
-        if at is None or not _says_something(Field.ADDRESS, at):
+        if at is None or not says_something(Field.ADDRESS, at):
             if not is_spare:
                 self._without_address(sheet, listed, line)
             return []
@@ -161,6 +158,9 @@ class _Reader:
             return [(Field.ADDRESS, at)] if cells else []
         place = sheet.span(line, at.column)
         address = address_of(at.text)
+        if address is None and (several := addresses_in(at.text)):
+            self._add("CG601", place, _several_addresses(at, several))
+            return []
         if address is None:
             if Field.NICKNAME in cells or (cells and looks_like_address(at.text)):
                 self._add("CG601", place, _no_address(at))
@@ -169,7 +169,7 @@ class _Reader:
             self._said.setdefault(address, _Said(place)).spare = name.text
             self._spares.append(_Fact(name.text, sheet.span(line, name.column)))
         for what, cell in cells.items():
-            if not cell.fault and not _is_blank_value(address, what, cell):
+            if not cell.fault and not is_blank_value(address, what, cell):
                 self._take(address, what, cell, place, sheet.span(line, cell.column))
         if name is None:
             self._without_nickname(sheet, listed, line, address)
@@ -220,7 +220,7 @@ class _Reader:
 
     def _take(self, address: Address, what: Field, cell: Cell, place: Span, span: Span) -> None:
         """Take what a cell says of an address whose place is given, unless it cannot be said of it."""
-        value = _value_of(address, what, cell)
+        value = value_of(address, what, cell)
         if isinstance(value, Fault):
             self._add("CG603" if what is Field.NICKNAME else "CG601", span, value)
             return
@@ -232,7 +232,7 @@ class _Reader:
                 self._take_name(address, fact)
         elif what is Field.COMMENT and not str(earlier.value).strip():
             said.facts[what] = fact
-        elif not _agree(address, what, fact.value, earlier.value):
+        elif not agree(address, what, fact.value, earlier.value):
             self._contradiction(address, what, fact, earlier)
 
     def _take_name(self, address: Address, fact: _Fact) -> None:
@@ -255,7 +255,7 @@ class _Reader:
     # -- what is wrong ------------------------------------------------------------------------------------------------
 
     def _contradiction(self, address: Address, what: Field, fact: _Fact, earlier: _Fact) -> None:
-        here, there = (_in_words(each.value) for each in (fact, earlier))
+        here, there = (in_words(each.value) for each in (fact, earlier))
         self._twice(
             fact,
             earlier,
@@ -302,6 +302,8 @@ class _Reader:
         left_out = " and is left out" if is_comment else ""
         message = f"the {what.value} in {spans[0].cell} is {fault}{left_out}{others}"
         way_out = _WAYS_OUT.get(fault, "write what it should say as plain text")
+        if fault.startswith("an error"):
+            way_out += ", or clear the cell; a point without a nickname is SPARE"
         self._add("CG604" if is_comment else "CG601", spans[0], Fault(message, way_out))
 
     def _strange_list(self, sheet: Sheet, line: Line, cell: Cell) -> None:
@@ -338,43 +340,16 @@ def _first_stranger(listed: AddressList) -> tuple[Line, Cell] | None:
         at, name = listed.cell(line, Field.ADDRESS), listed.cell(line, Field.NICKNAME)
         if at and (at.fault or looks_like_address(at.text)):
             return None
-        if not first and at and _says_something(Field.ADDRESS, at) and name and _says_something(Field.NICKNAME, name):
+        if not first and at and says_something(Field.ADDRESS, at) and name and says_something(Field.NICKNAME, name):
             first = (line, at)
     return first
 
 
-def _says_something(what: Field, cell: Cell) -> bool:
-    if cell.fault or not isinstance(cell.value, str):
-        return True
-    if what is Field.ADDRESS:
-        return name_of(cell) != "" and not is_spare(cell.text)
-    if what is Field.NICKNAME:
-        return name_of(cell) != ""
-    return cell.text != "" or what is not Field.RETENTIVE
-
-
-def _is_blank_value(address: Address, what: Field, cell: Cell) -> bool:
-    """True for spaces, a dash or N/A as an initial value or retention, unless they can be the character of a TXT."""
-    if what is Field.RETENTIVE:
-        return retentive_of(cell) is None and is_spare(cell.text)
-    if what is not Field.INITIAL or address.kind is Kind.TEXT or not isinstance(cell.value, str):
-        return False
-    return not name_of(cell) or is_spare(cell.text)
-
-
-def _value_of(address: Address, what: Field, cell: Cell) -> str | bool | Fault:
-    """What a cell says of an address, or why it cannot be said of it. Whether a nickname is legal is not asked here."""
-    if what is Field.NICKNAME:
-        return name_of(cell) or _no_name(address, cell)
-    if what is Field.INITIAL:
-        return initial_of(address, cell)
-    if what is Field.COMMENT:
-        comment = cell.value if isinstance(cell.value, str) else cell.shown
-        return address_comment_fault(address, comment) or comment
-    retentive = retentive_of(cell)
-    if retentive is None:
-        return Fault(f"the retentive setting of {address} reads {short(cell.shown)}", "write Yes or No")
-    return retention_fault(address, retentive) or retentive
+def _several_addresses(cell: Cell, named: tuple[str, ...]) -> Fault:
+    return Fault(
+        f"{short(cell.shown)} are several addresses, and a row of a list is one",
+        f"write a row for each of them, {named[0]} and so on to {named[-1]}, with a nickname of its own or SPARE",
+    )
 
 
 def _no_address(cell: Cell) -> Fault:
@@ -382,28 +357,6 @@ def _no_address(cell: Cell) -> Fault:
     if looks_like_address(cell.text):
         return fault
     return Fault(fault.message, f"{fault.way_out}; a remark belongs outside the columns of the list")
-
-
-def _no_name(address: Address, cell: Cell) -> Fault:
-    return Fault(
-        f"the nickname of {address} is {cell.shown}, which is no text",
-        "format the cell as text and write the nickname again",
-    )
-
-
-def _agree(address: Address, what: Field, one: str | bool, other: str | bool) -> bool:
-    if what is Field.RETENTIVE:
-        return one == other
-    one, other = str(one), str(other)
-    if what is Field.NICKNAME:
-        return one.lower() == other.lower()
-    if what is Field.INITIAL:
-        return same_initial(address.kind, one, other)
-    return one.strip() in ("", other.strip())
-
-
-def _in_words(value: str | bool) -> str:
-    return ("Yes" if value else "No") if isinstance(value, bool) else short(value)
 
 
 def _row(address: Address, said: _Said) -> Row:

@@ -53,6 +53,17 @@ def spare_where_twice(text: str) -> str:
     return letters if letters in _SPARES_WHERE_TWICE or letters in _SPARES else ""
 
 
+_BETWEEN = re.compile(r"\s*(?:[-\u2010-\u2015~:,;/&+]|\.{2,3}|\bto\b|\bthrough\b|\band\b)\s*", re.IGNORECASE)
+
+
+def addresses_in(text: str) -> tuple[str, ...]:
+    """The addresses of a cell that names several: ``X001-X003``, ``X1..3``, ``X1, X2``; none for any other text."""
+    parts = _BETWEEN.split(text) if len(text) < 200 else []
+    if len(parts) < 2 or not _ADDRESS.fullmatch(parts[0]):
+        return ()
+    return tuple(parts) if all(_ADDRESS.fullmatch(part) or part.isdecimal() for part in parts) else ()
+
+
 def looks_like_address(text: str) -> bool:
     """True for letters and a number, whether CLICK has such an address or not."""
     return _ADDRESS.fullmatch(text) is not None

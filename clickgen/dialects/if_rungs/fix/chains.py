@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import ast
 import re
 from collections.abc import Sequence
 from typing import NamedTuple, TypeGuard
+
+import libcst as cst
 
 from clickgen.dialects.if_rungs.fix.opposites import opposite
 from clickgen.dialects.if_rungs.read.context import Context
@@ -23,7 +24,7 @@ class Arm(NamedTuple):
 
     word: Span
     """Where its ``if``, ``elif`` or ``else`` stands."""
-    test: ast.expr | None
+    test: cst.BaseExpression | None
     condition: Condition | None
     items: tuple[Item, ...]
 
@@ -144,7 +145,7 @@ def _edits(context: Context, arm: Arm, test: Condition, terms: list[Condition]) 
     return _before_own(context, arm.word, arm.test, terms[: -len(own)])
 
 
-def _before_own(context: Context, word: Span, test: ast.expr, terms: list[Condition]) -> list[Edit] | None:
+def _before_own(context: Context, word: Span, test: cst.BaseExpression, terms: list[Condition]) -> list[Edit] | None:
     """Terms put in series in front of what an elif asks."""
     texts = [_text(context, term) for term in terms]
     if None in texts:

@@ -2,26 +2,40 @@
 
 from __future__ import annotations
 
-import ast
+from collections.abc import Sequence
 from functools import partial
+
+import libcst as cst
 
 from clickgen.device.banks import READ_ONLY
 from clickgen.dialects.if_rungs.read.arguments import read_argument
 from clickgen.dialects.if_rungs.read.conditions import fits_condition, read_series
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import (
+    Node,
+    arguments,
+    called,
+    elements,
+    is_starred,
+    keyword_name,
+    keywords,
+    literal,
+    whole_number,
+    word,
+)
 from clickgen.dialects.if_rungs.read.operands import shorten
 from clickgen.dialects.if_rungs.read.options import modifier_of, read_modifier
 from clickgen.dialects.if_rungs.read.searches import read_range_comparison
 from clickgen.dialects.if_rungs.trade import ARGUMENTS
-from clickgen.dialects.if_rungs.ways_out import no_call
-from clickgen.dialects.if_rungs.ways_out.hints import expression_of
+from clickgen.dialects.if_rungs.ways_out import hints, no_call
+from clickgen.dialects.if_rungs.ways_out.misgiven import misgiven
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.data import SEARCH, SEARCH_RANGE
 from clickgen.instructions.spec import REQUIRED, Access, Param, ParamKind, Spec
 from clickgen.ir.operands import Cell, Constant, Immediate, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action, Value
-from clickgen.problems.diagnostics import Diagnostics, Fix, did_you_mean
-from clickgen.text.source import SourceFile, Span
+from clickgen.problems.diagnostics import Fix, did_you_mean
+from clickgen.text.source import Span
 
 _NOTHING_CHAINED = "nothing is chained behind it:"
 
@@ -36,14 +50,14 @@ _RELATIVES = {
 """The instruction that has the input which this one lacks."""
 
 
-def read_call(context: Context, node: ast.Call) -> Action | None:
+def read_call(context: Context, node: cst.Call) -> Action | None:
     """The instruction that a call statement writes, with what is chained behind it; None with problems."""
-    links: list[ast.Call] = []
+    links: list[cst.Call] = []
     base = node
-    while isinstance(base.func, ast.Attribute) and isinstance(base.func.value, ast.Call):
+    while isinstance(base.func, cst.Attribute) and isinstance(base.func.value, cst.Call):
         links.insert(0, base)
         base = base.func.value
-    name = base.func.id if isinstance(base.func, ast.Name) else ""
+    name = called(base)
     spec = INSTRUCTIONS.get(name)
     if spec is None:
         shown = name or shorten(context.text(base.func))
@@ -65,18 +79,18 @@ def _in_order(spec: Spec, args: dict[str, Value]) -> dict[str, Value]:
     return {param.name: args[param.name] for param in spec.params if param.name in args}
 
 
-def _is_range_form(node: ast.Call) -> bool:
+def _is_range_form(node: cst.Call) -> bool:
     """True for ``search(ds[1:101] >= 100, ...)``."""
-    return any(isinstance(argument, ast.Compare) for argument in node.args[:1]) or any(
-        keyword.arg == "comparison" for keyword in node.keywords
+    return any(isinstance(argument, cst.Comparison) for argument in arguments(node)[:1]) or any(
+        keyword_name(keyword) == "comparison" for keyword in keywords(node)
     )
 
 
 def fits_action(context: Context, text: str) -> bool:
     """True for the text of an action without a fault."""
-    trial = Context(SourceFile(context.source.path, text), Diagnostics(), is_trial=True)
-    node = expression_of(text)
-    action = read_call(trial, node) if isinstance(node, ast.Call) else None
+    trial = context.of_text(text)
+    node = trial.expression()
+    action = read_call(trial, node) if isinstance(node, cst.Call) else None
     return action is not None and not trial.problems.found and _takes_all(action)
 
 
@@ -104,17 +118,21 @@ def _takes_all(action: Action) -> bool:
 class _Call:
     """One call: its arguments by parameter, every fault reported."""
 
-    def __init__(self, context: Context, spec: Spec, node: ast.Call, links: list[ast.Call]) -> None:
+    def __init__(self, context: Context, spec: Spec, node: cst.Call, links: list[cst.Call]) -> None:
         self._context = context
         self._spec = spec
         self._node = node
         self._links = links
-        self._bound: dict[str, ast.expr] = {}
+        self._bound: dict[str, Node] = {}
         self._args: dict[str, Value] = {}
         self._faults = 0
 
     def read(self) -> dict[str, Value] | None:
         """The arguments; None with problems."""
+        wrong = misgiven(self._context, self._spec, self._node, partial(fits_action, self._context))
+        if wrong is not None:
+            self._context.problem(wrong.code, wrong.node, wrong.message, wrong.help)
+            return None
         self._bind_positional()
         self._bind_keywords()
         chained = {name for link in self._links if (name := self._bind_link(link))}
@@ -129,9 +147,7 @@ class _Call:
             return None
         return self._args
 
-    def _fault(
-        self, code: str, place: ast.expr | ast.keyword | Span, message: str, hint: str = "", fix: Fix | None = None
-    ) -> None:
+    def _fault(self, code: str, place: Node | Span, message: str, hint: str = "", fix: Fix | None = None) -> None:
         span = place if isinstance(place, Span) else self._context.span(place)
         signatures = (SEARCH, SEARCH_RANGE) if self._spec in (SEARCH, SEARCH_RANGE) else (self._spec,)
         help = " ".join(filter(None, (hint, " or ".join(spec.signature for spec in signatures))))
@@ -142,8 +158,8 @@ class _Call:
 
     def _bind_positional(self) -> None:
         params = self._spec.params
-        for index, argument in enumerate(self._node.args):
-            if isinstance(argument, ast.Starred):
+        for index, argument in enumerate(arguments(self._node)):
+            if is_starred(argument):
                 self._fault("CG115", argument, "arguments are written one by one")
             elif index >= len(params):
                 self._fault("CG109", argument, f"{self._spec.name} takes no more than {len(params)} arguments")
@@ -152,18 +168,19 @@ class _Call:
 
     def _bind_keywords(self) -> None:
         names = {alias: param.name for param in self._spec.params for alias in (param.name, *param.aliases)}
-        for keyword in self._node.keywords:
-            name = names.get(keyword.arg or "")
-            if keyword.arg is None:
+        for keyword in keywords(self._node):
+            written = keyword_name(keyword)
+            name = names.get(written)
+            if not written:
                 self._fault("CG115", keyword, "arguments are written one by one")
             elif name is None:
-                hint, fix = self._relative(keyword.arg), None
+                hint, fix = self._relative(written), None
                 if not hint:
                     hint, fix = no_call.other_argument(self._context, self._spec, keyword, tuple(names))
-                if not hint and keyword.arg in ("oneshot", "one_shot", "os", "ons"):
+                if not hint and written in ("oneshot", "one_shot", "os", "ons"):
                     hint = "it has no one-shot; put an edge into the condition, re(c.A):"
-                hint = hint or did_you_mean(keyword.arg, names)
-                self._fault("CG109", keyword, f"{self._spec.name} has no argument {keyword.arg!r}", hint, fix)
+                hint = hint or did_you_mean(written, names)
+                self._fault("CG109", keyword, f"{self._spec.name} has no argument {written!r}", hint, fix)
             elif name in self._bound:
                 self._fault("CG111", keyword, f"{self._spec.name} is given {name!r} twice")
             else:
@@ -175,12 +192,11 @@ class _Call:
 
     # -- chains -------------------------------------------------------------------------------------------------------
 
-    def _bind_link(self, link: ast.Call) -> str:
+    def _bind_link(self, link: cst.Call) -> str:
         """Read one ``.reset(c.A, c.B)``; the name of the pin, or "" with problems."""
-        assert isinstance(link.func, ast.Attribute)
-        method = link.func.attr
-        end = self._context.span(link.func)
-        place = Span(end.path, end.end_line, end.end_col - len(method), end.end_line, end.end_col)
+        assert isinstance(link.func, cst.Attribute)
+        method = word(link.func.attr)
+        place = self._context.span(link.func.attr)
         pin = self._spec.methods.get(method)
         if pin is None:
             known = " and ".join(f".{name}" for name in self._spec.methods)
@@ -192,27 +208,28 @@ class _Call:
         if pin.name in self._bound or pin.name in self._args:
             self._fault("CG111", place, f"{self._spec.name} is given {method!r} twice")
             return ""
-        nodes = _flat(link.args)
+        nodes = _flat(arguments(link))
         own = {param.chained: param for param in self._spec.params if param.of_pin == pin.name}
         condition = None
         if not nodes:
             self._fault("CG110", place, f".{method}() needs a condition", f"write .{method}(c.Name) behind")
-        elif any(isinstance(node, ast.Lambda | ast.Starred) for node in nodes):
-            inner = [node.body if isinstance(node, ast.Lambda) else node for node in nodes]
+        elif any(isinstance(node, cst.Lambda) or is_starred(node) for node in nodes):
+            inner = [node.body if isinstance(node, cst.Lambda) else node for node in nodes]
             shown = ", ".join(self._context.text(node) for node in inner)
             hint = f"write .{method}({shown}):" if fits_condition(self._context, f"all({shown})") else ""
             self._fault("CG115", nodes[0], f"the conditions of .{method}(...) stand one by one, without lambda", hint)
-        elif own and isinstance(nodes[-1], ast.Constant) and type(nodes[-1].value) is int:
-            hint = f"write {next(iter(own))}={nodes[-1].value}:"
+        elif own and (number := whole_number(nodes[-1])) is not None:
+            hint = f"write {next(iter(own))}={number}:"
             self._fault("CG115", nodes[-1], f"a number is no condition of .{method}(...)", hint)
         else:
             condition = read_series(self._context, nodes)
             self._faults += condition is None
-        for keyword in link.keywords:
-            param = own.get(keyword.arg or "")
+        for keyword in keywords(link):
+            written = keyword_name(keyword)
+            param = own.get(written)
             if param is None:
-                hint = did_you_mean(keyword.arg or "", own)
-                self._fault("CG109", keyword, f".{method}() has no argument {keyword.arg or '**'!r}", hint)
+                hint = did_you_mean(written, own)
+                self._fault("CG109", keyword, f".{method}() has no argument {written or '**'!r}", hint)
             elif param.name in self._bound:
                 self._fault("CG111", keyword, f"{self._spec.name} is given {param.name!r} twice")
             else:
@@ -224,8 +241,8 @@ class _Call:
 
     # -- reading ------------------------------------------------------------------------------------------------------
 
-    def _read(self, param: Param, node: ast.expr) -> None:
-        if param.default is None and isinstance(node, ast.Constant) and node.value is None:
+    def _read(self, param: Param, node: Node) -> None:
+        if param.default is None and literal(node) is None:
             return
         if param.kind is ParamKind.RANGE_COMPARISON:
             found = read_range_comparison(self._context, node)
@@ -236,17 +253,19 @@ class _Call:
         if modifier and param.name == self._spec.matrix[0]:
             self._read_modified(param, *modifier)
             return
-        value = read_argument(self._context, self._spec, param, node)
+        target = self._bound.get("destination")
+        shown = hints.own(self._context, target) if target is not None else ""
+        value = read_argument(self._context, self._spec, param, node, shown)
         if value is None:
             self._faults += 1
         else:
             self._args[param.name] = value
 
-    def _read_modified(self, source: Param, call: ast.Call, attribute: ast.Attribute) -> None:
+    def _read_modified(self, source: Param, call: cst.Call, attribute: cst.Attribute) -> None:
         """``copy(txt[1].as_value(), ds[1])``: the option stands behind the source."""
         options = read_modifier(self._context, call, attribute)
         given = self._bound.get("options")
-        if given is not None and not (isinstance(given, ast.Constant) and given.value is None):
+        if given is not None and literal(given) is not None:
             self._fault("CG111", given, f"{self._spec.name} is given its option twice")
         if options is None:
             self._faults += 1
@@ -255,9 +274,9 @@ class _Call:
         self._read(source, attribute.value)
 
 
-def _flat(nodes: list[ast.expr]) -> list[ast.expr]:
+def _flat(nodes: Sequence[Node]) -> list[Node]:
     """Conditions one by one, those of tuples and lists included."""
-    flat: list[ast.expr] = []
+    flat: list[Node] = []
     for node in nodes:
-        flat += _flat(node.elts) if isinstance(node, ast.Tuple | ast.List) else [node]
+        flat += _flat(elements(node)) if isinstance(node, cst.Tuple | cst.List) else [node]
     return flat

@@ -2,13 +2,26 @@
 
 from __future__ import annotations
 
-import ast
-import warnings
+from collections.abc import Sequence
 from functools import partial
+
+import libcst as cst
 
 from clickgen.device.banks import BANKS, Kind
 from clickgen.dialects.if_rungs.fix.rewrite import Rewritten, has_opposite, in_language, python_logic, terms_in
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import (
+    ADDRESSES,
+    Node,
+    arguments,
+    called,
+    is_literal,
+    is_starred,
+    keywords,
+    literal,
+    name_of,
+    on_one_line,
+)
 from clickgen.dialects.if_rungs.read.operands import looks_like_address, read_address, read_operand, shorten
 from clickgen.dialects.if_rungs.ways_out import no_condition
 from clickgen.dialects.if_rungs.ways_out.binding import binds_otherwise
@@ -17,17 +30,17 @@ from clickgen.dialects.if_rungs.ways_out.meant import Meant, meant
 from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real, form_of
 from clickgen.ir.proposals import Proposal
-from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Edit, Fix
-from clickgen.text.source import SourceFile, Span
+from clickgen.problems.diagnostics import Diagnostic, Edit, Fix
+from clickgen.text.source import Span
 from clickgen.text.wording import no_opposite
 
-COMPARISONS: dict[type[ast.cmpop], str] = {
-    ast.Eq: "==",
-    ast.NotEq: "!=",
-    ast.Lt: "<",
-    ast.LtE: "<=",
-    ast.Gt: ">",
-    ast.GtE: ">=",
+COMPARISONS: dict[type[Node], str] = {
+    cst.Equal: "==",
+    cst.NotEqual: "!=",
+    cst.LessThan: "<",
+    cst.LessThanEqual: "<=",
+    cst.GreaterThan: ">",
+    cst.GreaterThanEqual: ">=",
 }
 _RANGE_MAX = 8
 """Of a longer range a message does not name each address."""
@@ -36,18 +49,20 @@ _EDGES = {function: edge for edge, function in EDGE_FUNCTIONS.items()}
 _WAY_OUT = "a condition is a bit, a comparison, all(...), any(...), nc(...), re(...) or fe(...)"
 
 
-def read_condition(context: Context, node: ast.expr) -> Condition | None:
+def read_condition(context: Context, node: Node) -> Condition | None:
     """The condition that an expression writes; None with a problem."""
-    if isinstance(node, ast.Constant) and node.value is True:
+    if node.__class__ is not cst.Name:
+        return _read_term(context, node)
+    if literal(node) is True:
         return Always(context.span(node))
-    if isinstance(node, ast.Name) and node.id.lower() == "true":
+    if name_of(node).lower() == "true":
         fix = Fix((Edit(context.span(node), "True"),))
         context.problem("CG107", node, "this is not a condition", "a rung that always runs stands under if True:", fix)
         return None
     return _read_term(context, node)
 
 
-def read_series(context: Context, nodes: list[ast.expr]) -> Condition | None:
+def read_series(context: Context, nodes: Sequence[Node]) -> Condition | None:
     """Conditions one behind the other, all of which must hold; None with problems."""
     if len(nodes) == 1:
         return read_condition(context, nodes[0])
@@ -59,17 +74,17 @@ def read_series(context: Context, nodes: list[ast.expr]) -> Condition | None:
     return All(kept, first._replace(end_line=last.end_line, end_col=last.end_col))
 
 
-def _read_term(context: Context, node: ast.expr) -> Condition | None:
-    if isinstance(node, ast.Attribute | ast.Subscript):
+def _read_term(context: Context, node: Node) -> Condition | None:
+    if node.__class__ in ADDRESSES:
         return _read_contact(context, node)
-    if isinstance(node, ast.Compare):
+    if node.__class__ is cst.Comparison and isinstance(node, cst.Comparison):
         return _read_comparison(context, node)
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in FUNCTIONS:
-        return _read_function(context, node, node.func.id)
+    if isinstance(node, cst.Call) and (name := called(node)) in FUNCTIONS:
+        return _read_function(context, node, name)
     logic = python_logic(node)
     if logic:
         _refuse_logic(context, node, logic[0])
-    elif isinstance(node, ast.Constant) and node.value is True:
+    elif literal(node) is True:
         context.problem(
             "CG107",
             node,
@@ -77,7 +92,7 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
             "leave it out; where a contact is needed, sc[1] is always on",
         )
     else:
-        fault = "this call is not a condition" if isinstance(node, ast.Call) else "this is not a condition"
+        fault = "this call is not a condition" if isinstance(node, cst.Call) else "this is not a condition"
         if _said_otherwise(context, node, "CG107", fault):
             return None
         help, fix = no_condition.way_out(context, node, partial(fits_condition, context))
@@ -85,7 +100,7 @@ def _read_term(context: Context, node: ast.expr) -> Condition | None:
     return None
 
 
-def _refuse_logic(context: Context, node: ast.expr, word: str) -> None:
+def _refuse_logic(context: Context, node: Node, word: str) -> None:
     """Python's and, or and not: rewritten where that is plain, said where a rung before is needed."""
     fault = f"{word} is not part of the language"
     rewritten = None if context.is_trial else _rewritten(context, node)
@@ -97,7 +112,7 @@ def _refuse_logic(context: Context, node: ast.expr, word: str) -> None:
         context.proposals.append(_proposal(context, "CG105", context.span(node), rewritten))
 
 
-def _said_otherwise(context: Context, node: ast.expr, code: str, fault: str) -> bool:
+def _said_otherwise(context: Context, node: Node, code: str, fault: str) -> bool:
     """Report an expression with what it means in the language, where that is certain; False without a word."""
     said = _meant(context, node)
     if said is None:
@@ -107,34 +122,34 @@ def _said_otherwise(context: Context, node: ast.expr, code: str, fault: str) -> 
     return True
 
 
-def propose_turned(context: Context, code: str, node: ast.expr, said: Meant) -> None:
+def propose_turned(context: Context, code: str, node: Node, said: Meant) -> None:
     """Have the judge of fixes say it where something that is turned round has no opposite, such as a block."""
-    trial = Context(context.source, Diagnostics())
+    trial = context.aside()
     leaves = [_read_term(trial, term) for term in said.turned]
     turned = tuple(leaf for leaf in leaves if isinstance(leaf, Contact | Compare))
     if turned:
         context.proposals.append(Proposal(code, context.span(node), (), "", turned))
 
 
-def pin_readings(context: Context, node: ast.expr) -> list[Meant]:
+def pin_readings(context: Context, node: Node) -> list[Meant]:
     """What an expression can mean as the condition of an input: one thing, for a list two; none where it is open."""
     fits = partial(fits_condition, context)
-    if isinstance(node, ast.Constant) and node.value is True:
+    if literal(node) is True:
         return [Meant("True", (), ())]
     return no_condition.readings_of(context, node, fits)
 
 
-def _meant(context: Context, node: ast.expr, wanted: bool = True) -> Meant | None:
+def _meant(context: Context, node: Node, wanted: bool = True) -> Meant | None:
     """What an expression means as a condition; None in a trial, and where that is not certain."""
     return None if context.is_trial else meant(context, node, partial(fits_condition, context), wanted)
 
 
-def _rewritten(context: Context, node: ast.expr) -> Rewritten | None:
-    """An expression in the language; None where that would be no condition, or needs a rung before."""
-    rewritten = in_language(context, node)
+def _rewritten(context: Context, node: Node, wanted: bool = True) -> Rewritten | None:
+    """An expression, or its opposite, in the language; None where that is no condition, or needs a rung before."""
+    rewritten = in_language(context, node, wanted)
     if rewritten and fits_condition(context, rewritten.text):
         return rewritten
-    said = None if "#" in context.text(node) else _meant(context, node)
+    said = None if "#" in context.text(node) else _meant(context, node, wanted)
     if said is None or said.before or not said.is_exact:
         return None
     return Rewritten(said.text, Edit(context.span(node), said.text), said.turned)
@@ -142,13 +157,13 @@ def _rewritten(context: Context, node: ast.expr) -> Rewritten | None:
 
 def _proposal(context: Context, code: str, place: Span, rewritten: Rewritten) -> Proposal:
     """The fix of the problem at this place that writes an expression in the language, with all that it turns round."""
-    trial = Context(context.source, Diagnostics())
+    trial = context.aside()
     turned = [_read_term(trial, term) for term in rewritten.turned]
     return Proposal(
         code,
         place,
         (rewritten.edit,),
-        f"write {_on_one_line(rewritten.text)}",
+        f"write {_on_one_line(context, rewritten.text)}",
         tuple(term for term in turned if isinstance(term, Contact | Compare)),
         is_read=None not in turned,
     )
@@ -159,7 +174,7 @@ def fits_condition(context: Context, text: str) -> bool:
     return condition_fault(context, text, is_trial=True) is None
 
 
-def as_condition(context: Context, node: ast.expr) -> str:
+def as_condition(context: Context, node: Node) -> str:
     """An expression as the text of a condition, and, or and not rewritten; "" where it is none."""
     text = " ".join(context.text(node).split())
     if "#" in text:
@@ -175,7 +190,7 @@ def as_condition(context: Context, node: ast.expr) -> str:
     return rewritten.text if _has_plain_opposites(context, rewritten) else ""
 
 
-def rewrites(context: Context, node: ast.expr) -> bool:
+def rewrites(context: Context, node: Node) -> bool:
     """True for and, or and not that can be written in the language, as far as the text says."""
     return _rewritten(context, node) is not None
 
@@ -196,29 +211,25 @@ def _has_plain_opposites(context: Context, rewritten: Rewritten) -> bool:
 
 def condition_fault(context: Context, text: str, is_trial: bool = False) -> Diagnostic | None:
     """What is wrong with a condition of this text; None where nothing is. A trial finds no ways out."""
-    source = SourceFile(context.source.path, f"({text})")
-    trial = Context(source, Diagnostics(), is_trial=is_trial or context.is_trial)
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            read_condition(trial, _read_alone(trial.source.text))
-    except SyntaxError:
+    trial = context.of_text(f"({text})", is_trial)
+    node = trial.expression()
+    if node is None:
         return Diagnostic("CG107", "this is not a condition", None, _WAY_OUT)
+    read_condition(trial, node)
     return next(iter(trial.problems.found), None)
 
 
-def _read_alone(text: str) -> ast.expr:
-    return ast.parse(text, mode="eval").body
-
-
-def _on_one_line(text: str) -> str:
+def _on_one_line(context: Context, text: str) -> str:
     """A condition for a message, without the line breaks and comments in it."""
-    return ast.unparse(_read_alone(f"({text})")) if "#" in text and "\n" in text else " ".join(text.split())
+    if "#" in text and "\n" in text:
+        node = context.of_text(f"({text})").expression()
+        return "" if node is None else on_one_line(node.with_changes(lpar=[], rpar=[]))
+    return " ".join(text.split())
 
 
-def _in_the_way(context: Context, node: ast.expr) -> str:
+def _in_the_way(context: Context, node: Node) -> str:
     """The term for which Python's operators cannot be rewritten plainly, and the way out."""
-    compared: ast.Compare | None = None
+    compared: cst.Comparison | None = None
     for term, function, wanted in terms_in(node):
         text = context.text(term)
         shown = shorten(text)
@@ -232,22 +243,22 @@ def _in_the_way(context: Context, node: ast.expr) -> str:
             return f"{shown} has no place in it: {f'compare it as well, {both}' if both else fault.help}"
         if not wanted and not has_opposite(context, term):
             return no_opposite(shown, is_negated=True)
-        compared = term if isinstance(term, ast.Compare) else None
+        compared = term if isinstance(term, cst.Comparison) else None
     return f"in series write all(...), in parallel any(...); {_WAY_OUT}"
 
 
-def _compared_too(context: Context, function: str, before: ast.Compare | None, term: ast.expr) -> str:
+def _compared_too(context: Context, function: str, before: cst.Comparison | None, term: Node) -> str:
     """``any(ds.X == 1, ds.X == 2)`` for a number behind a comparison, ``ds.X == 1 or 2``; "" for anything else."""
-    is_number = isinstance(term, ast.Constant) and type(term.value) in (int, float)
-    if not is_number or before is None or not isinstance(before.comparators[0], ast.Constant):
+    is_number = isinstance(term, cst.Integer | cst.Float)
+    if not is_number or before is None or not is_literal(before.comparisons[0].comparator):
         return ""
     first = " ".join(context.text(before).split())
-    second = f"{context.text(before.left)} {COMPARISONS[type(before.ops[0])]} {context.text(term)}"
+    second = f"{context.text(before.left)} {COMPARISONS[before.comparisons[0].operator.__class__]} {context.text(term)}"
     both = f"{function}({first}, {second})"
     return both if condition_fault(context, both) is None else ""
 
 
-def _read_contact(context: Context, node: ast.Attribute | ast.Subscript) -> Condition | None:
+def _read_contact(context: Context, node: Node) -> Condition | None:
     """A bit as a contact; a bare numeric register means that it is not zero."""
     operand = read_address(context, node)
     if operand is None:
@@ -267,7 +278,7 @@ def _read_contact(context: Context, node: ast.Attribute | ast.Subscript) -> Cond
     return Compare("!=", operand, right, operand.span)
 
 
-def _refuse_pointer(context: Context, node: ast.expr) -> None:
+def _refuse_pointer(context: Context, node: Node) -> None:
     context.problem(
         "CG307",
         node,
@@ -276,19 +287,19 @@ def _refuse_pointer(context: Context, node: ast.expr) -> None:
     )
 
 
-def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
+def _read_comparison(context: Context, node: cst.Comparison) -> Condition | None:
     fits = partial(fits_condition, context)
     if not context.is_trial and binds_otherwise(context, node):
         fault = "& and | are not part of the language, and bind before a comparison in Python"
         if _said_otherwise(context, node, "CG105", fault):
             return None
-    if len(node.ops) > 1:
+    if len(node.comparisons) > 1:
         help, fix = no_condition.unchained(context, node, fits)
         if fix is None and _said_otherwise(context, node, "CG106", "comparisons do not chain"):
             return None
         context.problem("CG106", node, "comparisons do not chain", help, fix)
         return None
-    sides = (node.left, node.comparators[0])
+    sides = (node.left, node.comparisons[0].comparator)
     if any(is_condition(side) and not looks_like_address(side) for side in sides):
         fault = "a condition is on or off, and is not compared"
         if not _said_otherwise(context, node, "CG303", fault):
@@ -298,7 +309,8 @@ def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
     if bit is not None:
         _refuse_compared(context, node, bit)
         return None
-    operator = COMPARISONS.get(type(node.ops[0]))
+    target = node.comparisons[0]
+    operator = COMPARISONS.get(target.operator.__class__)
     if operator is None:
         fault = "CLICK has no such comparison"
         if not _said_otherwise(context, node, "CG107", fault):
@@ -311,7 +323,7 @@ def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
         if _said_otherwise(context, node, "CG113", fault):
             return None
     left = read_operand(context, node.left)
-    right = read_operand(context, node.comparators[0])
+    right = read_operand(context, target.comparator)
     if left is None or right is None:
         return None
     for side in (left, right):
@@ -332,47 +344,47 @@ def _read_comparison(context: Context, node: ast.Compare) -> Condition | None:
     return Compare(operator, left, right, context.span(node))
 
 
-def _is_calculated(node: ast.expr) -> bool:
+def _is_calculated(node: Node) -> bool:
     """True for what is neither an address nor a constant, which may have a sign."""
-    value = node.operand if isinstance(node, ast.UnaryOp) else node
-    return not isinstance(value, ast.Constant) and not (looks_like_address(value) and value is node)
+    value = node.expression if isinstance(node, cst.UnaryOperation) else node
+    return not is_literal(value) and not (looks_like_address(value) and value is node)
 
 
-def _refuse_compared(context: Context, node: ast.Compare, bit: no_condition.ComparedBit) -> None:
+def _refuse_compared(context: Context, node: cst.Comparison, bit: no_condition.ComparedBit) -> None:
     fault = "a bit is a condition by itself, and is not compared"
     if bit.turned is None or bit.fix is None or context.is_trial:
         context.problem("CG303", node, fault, bit.help, bit.fix)
         return
-    leaf = _read_term(Context(context.source, Diagnostics()), bit.turned)
+    leaf = _read_term(context.aside(), bit.turned)
     context.problem("CG303", node, fault, no_condition.bit_help(context.text(bit.turned)))
     if isinstance(leaf, Contact):
         place = context.span(node)
         context.proposals.append(Proposal("CG303", place, bit.fix.edits, bit.help, (leaf,)))
 
 
-def _read_function(context: Context, node: ast.Call, name: str) -> Condition | None:
-    for keyword in node.keywords:
+def _read_function(context: Context, node: cst.Call, name: str) -> Condition | None:
+    given = arguments(node)
+    for keyword in keywords(node):
         context.problem("CG109", keyword, f"{name}() takes no keyword arguments", f"{name}(c.A, c.B)")
-    if any(isinstance(argument, ast.Starred) for argument in node.args):
+    if any(is_starred(argument) for argument in given):
         context.problem("CG107", node, f"{name}(...) takes its conditions one by one", f"{name}(c.A, c.B)")
         return None
     if name in ("all", "any"):
-        if not node.args:
+        if not given:
             context.problem("CG110", node, f"{name}() needs at least one condition", f"{name}(c.A, c.B)")
             return None
-        terms = [_read_term(context, argument) for argument in node.args]
+        terms = [_read_term(context, argument) for argument in given]
         kept = tuple(term for term in terms if term is not None)
         if len(kept) < len(terms):
             return None
         return All(kept, context.span(node)) if name == "all" else Any(kept, context.span(node))
-    if len(node.args) != 1:
+    if len(given) != 1:
         context.problem("CG110", node, f"{name}() takes one bit", f"{name}(c.A)")
         return None
-    return _read_bit_function(context, node, name)
+    return _read_bit_function(context, node, name, given[0])
 
 
-def _read_bit_function(context: Context, node: ast.Call, name: str) -> Condition | None:
-    argument = node.args[0]
+def _read_bit_function(context: Context, node: cst.Call, name: str, argument: Node) -> Condition | None:
     if not looks_like_address(argument):
         help, fix = _without_function(context, node, name, argument)
         context.problem("CG107", argument, f"{name}() takes one bit, not a condition", help, fix)
@@ -398,7 +410,7 @@ def _read_bit_function(context: Context, node: ast.Call, name: str) -> Condition
     return Contact(operand, context.span(node), edge=_EDGES[name])
 
 
-def _of_no_bit(context: Context, name: str, argument: ast.expr) -> str:
+def _of_no_bit(context: Context, name: str, argument: Node) -> str:
     """The way out for ``nc(ds.A)`` and ``re(ds.A)``."""
     text, bank = own(context, argument), bank_of(argument)
     if bank is not None and bank.kind is Kind.TEXT:
@@ -421,13 +433,13 @@ def _each_of(name: str, span: Range) -> str:
     return f"write any({', '.join(f'{name}({dsl}[{address.number}])' for address in span.addresses())})"
 
 
-def _without_function(context: Context, node: ast.Call, name: str, argument: ast.expr) -> tuple[str, Fix | None]:
+def _without_function(context: Context, node: cst.Call, name: str, argument: Node) -> tuple[str, Fix | None]:
     """The way out for ``nc(ds.A == 5)`` and ``re(all(...))``: the opposite, or a bit in a rung before."""
     if context.is_trial:
         return "", None
     text = " ".join(context.text(argument).split())
     if name == "nc" and "#" not in text:
-        rewritten = _rewritten(context, ast.copy_location(ast.UnaryOp(ast.Not(), argument), argument))
+        rewritten = _rewritten(context, argument, wanted=False)
         if rewritten is not None:
             written = rewritten._replace(edit=Edit(context.span(node), rewritten.text))
             context.proposals.append(_proposal(context, "CG107", context.span(argument), written))

@@ -1,17 +1,23 @@
-"""What every reader of this room needs: the file, the problems so far, and spans of ast nodes."""
+"""What every reader of this room needs: the file, the problems so far, and the places of libcst's nodes."""
 
 from __future__ import annotations
 
-import ast
-import io
-import tokenize
+import re
+from bisect import bisect_right
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from typing import Any
 
+import libcst as cst
+
+from clickgen.dialects.if_rungs.read import statements
+from clickgen.dialects.if_rungs.read.nodes import Elements, Node, Statement, string_pieces, text_value
+from clickgen.dialects.if_rungs.read.places import Places
 from clickgen.ir.proposals import Proposal
 from clickgen.problems.diagnostics import Diagnostics, Fix
 from clickgen.text.source import EmbeddedText, SourceFile, Span, embedded_text
 
-Located = ast.expr | ast.stmt | ast.keyword | ast.arg
+Located = Node | Elements
 
 
 @dataclass(frozen=True)
@@ -22,43 +28,98 @@ class Context:
     """The fixes of these problems, each still to be judged."""
     is_trial: bool = False
     """True where it is only asked whether a text can be read: nobody looks for ways out then, which are tried again."""
+    places: Places = field(default_factory=Places)
+    """Where the nodes of the statement are that is being read."""
+
+    def aside(self) -> Context:
+        """The same nodes, with problems and proposals that nobody hears of."""
+        return Context(self.source, Diagnostics(), places=self.places)
+
+    def of_text(self, text: str, is_trial: bool = True) -> Context:
+        """A text by itself, with problems of its own."""
+        return Context(SourceFile(self.source.path, text), Diagnostics(), is_trial=is_trial or self.is_trial)
+
+    def expression(self) -> cst.BaseExpression | None:
+        """The expression that the whole text is; None where it is none."""
+        return statements.read_expression(self.source, self.places)
+
+    def statement(self) -> Statement | None:
+        """The statement that the whole text is; None where it is none."""
+        return statements.read_statement(self.source, self.places)
+
+    def extent(self, node: Located) -> tuple[int, int]:
+        """Where a node begins and ends in the text, as Python counts it: see ``_EXTENTS``."""
+        start, end = self.places.of(node)
+        extent = _EXTENTS.get(node.__class__)
+        return extent(self, node, start, end) if extent else (start, end)
 
     def span(self, node: Located) -> Span:
-        """Where a node stands."""
-        end_line = node.end_lineno or node.lineno
-        end = node.end_col_offset or node.col_offset
+        """Where a node is."""
+        start, end = self.places.table[id(node)]
+        if node.__class__ in _EXTENTS:
+            start, end = self.extent(node)
         source = self.source
-        if source.is_ascii:
-            return Span(source.path, node.lineno, node.col_offset + 1, end_line, end + 1)
-        return Span(
-            source.path,
-            node.lineno,
-            source.column(node.lineno, node.col_offset),
-            end_line,
-            source.column(end_line, end),
-        )
+        line = bisect_right(source.starts, start)
+        first = source.starts[line - 1]
+        if end < source.starts[line]:
+            return Span(source.path, line, start - first + 1, line, end - first + 1)
+        return self.stretch(start, end)
 
-    def text(self, node: ast.expr) -> str:
+    def stretch(self, start: int, end: int) -> Span:
+        """A stretch of the text, counted from 0, as a span."""
+        starts = self.source.starts
+        line, end_line = bisect_right(starts, start), bisect_right(starts, end)
+        first, last = starts[line - 1], starts[end_line - 1]
+        return Span(self.source.path, line, start - first + 1, end_line, end - last + 1)
+
+    def text(self, node: Located) -> str:
         """A node as written."""
-        if node.lineno != node.end_lineno:
-            return ast.get_source_segment(self.source.text, node) or ""
-        span = self.span(node)
-        return self.source.line(span.line)[span.col - 1 : span.end_col - 1]
+        start, end = self.extent(node)
+        return self.source.text[start:end]
 
-    def embedded(self, node: ast.Constant) -> EmbeddedText:
+    def embedded(self, node: Node) -> EmbeddedText:
         """The value of a string literal with the place of each of its characters."""
-        span = self.span(node)
-        raw = self.text(node)
-        value = str(node.value)
-        if raw == f'"{value}"' or raw == f"'{value}'":
-            return embedded_text(self.source, [(raw, span.line, span.col)], value)
-        parts = []
-        for token in tokenize.generate_tokens(io.StringIO(f"({raw})").readline):
-            if token.type == tokenize.STRING:
-                row, col = token.start
-                first = span.col - 1 if row == 1 else 1
-                parts.append((token.string, span.line + row - 1, col + first))
-        return embedded_text(self.source, parts, value)
+        value = str(text_value(node))
+        return embedded_text(self.source, list(self._pieces(node)), value)
+
+    def _pieces(self, node: Node) -> Iterator[tuple[str, int, int]]:
+        for piece in string_pieces(node):
+            span = self.span(piece)
+            yield self.text(piece), span.line, span.col
 
     def problem(self, code: str, node: Located, message: str, help: str = "", fix: Fix | None = None) -> None:
+        """Report a problem at a node."""
         self.problems.add(code, self.span(node), message, help, fix=fix)
+
+
+# -- where Python counts otherwise than libcst ------------------------------------------------------------------------
+
+
+def _with_parentheses(context: Context, node: cst.Tuple, start: int, end: int) -> tuple[int, int]:
+    """The parentheses of a tuple are a part of it."""
+    return (context.places.of(node.lpar[-1])[0], context.places.of(node.rpar[0])[1]) if node.lpar else (start, end)
+
+
+def _generator(context: Context, _: cst.GeneratorExp, start: int, end: int) -> tuple[int, int]:
+    """The parentheses of a generator are a part of it, also where they are those of a call."""
+    text = context.source.text
+    return text.rindex("(", 0, start), text.index(")", end) + 1
+
+
+_SEMICOLON = re.compile(r"[ \t]*;")
+
+
+def _with_semicolon(context: Context, _: Node, start: int, end: int) -> tuple[int, int]:
+    """A semicolon behind the last statement of a block is a part of what holds the block."""
+    semicolon = _SEMICOLON.match(context.source.text, end)
+    return start, semicolon.end() if semicolon else end
+
+
+_EXTENTS: dict[type, Callable[[Context, Any, int, int], tuple[int, int]]] = {
+    cst.Tuple: _with_parentheses,
+    cst.GeneratorExp: _generator,
+    **dict.fromkeys(
+        (cst.If, cst.For, cst.While, cst.With, cst.Try, cst.TryStar, cst.Match, cst.FunctionDef, cst.ClassDef),
+        _with_semicolon,
+    ),
+}

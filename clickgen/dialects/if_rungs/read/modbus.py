@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import ast
 import re
 from collections.abc import Mapping
+
+import libcst as cst
 
 from clickgen.device.banks import parse_address
 from clickgen.device.modbus import (
@@ -20,6 +21,17 @@ from clickgen.device.modbus import (
     register_type_of,
 )
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import (
+    Node,
+    arguments,
+    called,
+    is_literal,
+    keyword_name,
+    keywords,
+    literal,
+    text_value,
+    whole_number,
+)
 from clickgen.instructions.communication import COM_PORTS
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget, Target, TcpTarget
 from clickgen.problems.diagnostics import did_you_mean
@@ -40,10 +52,10 @@ _DIGITS_MAX = 6
 _REMOTE = 'remote_start="DS1", or ModbusAddress(address=400001)'
 
 
-def read_target(context: Context, node: ast.expr, signature: str) -> Target | None:
+def read_target(context: Context, node: Node, signature: str) -> Target | None:
     """``ModbusTcpTarget(...)`` or ``ModbusRtuTarget(...)``; None with problems."""
-    name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
-    if not isinstance(node, ast.Call) or name not in _TARGETS:
+    name = called(node)
+    if not isinstance(node, cst.Call) or name not in _TARGETS:
         help = did_you_mean(name, _TARGETS) or f"{_TCP} or {_RTU}:"
         context.problem("CG115", node, "the target is a ModbusTcpTarget or a ModbusRtuTarget", f"{help} {signature}")
         return None
@@ -63,24 +75,25 @@ def read_target(context: Context, node: ast.expr, signature: str) -> Target | No
     return TcpTarget(label, ip, port, device_id, context.span(node))
 
 
-def _given(context: Context, node: ast.Call, name: str, known: tuple[str, ...], example: str) -> dict[str, ast.expr]:
+def _given(context: Context, node: cst.Call, name: str, known: tuple[str, ...], example: str) -> dict[str, Node]:
     """The arguments by name; any other is a problem."""
-    given: dict[str, ast.expr] = {}
-    for argument in node.args:
+    given: dict[str, Node] = {}
+    for argument in arguments(node):
         context.problem("CG115", argument, f"{name} takes its arguments by name", example)
-    for keyword in node.keywords:
-        if keyword.arg not in known:
-            help = did_you_mean(keyword.arg or "", known) or example
-            context.problem("CG109", keyword, f"{name} has no argument {keyword.arg or '**'!r}", help)
+    for keyword in keywords(node):
+        setting = keyword_name(keyword)
+        if setting not in known:
+            help = did_you_mean(setting, known) or example
+            context.problem("CG109", keyword, f"{name} has no argument {setting or '**'!r}", help)
         else:
-            given[keyword.arg] = keyword.value
+            given[setting] = keyword.value
     return given
 
 
 class _Settings:
     """The settings of one target, each with its problem."""
 
-    def __init__(self, context: Context, node: ast.Call, name: str, given: Mapping[str, ast.expr]) -> None:
+    def __init__(self, context: Context, node: cst.Call, name: str, given: Mapping[str, Node]) -> None:
         self._context = context
         self._node = node
         self._name = name
@@ -131,7 +144,8 @@ class _Settings:
             if default is None:
                 self._context.problem("CG110", self._node, f"{self._name} needs {name!r}", _EXAMPLES[self._name])
             return default
-        return node.value if isinstance(node, ast.Constant) and node.value is not None else ...
+        value = literal(node)
+        return ... if value is None else value
 
     def _refuse(self, name: str, what: str, help: str = "") -> None:
         node = self._given[name]
@@ -141,22 +155,24 @@ class _Settings:
 # -- the remote address -----------------------------------------------------------------------------------------------
 
 
-def read_remote(context: Context, node: ast.expr, signature: str) -> Remote | None:
+def read_remote(context: Context, node: Node, signature: str) -> Remote | None:
     """``"DS1"``, ``ModbusAddress(address=400001)`` or a hexadecimal one with its register type."""
-    if isinstance(node, ast.Constant) and isinstance(node.value, str):
-        address = parse_address(node.value)
+    text = text_value(node)
+    if text is not None:
+        address = parse_address(text)
         if address is None:
-            help = _of_any_device(node.value) or _REMOTE
-            context.problem("CG201", node, f"a CLICK has no address {node.value!r}", help)
+            help = _of_any_device(text) or _REMOTE
+            context.problem("CG201", node, f"a CLICK has no address {text!r}", help)
             return None
         return RemoteCell(address, context.span(node))
-    name = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
-    if not isinstance(node, ast.Call) or name != "ModbusAddress":
-        if isinstance(node, ast.Constant) and type(node.value) is int:
-            help = _of_any_device(str(node.value)) or _REMOTE
+    name = called(node)
+    if not isinstance(node, cst.Call) or name != "ModbusAddress":
+        bare = whole_number(node)
+        if bare is not None:
+            help = _of_any_device(str(bare)) or _REMOTE
             context.problem("CG115", node, "this is not an address of another device", f"{help}: {signature}")
             return None
-        way = "it is an address of the other device, in quotes: " if isinstance(node, ast.Subscript) else ""
+        way = "it is an address of the other device, in quotes: " if isinstance(node, cst.Subscript) else ""
         help = did_you_mean(name, ["ModbusAddress"]) or f"{way}{_REMOTE}:"
         context.problem("CG115", node, "this is not an address of another device", f"{help} {signature}")
         return None
@@ -170,7 +186,7 @@ def read_remote(context: Context, node: ast.expr, signature: str) -> Remote | No
         return None
     number, is_hex = _modbus_number(context, given["address"])
     type_node = given.get("register_type")
-    register_type = type_node.value if isinstance(type_node, ast.Constant) else None
+    register_type = literal(type_node) if is_literal(type_node) else None
     if number is None:
         return None
     if not is_hex:
@@ -196,7 +212,7 @@ def _of_any_device(text: str) -> str:
     return f"the number of any device is ModbusAddress(address={number})" if register_type_of(number) else ""
 
 
-def _refuse_type(context: Context, node: ast.expr, number: int, said: str) -> None:
+def _refuse_type(context: Context, node: Node, number: int, said: str) -> None:
     """A decimal number has its register type in its digits; where it has another one than is said, it is not meant."""
     kind = register_type_of(number)
     low, _ = NUMBERS_984.get(said, (0, 0))
@@ -213,9 +229,9 @@ def _refuse_type(context: Context, node: ast.expr, number: int, said: str) -> No
     context.problem("CG314", node, f"{number} is {words}", help)
 
 
-def _modbus_number(context: Context, node: ast.expr) -> tuple[int | None, bool]:
+def _modbus_number(context: Context, node: Node) -> tuple[int | None, bool]:
     """The number of a Modbus address, and whether it is hexadecimal."""
-    value = node.value if isinstance(node, ast.Constant) else ...
+    value = literal(node)
     match = _HEX.fullmatch(value) if isinstance(value, str) else None
     if match:
         return int(match[1], 16), True

@@ -2,10 +2,21 @@
 
 from __future__ import annotations
 
-import ast
 import re
 
+import libcst as cst
+
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import (
+    NO_LITERAL,
+    Node,
+    arguments,
+    keyword_name,
+    keywords,
+    literal,
+    name_of,
+    word,
+)
 from clickgen.instructions.copies import CONVERSIONS
 from clickgen.instructions.spec import ParamKind
 from clickgen.ir.program import Options
@@ -20,11 +31,12 @@ _SETTINGS = (*_FLAGS, "termination_code")
 _CHARACTER_CODE = re.compile(r"\$([0-7][0-9A-Fa-f])")
 
 
-def read_options(context: Context, node: ast.expr, signature: str) -> Options | None:
+def read_options(context: Context, node: Node, signature: str) -> Options | None:
     """``to_value`` or ``to_text(suppress_zero=True, exponential=False, termination_code=None)``."""
-    call = node if isinstance(node, ast.Call) else None
+    call = node if isinstance(node, cst.Call) else None
     head = call.func if call else node
-    name = head.id if isinstance(head, ast.Name) else str(head.value) if isinstance(head, ast.Constant) else ""
+    value = literal(head)
+    name = name_of(head) or ("" if value is NO_LITERAL else str(value))
     if name not in CONVERSIONS:
         help = " ".join(filter(None, (did_you_mean(name, CONVERSIONS), signature)))
         context.problem("CG115", node, f"options must be {ParamKind.OPTIONS.value}", help)
@@ -32,48 +44,53 @@ def read_options(context: Context, node: ast.expr, signature: str) -> Options | 
     return _with_settings(context, node, call, name, name, _SETTINGS)
 
 
-def modifier_of(node: ast.expr) -> tuple[ast.Call, ast.Attribute] | None:
+def modifier_of(node: Node) -> tuple[cst.Call, cst.Attribute] | None:
     """The call and the attribute of ``txt[1].as_value()``; None for anything else."""
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in MODIFIERS:
+    if node.__class__ is not cst.Call:
+        return None
+    assert isinstance(node, cst.Call)
+    if isinstance(node.func, cst.Attribute) and word(node.func.attr) in MODIFIERS:
         return node, node.func
     return None
 
 
-def modifier_hint(node: ast.expr) -> str:
+def modifier_hint(node: Node) -> str:
     """What to say where a modifier has no place or is misspelled; "" for anything else."""
-    if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)):
+    if not (isinstance(node, cst.Call) and isinstance(node.func, cst.Attribute)):
         return ""
-    if node.func.attr in MODIFIERS:
-        return f".{node.func.attr}() belongs behind the source of a copy or copy_block"
-    return did_you_mean(node.func.attr, MODIFIERS)
+    attr = word(node.func.attr)
+    if attr in MODIFIERS:
+        return f".{attr}() belongs behind the source of a copy or copy_block"
+    return did_you_mean(attr, MODIFIERS)
 
 
-def read_modifier(context: Context, call: ast.Call, attribute: ast.Attribute) -> Options | None:
+def read_modifier(context: Context, call: cst.Call, attribute: cst.Attribute) -> Options | None:
     """What a modifier means as an option; ``pad=5`` is text with all its zeros."""
-    name = MODIFIERS[attribute.attr]
-    return _with_settings(context, call, call, attribute.attr, name, (*_SETTINGS, "pad"))
+    attr = word(attribute.attr)
+    return _with_settings(context, call, call, attr, MODIFIERS[attr], (*_SETTINGS, "pad"))
 
 
 def _with_settings(
-    context: Context, node: ast.expr, call: ast.Call | None, written: str, name: str, known: tuple[str, ...]
+    context: Context, node: Node, call: cst.Call | None, written: str, name: str, known: tuple[str, ...]
 ) -> Options | None:
     example = f"{written}(suppress_zero=False)" if name == "to_text" else written
     settings: dict[str, object] = {}
     faults = 0
-    for argument in call.args if call else ():
+    for argument in arguments(call) if call else ():
         context.problem("CG109", argument, f"{written} takes its settings by name", example)
         faults += 1
-    for keyword in call.keywords if call else ():
-        if name != "to_text" or keyword.arg not in known:
-            close = did_you_mean(keyword.arg or "", known) if name == "to_text" else ""
+    for keyword in keywords(call) if call else ():
+        setting = keyword_name(keyword)
+        if name != "to_text" or setting not in known:
+            close = did_you_mean(setting, known) if name == "to_text" else ""
             help = close or f"text alone has settings: {', '.join(known)}"
-            context.problem("CG109", keyword, f"{written} has no setting {keyword.arg or '**'!r}", help)
+            context.problem("CG109", keyword, f"{written} has no setting {setting or '**'!r}", help)
             faults += 1
             continue
         try:
-            settings[keyword.arg] = _setting(keyword.arg, keyword.value)
+            settings[setting] = _setting(setting, keyword.value)
         except ValueError as error:
-            context.problem("CG115", keyword.value, f"{keyword.arg} must be {error}", example)
+            context.problem("CG115", keyword.value, f"{setting} must be {error}", example)
             faults += 1
     if "pad" in settings and "suppress_zero" in settings:
         context.problem("CG111", node, "pad says already that zeros are kept", "leave out suppress_zero")
@@ -91,9 +108,9 @@ def _with_settings(
     )
 
 
-def _setting(name: str, node: ast.expr) -> object:
+def _setting(name: str, node: Node) -> object:
     """The value of one setting; ValueError says what it must be."""
-    value = node.value if isinstance(node, ast.Constant) else ...
+    value = literal(node)
     if name in _FLAGS:
         if isinstance(value, bool):
             return value

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-import ast
 from dataclasses import replace
+
+import libcst as cst
 
 from clickgen.device.banks import Address
 from clickgen.dialects.if_rungs.read.conditions import COMPARISONS
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import Node
 from clickgen.dialects.if_rungs.read.operands import read_operand
 from clickgen.ir.conditions import MIRRORED
 from clickgen.ir.operands import WHOLE, Cell, Named, Operand, Range, Section
@@ -16,19 +18,20 @@ from clickgen.ir.program import Value, Word
 _EXAMPLE = "search(ds[1:101] >= 100, result=ds.At, found=c.Found)"
 
 
-def read_range_comparison(context: Context, node: ast.expr) -> dict[str, Value] | None:
+def read_range_comparison(context: Context, node: Node) -> dict[str, Value] | None:
     """The arguments ``condition``, ``value``, ``start`` and ``end`` that a comparison with a range means."""
-    if not isinstance(node, ast.Compare):
+    if not isinstance(node, cst.Comparison):
         context.problem("CG115", node, "a search compares a range with a value", _EXAMPLE)
         return None
-    if len(node.ops) > 1:
+    if len(node.comparisons) > 1:
         context.problem("CG106", node, "comparisons do not chain", "a search has one comparison")
         return None
-    operator = COMPARISONS.get(type(node.ops[0]))
+    target = node.comparisons[0]
+    operator = COMPARISONS.get(target.operator.__class__)
     if operator is None:
         context.problem("CG107", node, "CLICK has no such comparison", f"the comparisons: {' '.join(MIRRORED)}")
         return None
-    left, right = read_operand(context, node.left), read_operand(context, node.comparators[0])
+    left, right = read_operand(context, node.left), read_operand(context, target.comparator)
     if left is None or right is None:
         return None
     if _is_section(right) and not _is_section(left):

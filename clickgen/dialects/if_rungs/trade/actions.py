@@ -2,7 +2,22 @@
 
 from __future__ import annotations
 
-from clickgen.dialects.if_rungs.trade.advice import EDGE, LATER, OTHER_WAY, SIZE, TWO_RUNGS, table
+from clickgen.dialects.if_rungs.trade.advice import (
+    CLAMP,
+    EDGE,
+    LATER,
+    LIMIT,
+    LIMITED,
+    LIMITS,
+    MAX,
+    MIN,
+    OTHER_WAY,
+    OWN_SIZE,
+    SELECT,
+    SIZE,
+    TWO_RUNGS,
+    table,
+)
 
 _OUT, _SET, _RESET = ("out(y.Motor)",), ("set(y.Motor)",), ("reset(y.Motor)",)
 _TON, _TOF = "ton(t.Delay, setpoint=5, unit=Ts)", "tof(t.RunOn, setpoint=5, unit=Ts)"
@@ -132,7 +147,7 @@ ACTIONS = table(
     ("mod modulo", "write {}: a remainder", ('calc("ds.A MOD ds.B", ds.C)',), 'calc("$1 MOD $2", $3)'),
     ("neg", "write {}: the opposite number", ('calc("-ds.A", ds.B)',), 'calc("-$1", $2)'),
     ("sqr sqrt", "write {}: a square root", ('calc("SQRT(df.A)", df.B)',), 'calc("SQRT($1)", $2)'),
-    ("abs", SIZE, ("copy(ds.A, ds.Size)", 'if ds.Size < 0: calc("-ds.Size", ds.Size)'), ""),
+    ("abs", SIZE, ("copy(ds.A, ds.Size)", 'if ds.Size < 0: calc("-ds.Size", ds.Size)'), OWN_SIZE),
     ("avg ave average mean", "write {}: a mean value", ('calc("SUM(ds[1:11]) / 10", ds.Mean)',), ""),
     ("sum total", "write {}: a sum", ('calc("SUM(ds[1:11])", ds.Total)',), ""),
     (
@@ -190,16 +205,17 @@ ACTIONS = table(
         "max",
         TWO_RUNGS,
         ("if ds.A >= ds.B: copy(ds.A, ds.C)", "if ds.A < ds.B: copy(ds.B, ds.C)"),
-        "",
+        MAX,
     ),
     (
         "min",
         TWO_RUNGS,
         ("if ds.A <= ds.B: copy(ds.A, ds.C)", "if ds.A > ds.B: copy(ds.B, ds.C)"),
-        "",
+        MIN,
     ),
-    ("limit clamp lim", TWO_RUNGS, ("if ds.A < 0: copy(0, ds.A)", "if ds.A > 100: copy(100, ds.A)"), ""),
-    ("sel select", TWO_RUNGS, ("if nc(c.Pick): copy(ds.A, ds.C)", "if c.Pick: copy(ds.B, ds.C)"), ""),
+    ("limit lim", LIMITS, LIMITED, LIMIT),
+    ("clamp", LIMITS, LIMITED, CLAMP),
+    ("sel select", TWO_RUNGS, ("if nc(c.Pick): copy(ds.A, ds.C)", "if c.Pick: copy(ds.B, ds.C)"), SELECT),
     ("mux", "a pointer chooses one of a table: {}", ("copy(ds[ds.Index], ds.C)",), ""),
     # Program control
     (

@@ -10,7 +10,8 @@ from typing import NamedTuple
 class Advice(NamedTuple):
     """How something is written here. ``text`` has a ``{}`` for each piece of ``code``.
 
-    ``own`` makes the first piece of what the person wrote: ``$1`` is the first argument, ``$*`` are all of them.
+    ``own`` makes of what the person wrote the first pieces, one a line: ``$1`` is the first argument, ``$*`` are all of
+    them, and ``$=`` is where the result goes: an argument after the others, or a register called Result.
     """
 
     text: str
@@ -22,17 +23,43 @@ class Advice(NamedTuple):
         """The advice with its examples."""
         return self.text.format(*self.code)
 
-    def of(self, written: str) -> str:
-        """The advice with the person's own code as its first example."""
-        return self.text.format(written, *self.code[1:])
+    @property
+    def has_several(self) -> bool:
+        """True for advice that takes several rungs or actions."""
+        return "\n" in self.own
 
-    def written(self, arguments: Sequence[str]) -> str:
-        """The person's own arguments as they are written here; "" where their number does not fit."""
-        wanted = {int(number) for number in re.findall(r"\$(\d)", self.own)}
-        if not self.own or not arguments or (wanted and max(wanted) != len(arguments)):
+    def of(self, written: str) -> str:
+        """The advice with the person's own code as its first examples."""
+        pieces = written.split("\n")
+        return self.text.format(*pieces, *self.code[len(pieces) :])
+
+    def written(self, arguments: Sequence[str], target: str = "", is_action: bool = False) -> str:
+        """The person's own arguments as they are written here; "" where their number does not fit.
+
+        ``target`` is where the result goes; of an action, an argument after the others says it.
+        """
+        wanted = max((int(number) for number in re.findall(r"\$(\d)", self.own)), default=0)
+        given = list(arguments)
+        if "$=" in self.own:
+            target = given.pop() if is_action and len(given) == wanted + 1 else target or _result(given)
+        if not self.own or not arguments or (wanted and wanted != len(given)):
             return ""
-        text = self.own.replace("$*", ", ".join(arguments))
-        return re.sub(r"\$(\d)", lambda number: arguments[int(number[1]) - 1], text)
+        # What is copied first is worked on: a number there is in the place of another argument.
+        first = re.match(r"copy\(\$(\d)", self.own) if self.has_several else None
+        if ("$=" in self.own and not target) or (first and not _ADDRESS.match(given[int(first[1]) - 1])):
+            return ""
+        text = self.own.replace("$*", ", ".join(given)).replace("$=", target)
+        return re.sub(r"\$(\d)", lambda number: given[int(number[1]) - 1], text)
+
+
+_ADDRESS = re.compile(r"[a-z]+(?=[.\[])")
+
+
+def _result(arguments: Sequence[str]) -> str:
+    """A register for the result, of the bank of the first address among the arguments that is no bit."""
+    banks = [found[0] for argument in arguments if (found := _ADDRESS.match(argument))]
+    bank = next((bank for bank in banks if bank in ("ds", "dd", "df", "dh")), "ds" if banks else "")
+    return f"{bank}.Result" if bank else ""
 
 
 def advice(word: str, table: dict[str, Advice]) -> Advice | None:
@@ -50,3 +77,11 @@ SIZE = "copy the number, {}, and turn it round in a rung below where it is negat
 TWO_RUNGS = "CLICK chooses by conditions, in two rungs: {} and {}"
 LATER = "set and reset are rungs of their own, and the later one in the scan wins;"
 OTHER_WAY = "first {}, then {}"
+MAX = "if $1 >= $2: copy($1, $=)\nif $1 < $2: copy($2, $=)"
+MIN = "if $1 <= $2: copy($1, $=)\nif $1 > $2: copy($2, $=)"
+SELECT = "if nc($1): copy($2, $=)\nif $1: copy($3, $=)"
+OWN_SIZE = 'copy($1, $=)\nif $= < 0: calc("-$=", $=)'
+LIMITS = "copy the value, {}, and keep it between the limits in two rungs below: {} and {}"
+LIMITED = ("copy(ds.A, ds.B)", "if ds.B < 0: copy(0, ds.B)", "if ds.B > 100: copy(100, ds.B)")
+LIMIT = "copy($2, $=)\nif $= < $1: copy($1, $=)\nif $= > $3: copy($3, $=)"
+CLAMP = "copy($1, $=)\nif $= < $2: copy($2, $=)\nif $= > $3: copy($3, $=)"

@@ -2,39 +2,47 @@
 
 from __future__ import annotations
 
-import ast
 from typing import NamedTuple
+
+import libcst as cst
 
 from clickgen.device.banks import Kind
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import (
+    Node,
+    arguments,
+    called,
+    every,
+    is_literal,
+    keywords,
+    whole_number,
+)
 from clickgen.dialects.if_rungs.ways_out.hints import bank_of, own
 from clickgen.formula.words import ALL_FUNCTIONS
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.text.source import SourceFile
 
-_DECIMAL: dict[type[ast.operator], str] = {
-    ast.Add: "+",
-    ast.Sub: "-",
-    ast.Mult: "*",
-    ast.Div: "/",
-    ast.FloorDiv: "/",
-    ast.Mod: "MOD",
-    ast.Pow: "^",
+_DECIMAL: dict[type[Node], str] = {
+    cst.Add: "+",
+    cst.Subtract: "-",
+    cst.Multiply: "*",
+    cst.Divide: "/",
+    cst.FloorDivide: "/",
+    cst.Modulo: "MOD",
+    cst.Power: "^",
 }
-_HEX: dict[type[ast.operator], str] = {
-    ast.Add: "+",
-    ast.Sub: "-",
-    ast.Mult: "*",
-    ast.Div: "/",
-    ast.FloorDiv: "/",
-    ast.Mod: "MOD",
-    ast.BitAnd: "AND",
-    ast.BitOr: "OR",
-    ast.BitXor: "XOR",
-    ast.LShift: "SHL",
-    ast.RShift: "SHR",
+_HEX: dict[type[Node], str] = {
+    cst.Add: "+",
+    cst.Subtract: "-",
+    cst.Multiply: "*",
+    cst.Divide: "/",
+    cst.FloorDivide: "/",
+    cst.Modulo: "MOD",
+    cst.BitAnd: "AND",
+    cst.BitOr: "OR",
+    cst.BitXor: "XOR",
+    cst.LeftShift: "SHL",
+    cst.RightShift: "SHR",
 }
-_BITWISE = (ast.BitAnd, ast.BitOr, ast.BitXor, ast.LShift, ast.RShift)
+_BITWISE = (cst.BitAnd, cst.BitOr, cst.BitXor, cst.LeftShift, cst.RightShift)
 _WORDS = ("DS", "TD", "SD")
 """The decimal banks with 16 bits: a copy to DH keeps them all."""
 
@@ -46,25 +54,26 @@ class Calculation(NamedTuple):
     result: str
 
 
-def is_formula(text: str, is_hex: bool) -> bool:
+def is_formula(context: Context, text: str, is_hex: bool) -> bool:
     """True for the text of a formula without a fault."""
     from clickgen.formula import parse_formula
 
-    trial = Context(SourceFile("", f"{text!r}"), Diagnostics())
-    node = ast.parse(trial.source.text, mode="eval").body
-    assert isinstance(node, ast.Constant)
+    trial = context.of_text(f"{text!r}")
+    node = trial.expression()
+    if node is None:
+        return False
     parsed = parse_formula(trial.embedded(node), "hex" if is_hex else "decimal", trial.problems)
     return parsed is not None and not trial.problems.found
 
 
-def calculated(context: Context, node: ast.expr, count: int = 0) -> Calculation | None:
+def calculated(context: Context, node: cst.BaseExpression, count: int = 0) -> Calculation | None:
     """The rungs that calculate an expression; ``count`` are results that there are. None for what CLICK has not."""
-    banks = [bank for part in ast.walk(node) if isinstance(part, ast.expr) and (bank := bank_of(part)) is not None]
+    banks = [bank for part in every(node) if (bank := bank_of(part)) is not None]
     if not banks or any(bank.is_bit or bank.kind is Kind.TEXT for bank in banks):
         return None
-    signs = [part.op for part in ast.walk(node) if isinstance(part, ast.BinOp)]
+    signs = [part.operator for part in every(node) if isinstance(part, cst.BinaryOperation)]
     is_bitwise = any(isinstance(sign, _BITWISE) for sign in signs) or any(
-        isinstance(part, ast.Invert) for part in ast.walk(node)
+        isinstance(part, cst.BitInvert) for part in every(node)
     )
     is_hex = is_bitwise or any(bank.kind is Kind.HEX for bank in banks)
     if is_hex and any(bank.kind is not Kind.HEX and bank.name not in _WORDS for bank in banks):
@@ -72,7 +81,7 @@ def calculated(context: Context, node: ast.expr, count: int = 0) -> Calculation 
     writer = _Writer(context, is_hex)
     text = writer.written(node)
     quote = "'" if '"' in text else '"'
-    if not text or (quote in text) or not is_formula(text, is_hex):
+    if not text or (quote in text) or not is_formula(context, text, is_hex):
         return None
     is_real = any(bank.kind is Kind.FLOAT for bank in banks) or _is_real(node)
     number = str(count + 1) if count else ""
@@ -81,25 +90,21 @@ def calculated(context: Context, node: ast.expr, count: int = 0) -> Calculation 
     return Calculation((*writer.copies, f"if True: {action}"), result)
 
 
-def bit_under_mask(context: Context, node: ast.expr) -> Calculation | None:
+def bit_under_mask(context: Context, node: Node) -> Calculation | None:
     """``dd.A & 0x0001``: a double word has no place in math_hex, and its bits are copied out."""
-    if not isinstance(node, ast.BinOp) or not isinstance(node.op, ast.BitAnd):
+    if not isinstance(node, cst.BinaryOperation) or not isinstance(node.operator, cst.BitAnd):
         return None
-    word, mask = (node.right, node.left) if isinstance(node.left, ast.Constant) else (node.left, node.right)
+    word, mask = (node.right, node.left) if is_literal(node.left) else (node.left, node.right)
     bank, text = bank_of(word), own(context, word)
-    value = mask.value if isinstance(mask, ast.Constant) and type(mask.value) is int else 0
+    value = whole_number(mask) or 0
     if bank is None or bank.name != "DD" or not text or not 0 < value < 1 << 32 or value & (value - 1):
         return None
     rung = f"if True: copy_unpack({text}, c[1001:1033])"
     return Calculation((rung,), f"c[{1001 + value.bit_length() - 1}]")
 
 
-def _is_real(node: ast.expr) -> bool:
-    return any(
-        (isinstance(part, ast.Constant) and isinstance(part.value, float))
-        or (isinstance(part, ast.Call) and isinstance(part.func, ast.Name) and part.func.id.upper() != "SUM")
-        for part in ast.walk(node)
-    )
+def _is_real(node: Node) -> bool:
+    return any(isinstance(part, cst.Float) or called(part).upper() not in ("", "SUM") for part in every(node))
 
 
 class _Writer:
@@ -109,24 +114,25 @@ class _Writer:
         self._signs = _HEX if is_hex else _DECIMAL
         self.copies: list[str] = []
 
-    def written(self, node: ast.expr) -> str:
+    def written(self, node: cst.BaseExpression) -> str:
         """An expression as a formula has it; "" for what none takes."""
-        if isinstance(node, ast.BinOp):
-            sign = self._signs.get(type(node.op), "")
-            left, right = (self._side(side, node.op) for side in (node.left, node.right))
+        if isinstance(node, cst.BinaryOperation):
+            sign = self._signs.get(node.operator.__class__, "")
+            left, right = (self._side(side, node.operator) for side in (node.left, node.right))
             return f"{left} {sign} {right}" if sign and left and right else ""
-        if isinstance(node, ast.UnaryOp):
-            sign = {ast.USub: "-", ast.Invert: "NOT " if self._is_hex else ""}.get(type(node.op), "")
-            inner = self._side(node.operand, None)
+        if isinstance(node, cst.UnaryOperation):
+            signs: dict[type[Node], str] = {cst.Minus: "-", cst.BitInvert: "NOT " if self._is_hex else ""}
+            sign = signs.get(node.operator.__class__, "")
+            inner = self._side(node.expression, None)
             return f"{sign}{inner}" if sign and inner else ""
-        if isinstance(node, ast.Call):
-            name = node.func.id.upper() if isinstance(node.func, ast.Name) else ""
-            inners = [own(self._context, argument) for argument in node.args]
-            return f"{name}({', '.join(inners)})" if name in ALL_FUNCTIONS and all(inners) and not node.keywords else ""
-        if isinstance(node, ast.Constant):
-            number = node.value
-            is_hex = self._is_hex and isinstance(number, int) and not isinstance(number, bool)
-            return f"0x{number:04X}" if is_hex and isinstance(number, int) else own(self._context, node)
+        if isinstance(node, cst.Call):
+            name = called(node).upper()
+            inners = [own(self._context, argument) for argument in arguments(node)]
+            is_known = name in ALL_FUNCTIONS and all(inners) and not keywords(node)
+            return f"{name}({', '.join(inners)})" if is_known else ""
+        if is_literal(node):
+            number = whole_number(node)
+            return f"0x{number:04X}" if self._is_hex and number is not None else own(self._context, node)
         bank, text = bank_of(node), own(self._context, node)
         if bank is None or not self._is_hex or bank.kind is Kind.HEX:
             return text if bank is not None else ""
@@ -134,7 +140,12 @@ class _Writer:
         self.copies.append(f"if True: copy({text}, {word})")
         return word
 
-    def _side(self, node: ast.expr, op: ast.operator | None) -> str:
+    def _side(self, node: cst.BaseExpression, operator: cst.BaseBinaryOp | None) -> str:
         text = self.written(node)
-        is_sum = isinstance(op, ast.Add) and isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub)
-        return f"({text})" if text and isinstance(node, ast.BinOp | ast.UnaryOp) and not is_sum else text
+        is_sum = (
+            isinstance(operator, cst.Add)
+            and isinstance(node, cst.BinaryOperation)
+            and isinstance(node.operator, cst.Add | cst.Subtract)
+        )
+        is_loose = isinstance(node, cst.BinaryOperation | cst.UnaryOperation) and not is_sum
+        return f"({text})" if text and is_loose else text

@@ -2,17 +2,30 @@
 
 from __future__ import annotations
 
-import ast
 import re
-import warnings
 from collections.abc import Callable, Sequence
+
+import libcst as cst
 
 from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
 from clickgen.device.nicknames import nickname_fault
 from clickgen.dialects.if_rungs.read.context import Context, Located
+from clickgen.dialects.if_rungs.read.nodes import (
+    ADDRESSES,
+    Node,
+    called,
+    every,
+    keyword_name,
+    literal,
+    name_of,
+    terms,
+    whole_number,
+    word,
+)
 from clickgen.dialects.if_rungs.trade import ARGUMENTS, CONDITIONS, MEMBERS, Advice, advice, bank_hint
 from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
-from clickgen.problems.diagnostics import Edit, Fix
+from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.text.source import SourceFile
 
 Fits = Callable[[str], bool]
 """True for code that the language takes in this place."""
@@ -21,29 +34,19 @@ BANK_NAMES = {bank.dsl: bank for bank in BANKS.values()}
 _OWN_MAX = 120
 """So much of a person's own code is repeated in a message."""
 
+_HEX_WORD = re.compile(r"([A-Fa-f][0-9A-Fa-f]{0,7})[hH]")
 _FLAT = re.compile(r"([A-Za-z]+?)([0-9]{1,4}[uU]?)")
+"""A text that may be an address: ``"ds.A"``."""
 _SURE_MEMBERS = frozenset(("done", "dn", "q", "acc", "accum", "accumulator", "et", "cv", "current"))
 """Members of a timer or counter that mean one thing only."""
 
 
-def expression_of(text: str) -> ast.expr | None:
-    """The syntax tree of an expression; None where Python cannot read it."""
-    node = statement_of(text)
-    return node.value if isinstance(node, ast.Expr) else None
+def expression_of(text: str) -> cst.BaseExpression | None:
+    """The expression that a text is; None where it is none."""
+    return Context(SourceFile("", text), Diagnostics()).expression()
 
 
-def statement_of(text: str) -> ast.stmt | None:
-    """The syntax tree of a single statement; None where Python cannot read it."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            body = ast.parse(text).body
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
-            return None
-    return body[0] if len(body) == 1 else None
-
-
-def own(context: Context, node: ast.expr) -> str:
+def own(context: Context, node: Located) -> str:
     """A node as it is written, on one line; "" where a message cannot repeat it."""
     text = context.text(node)
     text = "" if "#" in text and "\n" in text else " ".join(text.split())
@@ -53,9 +56,9 @@ def own(context: Context, node: ast.expr) -> str:
 def own_advice(
     context: Context,
     found: Advice | None,
-    arguments: Sequence[ast.expr],
+    arguments: Sequence[Node],
     fits: Fits,
-    keywords: Sequence[ast.keyword] = (),
+    keywords: Sequence[cst.Arg] = (),
 ) -> str:
     """What a word of the trade is here, with the person's own arguments where that gives code that is right."""
     if found is None:
@@ -67,39 +70,42 @@ def own_advice(
 def own_code(
     context: Context,
     found: Advice,
-    arguments: Sequence[ast.expr],
+    arguments: Sequence[Node],
     fits: Fits,
-    keywords: Sequence[ast.keyword] = (),
+    keywords: Sequence[cst.Arg] = (),
 ) -> str:
     """The person's own arguments as they are written here; "" where that gives nothing that is right."""
     texts = [own(context, argument) for argument in arguments]
     if keywords:
-        if "$*" not in found.own or not all(keyword.arg for keyword in keywords):
+        if "$*" not in found.own or not all(keyword.keyword for keyword in keywords):
             return ""
-        texts += [f"{ARGUMENTS.get(word.arg or '', word.arg or '')}={own(context, word.value)}" for word in keywords]
+        names = [keyword_name(keyword) for keyword in keywords]
+        given = [own(context, keyword.value) for keyword in keywords]
+        texts += [f"{ARGUMENTS.get(name, name)}={text}" for name, text in zip(names, given, strict=True)]
     # In a formula an argument that calculates would need parentheses of its own.
     if '"' in found.own and not all(_is_operand(one, "math_hex" in found.own) for one in arguments):
         return ""
-    written = found.written(texts) if all(texts) else ""
-    return written if written and fits(written) else ""
+    written = found.written(texts, is_action=True) if all(texts) else ""
+    actions = [piece.partition(": ")[2] if piece.startswith("if ") else piece for piece in written.split("\n")]
+    return written if written and all(map(fits, actions)) else ""
 
 
-def around_value(word: str, arguments: Sequence[ast.expr]) -> Sequence[ast.expr]:
+def around_value(word: str, arguments: Sequence[Node]) -> Sequence[Node]:
     """The limits of LIM around its value, which other functions, such as ``between``, take first."""
     if len(arguments) != 3 or advice(word, CONDITIONS) != CONDITIONS["lim"]:
         return arguments
-    registers = [argument for argument in arguments if isinstance(argument, ast.Attribute | ast.Subscript)]
+    registers = [argument for argument in arguments if isinstance(argument, cst.Attribute | cst.Subscript)]
     value = registers[0] if len(registers) == 1 else arguments[word.lower() == "lim"]
     low, high = [argument for argument in arguments if argument is not value]
     return low, value, high
 
 
-def _is_operand(node: ast.expr, is_hex: bool) -> bool:
+def _is_operand(node: Node, is_hex: bool) -> bool:
     """True for a number or an address that a formula of this kind takes."""
-    if isinstance(node, ast.Constant):
-        return type(node.value) in (int, float) and not is_hex
-    holder = node.value if isinstance(node, ast.Attribute | ast.Subscript) else None
-    bank = BANK_NAMES.get(holder.id) if isinstance(holder, ast.Name) else None
+    if isinstance(node, cst.Integer | cst.Float):
+        return not is_hex
+    holder = node.value if isinstance(node, cst.Attribute | cst.Subscript) else None
+    bank = BANK_NAMES.get(name_of(holder))
     wanted = ("DH",) if is_hex else ("DS", "DD", "DF", "TD", "CTD", "SD")
     return bank is not None and bank.name in wanted
 
@@ -108,9 +114,9 @@ def trade_advice(
     context: Context,
     name: str,
     table: dict[str, Advice],
-    arguments: Sequence[ast.expr],
+    arguments: Sequence[Node],
     fits: Fits,
-    keywords: Sequence[ast.keyword] = (),
+    keywords: Sequence[cst.Arg] = (),
 ) -> str:
     """``own_advice`` for a word; "" for one that is not in the table."""
     return own_advice(context, advice(name, table), arguments, fits, keywords)
@@ -140,6 +146,9 @@ def name_hint(name: str) -> str:
     exact = flat_address(name)
     if exact:
         return f"write {exact}"
+    word = _HEX_WORD.fullmatch(name)
+    if word and (not word[1].isalpha() or word[1].isupper() or len(set(word[1])) == 1):
+        return f"a hexadecimal number begins with 0x: 0x{int(word[1], 16):04X}"
     match = _FLAT.fullmatch(name)
     if match and match[1].lower() in BANK_NAMES:
         bank = BANK_NAMES[match[1].lower()]
@@ -188,18 +197,17 @@ def bit_of_word(word: str, bank: Bank, index: int | None) -> str:
     return f"copy the bits out in a rung before, {unpacked}, and bit {number} is c[{1001 + number}]"
 
 
-def bank_of(node: ast.expr) -> Bank | None:
+def bank_of(node: Located) -> Bank | None:
     """The bank of an address, be it a name, a number or a range; None for anything else."""
     inner = node
-    while isinstance(inner, ast.Attribute | ast.Subscript):
+    while isinstance(inner, cst.Attribute | cst.Subscript):
         inner = inner.value
-    is_address = isinstance(node, ast.Attribute | ast.Subscript) and isinstance(inner, ast.Name)
-    return BANK_NAMES.get(inner.id) if is_address and isinstance(inner, ast.Name) else None
+    return None if inner is node else BANK_NAMES.get(name_of(inner))
 
 
-def has_bits(node: ast.expr) -> bool:
+def has_bits(node: Node) -> bool:
     """True for an expression with a bit in it, of which no formula takes any."""
-    banks = (bank_of(part) for part in ast.walk(node) if isinstance(part, ast.Attribute | ast.Subscript))
+    banks = (bank_of(part) for part in every(node) if part.__class__ in ADDRESSES)
     return any(bank is not None and bank.is_bit for bank in banks)
 
 
@@ -209,50 +217,50 @@ _ALWAYS = frozenset(("true", "on", "always"))
 _NEVER = frozenset(("false", "off", "never"))
 
 
-def truth_of(node: ast.expr) -> bool | None:
+def truth_of(node: Node) -> bool | None:
     """What a value means for a bit: True, 1, on; None for anything else."""
-    if isinstance(node, ast.Constant) and node.value in (0, 1) and not isinstance(node.value, float):
-        return bool(node.value)
-    word = node.id if isinstance(node, ast.Name) else node.value if isinstance(node, ast.Constant) else None
-    lower = word.lower() if isinstance(word, str) else ""
+    value = literal(node)
+    if isinstance(value, int) and value in (0, 1):
+        return bool(value)
+    lower = value.lower() if isinstance(value, str) else name_of(node).lower()
     return True if lower in _ALWAYS else False if lower in _NEVER else None
 
 
-def is_condition(node: ast.expr) -> bool:
+def is_condition(node: Node) -> bool:
     """True for what is on or off: a bit, a comparison, a function of conditions, and what joins such."""
-    if isinstance(node, ast.Attribute | ast.Subscript):
+    if isinstance(node, cst.Attribute | cst.Subscript):
         bank = bank_of(node)
         return bank is not None and bank.is_bit
-    if isinstance(node, ast.Compare):
+    if isinstance(node, cst.Comparison):
         return True
-    if isinstance(node, ast.Call):
-        name = node.func.id if isinstance(node.func, ast.Name) else ""
+    if isinstance(node, cst.Call):
+        name = called(node)
         found = advice(name, CONDITIONS)
         return name in ("all", "any", "nc", "re", "fe") or (found is not None and bool(found.own))
-    if isinstance(node, ast.BoolOp):
-        return any(is_condition(value) for value in node.values)
-    if isinstance(node, ast.UnaryOp):
-        return isinstance(node.op, ast.Not | ast.Invert) and is_condition(node.operand)
-    if isinstance(node, ast.BinOp):
-        is_joined = isinstance(node.op, ast.BitAnd | ast.BitOr | ast.BitXor | ast.Add | ast.Mult)
+    if isinstance(node, cst.BooleanOperation):
+        return any(map(is_condition, terms(node)))
+    if isinstance(node, cst.UnaryOperation):
+        return isinstance(node.operator, cst.Not | cst.BitInvert) and is_condition(node.expression)
+    if isinstance(node, cst.BinaryOperation):
+        is_joined = isinstance(node.operator, cst.BitAnd | cst.BitOr | cst.BitXor | cst.Add | cst.Multiply)
         return is_joined and is_condition(node.left) and is_condition(node.right)
-    return isinstance(node, ast.IfExp) and is_condition(node.body)
+    return isinstance(node, cst.IfExp) and is_condition(node.body)
 
 
-def number_of(node: ast.expr | None) -> int | None:
+def number_of(node: Node | None) -> int | None:
     """A whole number with its sign; None for anything else."""
-    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
-        inner = number_of(node.operand)
+    if isinstance(node, cst.UnaryOperation) and isinstance(node.operator, cst.Minus):
+        inner = number_of(node.expression)
         return None if inner is None else -inner
-    return node.value if isinstance(node, ast.Constant) and type(node.value) is int else None
+    return whole_number(node)
 
 
 # -- members ----------------------------------------------------------------------------------------------------------
 
 
-def member_hint(context: Context, node: ast.Attribute, bank: Bank, rest: str) -> tuple[str, Fix | None]:
+def member_hint(context: Context, node: cst.Attribute, bank: Bank, rest: str) -> tuple[str, Fix | None]:
     """The way out for ``t.A.done`` and the like; ``rest`` is what stands behind the bank: ``.A``."""
-    base, kind = f"{bank.dsl}{rest}", MEMBERS.get(node.attr.lower(), "")
+    base, kind = f"{bank.dsl}{rest}", MEMBERS.get(word(node.attr).lower(), "")
     value = VALUE_BANK.get(bank.name, "").lower()
     fix: Fix | None = None
     if not kind:
@@ -278,7 +286,7 @@ def member_hint(context: Context, node: ast.Attribute, bank: Bank, rest: str) ->
         return reset_hint(bank.name, base, timers_of(context, base)), None
     else:
         return "", None
-    if value and node.attr.lower() in _SURE_MEMBERS:
+    if value and word(node.attr).lower() in _SURE_MEMBERS:
         fix = replaced(context, node, text, is_safe=True)
     return f"write {text}", fix
 
@@ -297,7 +305,7 @@ def timers_of(context: Context, bit: str) -> frozenset[str]:
 def _while_timing(context: Context, bit: str, current: str, kind: str) -> str:
     """How ``t.A.tt`` and ``t.A.expired`` are written, which depends on the instruction that owns the timer.
 
-    The bit of an off-delay is on while it counts and goes off at its end (click-facts, section 8).
+    The bit of an off-delay is on while it counts and goes off at its end (click-facts [timer.off-delay]).
     """
     running = {"ton": f"all({current} > 0, nc({bit}))", "tof": f"all({current} > 0, {bit})"}
     kept = "a retentive timer keeps its value while its rung is off, so add the condition of that rung"

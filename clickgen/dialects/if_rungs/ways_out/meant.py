@@ -5,13 +5,30 @@ The caller shows it as a way out, and the judge of fixes looks at what is turned
 
 from __future__ import annotations
 
-import ast
 import re
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+import libcst as cst
+
 from clickgen.dialects.if_rungs.fix.rewrite import opposite_text, python_logic
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import (
+    Node,
+    arguments,
+    called,
+    code,
+    comparison,
+    elements,
+    index_of,
+    is_literal,
+    is_name,
+    is_starred,
+    keywords,
+    literal,
+    name_of,
+    terms,
+)
 from clickgen.dialects.if_rungs.trade import CONDITIONS, advice
 from clickgen.dialects.if_rungs.ways_out.binding import compare, is_tight, unbound
 from clickgen.dialects.if_rungs.ways_out.formulas import bit_under_mask, calculated
@@ -36,15 +53,15 @@ _LISTED = 8
 """So many values of a range are compared one by one."""
 _SWAPPED = {"all": "any", "any": "all"}
 _TURNED_EDGE = {"re": "fe", "fe": "re"}
-SIGNS: dict[type[ast.cmpop], str] = {
-    ast.Eq: "==",
-    ast.NotEq: "!=",
-    ast.Is: "==",
-    ast.IsNot: "!=",
-    ast.Lt: "<",
-    ast.LtE: "<=",
-    ast.Gt: ">",
-    ast.GtE: ">=",
+SIGNS: dict[type[Node], str] = {
+    cst.Equal: "==",
+    cst.NotEqual: "!=",
+    cst.Is: "==",
+    cst.IsNot: "!=",
+    cst.LessThan: "<",
+    cst.LessThanEqual: "<=",
+    cst.GreaterThan: ">",
+    cst.GreaterThanEqual: ">=",
 }
 MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 
@@ -53,7 +70,7 @@ class Meant(NamedTuple):
     """A condition in the language. ``turned`` are the single conditions of which it has the opposite."""
 
     text: str
-    turned: tuple[ast.expr, ...]
+    turned: tuple[Node, ...]
     before: tuple[str, ...]
     """The rungs that have to stand before the one with the condition."""
     is_exact: bool = True
@@ -70,7 +87,7 @@ class Meant(NamedTuple):
         return f"put {'a rung' if len(self.before) == 1 else 'rungs'} before it, {' and '.join(self.before)}"
 
 
-def meant(context: Context, node: ast.expr, fits: Fits, wanted: bool = True) -> Meant | None:
+def meant(context: Context, node: Node, fits: Fits, wanted: bool = True) -> Meant | None:
     """What an expression means as a condition, or its opposite where it is not wanted; None for what is not certain."""
     reader = _Reader(context, fits)
     part = reader.said(node, wanted)
@@ -109,12 +126,12 @@ class _Reader:
         self._context = context
         self._fits = fits
         self._left = _STEPS
-        self.turned: list[ast.expr] = []
+        self.turned: list[Node] = []
         self.before: list[str] = []
-        self._results: dict[str, str] = {}
+        self._results: dict[tuple[str, ...], str] = {}
         self.is_exact = True
 
-    def said(self, node: ast.expr, wanted: bool) -> _Part | None:
+    def said(self, node: Node, wanted: bool) -> _Part | None:
         """An expression in the language, or its opposite; None where that is not certain."""
         self._left -= 1
         if self._left < 0:
@@ -125,34 +142,34 @@ class _Reader:
             return self.said(logic[2][0], not wanted)
         if logic:
             return self._several(logic[1], logic[2], wanted)
-        if isinstance(node, ast.Call):
+        if isinstance(node, cst.Call):
             return self._called(node, wanted)
-        if isinstance(node, ast.Compare):
+        if isinstance(node, cst.Comparison):
             return self._compared(node, wanted)
-        if isinstance(node, ast.IfExp):
+        if isinstance(node, cst.IfExp):
             return self._chosen(node, wanted)
-        if isinstance(node, ast.Tuple | ast.List) and len(node.elts) == 1:
-            return self.said(node.elts[0], wanted)
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitXor) and is_condition(node):
+        if isinstance(node, cst.Tuple | cst.List) and len(node.elements) == 1:
+            return self.said(elements(node)[0], wanted)
+        if isinstance(node, cst.BinaryOperation) and isinstance(node.operator, cst.BitXor) and is_condition(node):
             return self._unlike(node.left, node.right, wanted)
-        if isinstance(node, ast.BinOp):
+        if isinstance(node, cst.BinaryOperation):
             sides = [node.left, node.right]
             if is_tight(node) and any(map(is_condition, sides)):
                 self.is_exact = False
-                return self._several("all" if isinstance(node.op, ast.BitAnd) else "any", sides, wanted)
+                return self._several("all" if isinstance(node.operator, cst.BitAnd) else "any", sides, wanted)
             return self._calculated(node, wanted)
-        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Invert | ast.USub):
+        if isinstance(node, cst.UnaryOperation) and isinstance(node.operator, cst.BitInvert | cst.Minus):
             return self._calculated(node, wanted)
-        if isinstance(node, ast.Name):
-            return self._of_text(node, flat_address(node.id), wanted)
+        if is_name(node):
+            return self._of_text(node, flat_address(name_of(node)), wanted)
         return self._leaf(node, wanted)
 
-    def _several(self, function: str, terms: Sequence[ast.expr], wanted: bool) -> _Part | None:
+    def _several(self, function: str, terms: Sequence[Node], wanted: bool) -> _Part | None:
         kept = [term for term in terms if truth_of(term) is not (function == "all")]
         function = function if wanted else _SWAPPED[function]
         return _joined(function, (self.said(term, wanted) for term in kept))
 
-    def _leaf(self, node: ast.expr, wanted: bool) -> _Part | None:
+    def _leaf(self, node: Node, wanted: bool) -> _Part | None:
         """A single condition of the language, or its opposite."""
         text = own(self._context, node)
         if not text or not self._fits(text):
@@ -163,15 +180,15 @@ class _Reader:
         self.turned.append(node)
         return _single(" ".join(turned.split())) if turned else None
 
-    def _member(self, node: ast.expr) -> str:
+    def _member(self, node: Node) -> str:
         """The bit that ``t.A.done`` is; "" for anything else."""
         bank = bank_of(node)
-        if not isinstance(node, ast.Attribute) or bank is None or not own(self._context, node.value):
+        if not isinstance(node, cst.Attribute) or bank is None or not own(self._context, node.value):
             return ""
         help, _ = member_hint(self._context, node, bank, own(self._context, node.value).removeprefix(bank.dsl))
         return help.removeprefix("write ") if help.startswith("write ") else ""
 
-    def _of_text(self, node: ast.expr, text: str, wanted: bool) -> _Part | None:
+    def _of_text(self, node: Node, text: str, wanted: bool) -> _Part | None:
         """A bit that is written otherwise than the node has it."""
         self.is_exact = False
         if not text or not self._fits(text):
@@ -181,16 +198,16 @@ class _Reader:
         self.turned.append(node)
         return _single(f"nc({text})") if re.fullmatch(r"[a-z]+[.\[][\w\"\]]+", text) else None
 
-    def _called(self, node: ast.Call, wanted: bool) -> _Part | None:
-        name = node.func.id if isinstance(node.func, ast.Name) else ""
-        if node.keywords or any(isinstance(argument, ast.Starred) for argument in node.args):
+    def _called(self, node: cst.Call, wanted: bool) -> _Part | None:
+        name, given = called(node), arguments(node)
+        if keywords(node) or any(map(is_starred, given)):
             return None
-        if name in _SWAPPED and node.args:
-            return self._several(name, node.args, wanted)
-        inner = node.args[0] if len(node.args) == 1 else None
-        if name == "nc" and inner is not None and not isinstance(inner, ast.Attribute | ast.Subscript):
+        if name in _SWAPPED and given:
+            return self._several(name, given, wanted)
+        inner = given[0] if len(given) == 1 else None
+        if name == "nc" and inner is not None and not isinstance(inner, cst.Attribute | cst.Subscript):
             return self.said(inner, not wanted)
-        if name in _TURNED_EDGE and inner is not None and not isinstance(inner, ast.Attribute | ast.Subscript):
+        if name in _TURNED_EDGE and inner is not None and not isinstance(inner, cst.Attribute | cst.Subscript):
             part = self.said(inner, True)
             bit = re.fullmatch(r"(nc\()?([a-z]+(?:\.\w+|\[[^\[\]]+\]))\)?", part.text) if part else None
             edge = bit and f"{_TURNED_EDGE[name] if bit[1] else name}({bit[2]})"
@@ -198,10 +215,10 @@ class _Reader:
         if self._fits(own(self._context, node) or "-"):
             return self._leaf(node, wanted)
         found = advice(name, CONDITIONS)
-        text = own_code(self._context, found, around_value(name, node.args), self._fits) if found else ""
+        text = own_code(self._context, found, around_value(name, given), self._fits) if found else ""
         return self._of_text(node, text, wanted)
 
-    def _chosen(self, node: ast.IfExp, wanted: bool) -> _Part | None:
+    def _chosen(self, node: cst.IfExp, wanted: bool) -> _Part | None:
         """``x[1] if x[2] else x[3]``: two ways in parallel."""
         legs: list[_Part | None] = []
         for holds, value in ((True, node.body), (False, node.orelse)):
@@ -212,34 +229,35 @@ class _Reader:
                 legs.append(self.said(node.test, holds))
         return _joined("any", legs)
 
-    def _unlike(self, one: ast.expr, other: ast.expr, wanted: bool) -> _Part | None:
+    def _unlike(self, one: Node, other: Node, wanted: bool) -> _Part | None:
         """One of two conditions, but not both; where that is not wanted, both or none."""
         pairs = ((holds, holds is not wanted) for holds in (True, False))
         return _joined("any", [_joined("all", [self.said(one, a), self.said(other, b)]) for a, b in pairs])
 
     # -- comparisons --------------------------------------------------------------------------------------------------
 
-    def _compared(self, node: ast.Compare, wanted: bool) -> _Part | None:
+    def _compared(self, node: cst.Comparison, wanted: bool) -> _Part | None:
         groups = unbound(self._context, node)
         if groups is not None:
             self.is_exact = False
             return self.said(groups, wanted)
-        if len(node.ops) > 1:
-            operands = [node.left, *node.comparators]
-            pairs = zip(operands, node.ops, operands[1:], strict=False)
-            return self._several("all", [compare(left, op, right) for left, op, right in pairs], wanted)
-        left, op, right = node.left, node.ops[0], node.comparators[0]
-        if isinstance(op, ast.In | ast.NotIn):
-            return self._listed(left, right, wanted is isinstance(op, ast.In))
-        sign = SIGNS[type(op)]
+        operators, operands = comparison(node)
+        if len(operators) > 1:
+            pairs = zip(operators, operands, operands[1:], strict=False)
+            each = [compare(self._context, [operator], [left, right]) for operator, left, right in pairs]
+            return self._several("all", each, wanted)
+        operator, (left, right) = operators[0], operands
+        if isinstance(operator, cst.In | cst.NotIn):
+            return self._listed(left, right, wanted is isinstance(operator, cst.In))
+        sign = SIGNS[operator.__class__]
         if _is_listed(right) or _is_listed(left):
-            values, other = (right, left) if _is_listed(right) else (left, right)
-            return self._each(values, other, sign, wanted)
-        if isinstance(left, ast.Constant) or (truth_of(left) is not None and truth_of(right) is None):
+            listed, other = (right, left) if _is_listed(right) else (left, right)
+            return self._each(listed, other, sign, wanted)
+        if is_literal(left) or (truth_of(left) is not None and truth_of(right) is None):
             left, right, sign = right, left, MIRRORED.get(sign, sign)
         truth = truth_of(right)
         if sign in ("==", "!=") and truth is not None and is_condition(left):
-            if truth is not (sign == "==") and isinstance(left, ast.Attribute | ast.Subscript):
+            if truth is not (sign == "==") and isinstance(left, cst.Attribute | cst.Subscript):
                 # Of a block nobody knows what it is to be compared with False.
                 self.turned.append(left)
             return self.said(left, wanted is (truth is (sign == "==")))
@@ -250,7 +268,8 @@ class _Reader:
             return self._of_register(left, "!=" if is_on else "==", "0", wanted)
         if is_condition(left) and is_condition(right):
             return self._unlike(left, right, wanted is (sign == "!=")) if sign in ("==", "!=") else None
-        if own(self._context, node) and self._fits(own(self._context, node)) and not isinstance(op, ast.Is | ast.IsNot):
+        text, is_identity = own(self._context, node), isinstance(operator, cst.Is | cst.IsNot)
+        if text and not is_identity and self._fits(text):
             return self._leaf(node, wanted)
         chosen = self._of_choice(left, sign, right, wanted) or self._of_choice(
             right, MIRRORED.get(sign, sign), left, wanted
@@ -262,12 +281,12 @@ class _Reader:
             return None
         return self._of_register(node, sign if wanted else OPPOSITE[sign], texts[1], wanted, texts[0])
 
-    def _of_choice(self, node: ast.expr, sign: str, other: ast.expr, wanted: bool) -> _Part | None:
+    def _of_choice(self, node: Node, sign: str, other: Node, wanted: bool) -> _Part | None:
         """``abs(ds.A) > 5``, ``max(ds.A, ds.B) > 5``: each possible value is compared."""
-        name = node.func.id.lower() if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
-        if not isinstance(node, ast.Call) or name not in ("abs", "max", "min") or node.keywords or not node.args:
+        name = called(node).lower()
+        if not isinstance(node, cst.Call) or name not in ("abs", "max", "min") or keywords(node) or not arguments(node):
             return None
-        values, limit = [self._value(argument) for argument in node.args], self._value(other)
+        values, limit = [self._value(argument) for argument in arguments(node)], self._value(other)
         sign = sign if wanted else OPPOSITE[sign]
         if not all(values) or not limit:
             return None
@@ -284,28 +303,30 @@ class _Reader:
             pairs = [f"{value} {sign} {limit}" for value in values]
         return self._checked(function, pairs, node, wanted)
 
-    def _of_register(self, node: ast.expr, sign: str, value: str, wanted: bool, shown: str = "") -> _Part | None:
+    def _of_register(self, node: Node, sign: str, value: str, wanted: bool, shown: str = "") -> _Part | None:
         text = f"{shown or own(self._context, node)} {sign} {value}"
         if not wanted:
             self.turned.append(node)
         return _single(text) if self._fits(text) else None
 
-    def _value(self, node: ast.expr) -> str:
+    def _value(self, node: Node) -> str:
         """A side of a comparison: a register, a constant, or the register that a rung before calculates."""
         bank = bank_of(node)
         if bank is not None and bank.is_bit:
             self.is_exact = False
             current = {"T": "td", "CT": "ctd"}.get(bank.name, "")
             return re.sub(rf"^{bank.dsl}(?=[.\[])", current, own(self._context, node)) if current else ""
-        if bank is not None or isinstance(node, ast.Constant):
+        if bank is not None or is_literal(node):
             return own(self._context, node)
-        if isinstance(node, ast.UnaryOp) and isinstance(node.operand, ast.Constant):
+        if isinstance(node, cst.UnaryOperation) and is_literal(node.expression):
             return own(self._context, node)
         return self._result(node)
 
-    def _result(self, node: ast.expr) -> str:
+    def _result(self, node: Node) -> str:
         """The register with the result of a calculation, which a rung before makes; "" for what CLICK has not."""
-        shown = ast.unparse(node)
+        if not isinstance(node, cst.BaseExpression):
+            return ""
+        shown = code(node)
         if shown not in self._results:
             found = calculated(self._context, node, len(self._results))
             if found is None:
@@ -314,7 +335,7 @@ class _Reader:
             self._results[shown] = found.result
         return self._results[shown]
 
-    def _calculated(self, node: ast.expr, wanted: bool) -> _Part | None:
+    def _calculated(self, node: Node, wanted: bool) -> _Part | None:
         """A calculation alone: it is not zero."""
         bit = bit_under_mask(self._context, node)
         if bit is not None:
@@ -325,53 +346,52 @@ class _Reader:
 
     # -- lists --------------------------------------------------------------------------------------------------------
 
-    def _listed(self, left: ast.expr, values: ast.expr, wanted: bool) -> _Part | None:
+    def _listed(self, left: Node, values: Node, wanted: bool) -> _Part | None:
         """``ds.A in (1, 2)``, ``ds.A in range(1, 5)``, ``ds.A in ds[1:5]``."""
         texts: list[str] = []
-        if isinstance(values, ast.Call) and isinstance(values.func, ast.Name) and values.func.id == "range":
-            bounds = [bound for argument in values.args if (bound := number_of(argument)) is not None]
-            is_whole = len(bounds) == len(values.args) in (1, 2, 3) and not values.keywords
+        if isinstance(values, cst.Call) and called(values) == "range":
+            given = arguments(values)
+            bounds = [bound for argument in given if (bound := number_of(argument)) is not None]
+            is_whole = len(bounds) == len(given) in (1, 2, 3) and not keywords(values)
             span = range(*bounds) if is_whole and bounds[2:] != [0] else range(0)
             if not span:
                 return None
             shown = self._value(left)
             if span.step == 1 and len(span) > 1 and shown:
-                low, high = values.args if len(bounds) > 1 else (ast.Constant(0), values.args[0])
-                first, last = (ast.unparse(bound) for bound in (low, high))
                 signs = (">=", "<") if wanted else ("<", ">=")
-                pairs = [f"{shown} {signs[0]} {first}", f"{shown} {signs[1]} {last}"]
+                pairs = [f"{shown} {signs[0]} {span.start}", f"{shown} {signs[1]} {span.stop}"]
                 return self._checked("all" if wanted else "any", pairs, left, wanted)
             texts = [str(number) for number in span] if len(span) <= _LISTED else []
-        elif isinstance(values, ast.Tuple | ast.List | ast.Set):
-            texts = [own(self._context, value) for value in values.elts]
-        elif isinstance(values, ast.Subscript) and isinstance(values.slice, ast.Slice):
-            bank, index = bank_of(values), values.slice
-            first_, last_ = number_of(index.lower), number_of(index.upper)
-            if bank is None or first_ is None or last_ is None or index.step or last_ - first_ > _LISTED:
+        elif isinstance(values, cst.Tuple | cst.List | cst.Set):
+            texts = [own(self._context, value) for value in elements(values)]
+        elif isinstance(values, cst.Subscript) and isinstance(index := index_of(values), cst.Slice):
+            bank = bank_of(values)
+            first, last = number_of(index.lower), number_of(index.upper)
+            if bank is None or first is None or last is None or index.step or last - first > _LISTED:
                 return None
-            texts = [f"{bank.dsl}[{number}]" for number in range(first_, last_)]
+            texts = [f"{bank.dsl}[{number}]" for number in range(first, last)]
         shown = self._value(left)
         sign, function = ("==", "any") if wanted else ("!=", "all")
         pairs = [f"{shown} {sign} {text}" for text in texts]
         return self._checked(function, pairs, left, wanted) if shown and all(texts) else None
 
-    def _each(self, values: ast.expr, other: ast.expr, sign: str, wanted: bool) -> _Part | None:
+    def _each(self, listed: Node, other: Node, sign: str, wanted: bool) -> _Part | None:
         """``ds.A == (1, 2)``, ``ds.A == (1 or 2)``, ``(ds.A or ds.B) == 5``: each compared by itself."""
         self.is_exact = False
-        terms = values.values if isinstance(values, ast.BoolOp) else getattr(values, "elts", [])
-        is_all = isinstance(values, ast.BoolOp) and isinstance(values.op, ast.And)
-        numbers = all(isinstance(term, ast.Constant) for term in terms)
+        values = terms(listed) if isinstance(listed, cst.BooleanOperation) else elements(listed)
+        is_all = isinstance(listed, cst.BooleanOperation) and isinstance(listed.operator, cst.And)
+        numbers = all(map(is_literal, values))
         if truth_of(other) is not None or (numbers and (sign not in ("==", "!=") or is_all)):
             return None
         function = "all" if is_all or (numbers and sign == "!=") else "any"
-        one, shown = ([self._value(term) for term in terms], self._value(other))
+        one, shown = ([self._value(value) for value in values], self._value(other))
         sides = [(shown, text) if numbers else (text, shown) for text in one]
         sign = sign if wanted else OPPOSITE[sign]
         pairs = [f"{left} {sign} {right}" for left, right in sides]
         function = function if wanted else _SWAPPED[function]
         return self._checked(function, pairs, other, wanted) if shown and all(one) else None
 
-    def _checked(self, function: str, texts: Sequence[str], node: ast.expr, wanted: bool) -> _Part | None:
+    def _checked(self, function: str, texts: Sequence[str], node: Node, wanted: bool) -> _Part | None:
         if not wanted:
             self.turned.append(node)
         return _joined(function, map(_single, texts)) if all(map(self._fits, texts)) else None
@@ -380,22 +400,23 @@ class _Reader:
 # -- what a part is ---------------------------------------------------------------------------------------------------
 
 
-def _algebra(node: ast.expr) -> tuple[str, str, list[ast.expr]] | None:
+_ALGEBRA: dict[type[Node], str] = {cst.Add: "any", cst.Multiply: "all"}
+
+
+def _algebra(node: Node) -> tuple[str, str, list[cst.BaseExpression]] | None:
     """``c.A + c.B`` and ``c.A * c.B``, as boolean algebra writes or and and."""
-    function = {ast.Add: "any", ast.Mult: "all"}.get(type(node.op)) if isinstance(node, ast.BinOp) else None
-    if function is None or not isinstance(node, ast.BinOp) or not is_condition(node):
+    function = _ALGEBRA.get(node.operator.__class__) if isinstance(node, cst.BinaryOperation) else None
+    if function is None or not isinstance(node, cst.BinaryOperation) or not is_condition(node):
         return None
     return ("+", function, [node.left, node.right])
 
 
-def _is_listed(node: ast.expr) -> bool:
+def _is_listed(node: Node) -> bool:
     """True for several values where one is compared."""
-    if isinstance(node, ast.BoolOp):
-        return not any(is_condition(value) for value in node.values)
-    return isinstance(node, ast.Tuple | ast.List | ast.Set) and len(node.elts) > 0
+    if isinstance(node, cst.BooleanOperation):
+        return not any(map(is_condition, terms(node)))
+    return len(elements(node)) > 0
 
 
-def _is_bool(node: ast.expr) -> bool:
-    return (isinstance(node, ast.Constant) and isinstance(node.value, bool)) or (
-        isinstance(node, ast.Name) and truth_of(node) is not None
-    )
+def _is_bool(node: Node) -> bool:
+    return isinstance(literal(node), bool) or (is_name(node) and truth_of(node) is not None)

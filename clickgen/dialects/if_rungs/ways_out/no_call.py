@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-import ast
 import re
 from collections.abc import Sequence
 
+import libcst as cst
+
 from clickgen.device.banks import Bank
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import Node, arguments, is_name, keyword_name, keywords, name_of, word
 from clickgen.dialects.if_rungs.trade import ACTIONS, ARGUMENTS, CONDITIONS, advice
 from clickgen.dialects.if_rungs.ways_out.hints import (
     BANK_NAMES,
@@ -39,23 +41,24 @@ _METHODS = {
 """What people call an address to do, and the instruction for it; others keep their name."""
 
 
-def no_instruction(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | None]:
+def no_instruction(context: Context, node: cst.Call, fits: Fits) -> tuple[str, Fix | None]:
     """The way out for a call of what is no instruction, and a fix where the meaning is certain."""
     if context.is_trial:
         return "", None
-    func = node.func
-    if isinstance(func, ast.Attribute):
+    func, given = node.func, arguments(node)
+    if isinstance(func, cst.Attribute):
         return _of_address(context, node, func, fits), None
-    if not isinstance(func, ast.Name):
+    if not is_name(func):
         return _LIST, None
-    name, lower = func.id, func.id.lower()
+    name = name_of(func)
+    lower = name.lower()
     if lower in INSTRUCTIONS:
         text = _renamed(context, node, lower)
         fix = replaced(context, func, lower, is_safe=True)
         return f"it is written in small letters: {text or INSTRUCTIONS[lower].signature}", fix
     routine = routine_named(context, name)
-    if routine and not (node.args and lower in ACTIONS):
-        fix = replaced(context, node, f"call({routine})", is_safe=routine == name and not (node.args or node.keywords))
+    if routine and not (given and lower in ACTIONS):
+        fix = replaced(context, node, f"call({routine})", is_safe=routine == name and not node.args)
         return f"a subroutine is called with call({routine})", fix
     if lower in ("return", "pass"):
         return f"write {lower}", None
@@ -63,54 +66,56 @@ def no_instruction(context: Context, node: ast.Call, fits: Fits) -> tuple[str, F
         return f"{lower} is a bank; an address has square brackets, and an action names it: out(y[1])", None
     if lower in _FUNCTIONS:
         return f"{lower}(...) is a condition: write if {own(context, node) or f'{lower}(c.A)'}:", None
-    bank = _bank_of(context, node.args[0]) if node.args else None
+    bank = _bank_of(context, given[0]) if given else None
     if lower in _RESETS and bank is not None and bank.name in ("T", "CT"):
-        shown = own(context, node.args[0])
+        shown = own(context, given[0])
         return reset_hint(bank.name, shown, timers_of(context, shown)), None
-    told = trade_advice(context, name, ACTIONS, node.args, fits, node.keywords)
+    told = trade_advice(context, name, ACTIONS, given, fits, keywords(node))
     if told:
         return told, _rename(context, node, name, fits)
-    told = trade_advice(context, name, CONDITIONS, node.args, lambda _: False)
+    told = trade_advice(context, name, CONDITIONS, given, lambda _: False)
     if told:
         return f"a condition stands in the if: {told}", None
     return did_you_mean(name, (*INSTRUCTIONS, "return", "pass")) or _LIST, None
 
 
-def _renamed(context: Context, node: ast.Call, name: str) -> str:
+def _renamed(context: Context, node: cst.Call, name: str) -> str:
     text = own(context, node)
     return name + text[len(own(context, node.func)) :] if text else ""
 
 
-def _rename(context: Context, node: ast.Call, name: str, fits: Fits) -> Fix | None:
+def _rename(context: Context, node: cst.Call, name: str, fits: Fits) -> Fix | None:
     """The fix that writes a word of the trade as it is called here, with the same arguments."""
     found = advice(name, ACTIONS)
-    text = own_code(context, found, node.args, fits, node.keywords) if found else ""
+    is_one = found is not None and not found.has_several
+    text = own_code(context, found, arguments(node), fits, keywords(node)) if found and is_one else ""
     span = context.span(node)
     return replaced(context, node, text, is_safe=False) if text and span.line == span.end_line else None
 
 
-def _bank_of(context: Context, node: ast.expr) -> Bank | None:
+def _bank_of(context: Context, node: Node) -> Bank | None:
     return BANK_NAMES.get(re.split(r"[.\[]", own(context, node), maxsplit=1)[0])
 
 
-def _of_address(context: Context, node: ast.Call, func: ast.Attribute, fits: Fits) -> str:
+def _of_address(context: Context, node: cst.Call, func: cst.Attribute, fits: Fits) -> str:
     """``y[1].set()`` and ``ctu.res(ct.A)``: an instruction is a call, and the address its argument."""
-    holder, method = func.value, func.attr.lower()
-    if isinstance(holder, ast.Name) and holder.id.lower() in INSTRUCTIONS:
+    holder, method, given = func.value, word(func.attr).lower(), arguments(node)
+    holder_name = name_of(holder).lower()
+    if holder_name in INSTRUCTIONS:
         if method in ("res", "reset", "rst"):
-            owner = "CT" if holder.id.lower().startswith("ct") else "T"
-            return reset_hint(owner, own(context, node.args[0]) if node.args else f"{owner.lower()}.A")
-        return f"an instruction is written alone: {INSTRUCTIONS[holder.id.lower()].example}"
+            owner = "CT" if holder_name.startswith("ct") else "T"
+            return reset_hint(owner, own(context, given[0]) if given else f"{owner.lower()}.A")
+        return f"an instruction is written alone: {INSTRUCTIONS[holder_name].example}"
     name = _METHODS.get(method, method)
     if name in INSTRUCTIONS and own(context, holder):
-        arguments = [own(context, argument) for argument in node.args]
-        text = f"{name}({', '.join([*arguments, own(context, holder)])})"
+        texts = [own(context, argument) for argument in given]
+        text = f"{name}({', '.join([*texts, own(context, holder)])})"
         if fits(text):
             return f"an instruction is called, and the address is its argument: {text}"
         bank = _bank_of(context, holder)
         if name == "reset" and bank is not None and bank.name in ("T", "CT"):
             return reset_hint(bank.name, own(context, holder), timers_of(context, own(context, holder)))
-    told = trade_advice(context, func.attr, ACTIONS, (), fits)
+    told = trade_advice(context, word(func.attr), ACTIONS, (), fits)
     return told or f"an instruction is called by its name alone: {INSTRUCTIONS['out'].example}; {_LIST}"
 
 
@@ -130,10 +135,10 @@ def routine_named(context: Context, name: str) -> str:
 # -- arguments --------------------------------------------------------------------------------------------------------
 
 
-def other_argument(context: Context, spec: Spec, keyword: ast.keyword, names: Sequence[str]) -> tuple[str, Fix | None]:
+def other_argument(context: Context, spec: Spec, keyword: cst.Arg, names: Sequence[str]) -> tuple[str, Fix | None]:
     """The way out for an argument that is called otherwise here; "" for a word that says nothing."""
-    word = keyword.arg or ""
-    lower = word.lower()
+    written = keyword_name(keyword)
+    lower = written.lower()
     if lower in names:
         name, is_safe = lower, True
     else:
@@ -142,11 +147,10 @@ def other_argument(context: Context, spec: Spec, keyword: ast.keyword, names: Se
         return "", None
     text = own(context, keyword.value)
     param = next(param for param in spec.params if name in (param.name, *param.aliases))
-    if param.kind is ParamKind.PIN and not isinstance(keyword.value, ast.Lambda):
+    if param.kind is ParamKind.PIN and not isinstance(keyword.value, cst.Lambda):
         text, is_safe = f"lambda: {text or 'c.Name'}", False
     fix = None
     if is_safe:
-        start = context.span(keyword)
-        place = start._replace(end_line=start.line, end_col=start.col + len(word))
-        fix = Fix((Edit(place, name),))
+        assert keyword.keyword is not None
+        fix = Fix((Edit(context.span(keyword.keyword), name),))
     return f"write {name}={text or '...'}:", fix

@@ -2,22 +2,38 @@
 
 from __future__ import annotations
 
-import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
+
+import libcst as cst
 
 from clickgen.device.banks import BANKS
 from clickgen.device.nicknames import nickname_fault
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import (
+    ADDRESSES,
+    Node,
+    arguments,
+    called,
+    comparison,
+    elements,
+    index_of,
+    is_literal,
+    is_name,
+    literal,
+    name_of,
+    text_value,
+    whole_number,
+    word,
+)
 from clickgen.dialects.if_rungs.read.operands import address_hint
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, advice
 from clickgen.dialects.if_rungs.ways_out.hints import (
     Fits,
     around_value,
     bank_of,
-    expression_of,
     flat_address,
     has_bits,
     is_condition,
@@ -37,15 +53,15 @@ from clickgen.text.source import SourceFile
 
 _FUNCTIONS = ("all", "any", "nc", "re", "fe")
 _SIGNS = {"==": True, "!=": False, "is": True, "is not": False}
-_COMPARED: dict[type[ast.cmpop], str] = {
-    ast.Eq: "==",
-    ast.NotEq: "!=",
-    ast.Is: "is",
-    ast.IsNot: "is not",
-    ast.Lt: "<",
-    ast.LtE: "<=",
-    ast.Gt: ">",
-    ast.GtE: ">=",
+_COMPARED: dict[type[Node], str] = {
+    cst.Equal: "==",
+    cst.NotEqual: "!=",
+    cst.Is: "is",
+    cst.IsNot: "is not",
+    cst.LessThan: "<",
+    cst.LessThanEqual: "<=",
+    cst.GreaterThan: ">",
+    cst.GreaterThanEqual: ">=",
 }
 _NO_CALCULATION = (
     'a condition does not calculate: put a rung before it, if True: calc("ds.A * 2", dd.Result), '
@@ -55,11 +71,12 @@ _RANGE_MAX = 8
 """Of a longer range a message does not name each address."""
 
 
-def way_out(context: Context, node: ast.expr, fits: Fits) -> tuple[str, Fix | None]:
+def way_out(context: Context, node: Node, fits: Fits) -> tuple[str, Fix | None]:
     """The way out for an expression that is no condition, and a fix where the meaning is certain."""
     if context.is_trial:
         return "", None
-    if isinstance(node, ast.Call):
+    name = name_of(node)
+    if isinstance(node, cst.Call):
         return _called(context, node, fits)
     truth = truth_of(node)
     if truth is not None:
@@ -67,38 +84,39 @@ def way_out(context: Context, node: ast.expr, fits: Fits) -> tuple[str, Fix | No
     readings = readings_of(context, node, fits)
     if len(readings) == 2:
         return f"in series write {readings[0].text}, in parallel {readings[1].text}", None
-    if readings and isinstance(node, ast.Constant):
+    if readings and is_literal(node):
         return f"a condition stands without quotes: {readings[0].way_out}", None
-    if isinstance(node, ast.Constant) and node.value is None:
+    if literal(node) is None:
         return "a rung that always runs stands under if True:", None
-    if isinstance(node, ast.Lambda):
+    if isinstance(node, cst.Lambda):
         text = own(context, node.body)
         return (f"lambda: is for the inputs of a box; write {text} alone" if fits(text) else ""), None
-    if isinstance(node, ast.BinOp):
-        if isinstance(node.op, ast.BitXor):
+    if isinstance(node, cst.BinaryOperation):
+        if isinstance(node.operator, cst.BitXor):
             return own_advice(context, CONDITIONS["xor"], (node.left, node.right), fits), None
         return _calculation(context, node, fits)
-    known = advice(node.id, CONDITIONS) if isinstance(node, ast.Name) else None
+    known = advice(name, CONDITIONS) if name else None
     if known is not None:
         return known.shown, None
-    routine = routine_named(context, node.id) if isinstance(node, ast.Name) else ""
+    routine = routine_named(context, name) if name else ""
     if routine:
         return f"a subroutine is called under the if: call({routine})", None
-    if isinstance(node, ast.Name) and not address_hint(node):
-        return f"a nickname follows its bank: x.{node.id}, y.{node.id} or c.{node.id}", None
+    if name and not address_hint(node):
+        return f"a nickname follows its bank: x.{name}, y.{name} or c.{name}", None
     return address_hint(node), None
 
 
-def readings_of(context: Context, node: ast.expr, fits: Fits) -> list[Meant]:
+def readings_of(context: Context, node: Node, fits: Fits) -> list[Meant]:
     """What an expression can mean as a condition: one thing, for a list two; none where nothing is certain."""
-    if isinstance(node, ast.Tuple | ast.List) and len(node.elts) > 1:
-        terms = [meant(context, element, fits) for element in node.elts]
+    if isinstance(node, cst.Tuple | cst.List) and len(node.elements) > 1:
+        terms = [meant(context, element, fits) for element in elements(node)]
         kept = [term for term in terms if term is not None and not term.before]
         texts = ", ".join(term.text for term in kept)
         turned = tuple(leaf for term in kept for leaf in term.turned)
         return [Meant(f"{name}({texts})", turned, ()) for name in ("all", "any")] if len(kept) == len(terms) else []
-    if isinstance(node, ast.Constant) and isinstance(node.value, str):
-        text = _unquoted(node.value, fits)
+    quoted = text_value(node)
+    if quoted is not None:
+        text = _unquoted(quoted, fits)
         return [Meant(text, (), ())] if text else []
     said = meant(context, node, fits)
     return [said] if said is not None else []
@@ -106,32 +124,34 @@ def readings_of(context: Context, node: ast.expr, fits: Fits) -> list[Meant]:
 
 def _unquoted(value: str, fits: Fits) -> str:
     """The condition that somebody put in quotes: ``"x[2]"``, ``"c.A and c.B"``, ``"Reset"``; "" for another text."""
-    flat, inner = flat_address(value), expression_of(value)
+    context = Context(SourceFile("", value), Diagnostics())
+    flat, inner = flat_address(value), context.expression()
     if flat:
         return flat if fits(flat) else ""
-    if isinstance(inner, ast.Name) or nickname_fault(value) is None:
+    if is_name(inner) or nickname_fault(value) is None:
         cell = f"c.{value}" if value.isidentifier() else f'c["{value}"]'
         return cell if nickname_fault(value) is None and fits(cell) else ""
-    if inner is None or isinstance(inner, ast.Constant):
+    if inner is None or is_literal(inner):
         return ""
-    said = meant(Context(SourceFile("", value), Diagnostics()), inner, fits)
+    said = meant(context, inner, fits)
     return said.text if said is not None and not said.before and not said.turned else ""
 
 
-def _called(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | None]:
-    if isinstance(node.func, ast.Attribute | ast.Subscript):
-        text = own(context, node.func)
-        if not node.args and text and fits(text):
+def _called(context: Context, node: cst.Call, fits: Fits) -> tuple[str, Fix | None]:
+    func, given = node.func, arguments(node)
+    if isinstance(func, cst.Attribute | cst.Subscript):
+        text = own(context, func)
+        if not given and text and fits(text):
             return f"an address is not called: write {text}", None
-        if isinstance(node.func, ast.Attribute):
-            arguments = around_value(node.func.attr, (node.func.value, *node.args))
-            return trade_advice(context, node.func.attr, CONDITIONS, arguments, fits), None
+        if isinstance(func, cst.Attribute):
+            method = word(func.attr)
+            return trade_advice(context, method, CONDITIONS, around_value(method, (func.value, *given)), fits), None
         return "", None
-    name = node.func.id if isinstance(node.func, ast.Name) else ""
+    name = called(node)
     lower = name.lower()
     if lower in _FUNCTIONS:
-        return f"it is written in small letters: {lower}(...)", replaced(context, node.func, lower, is_safe=True)
-    told = trade_advice(context, name, CONDITIONS, around_value(name, node.args), fits)
+        return f"it is written in small letters: {lower}(...)", replaced(context, func, lower, is_safe=True)
+    told = trade_advice(context, name, CONDITIONS, around_value(name, given), fits)
     if told:
         return told, None
     routine = routine_named(context, name)
@@ -146,11 +166,11 @@ def _called(context: Context, node: ast.Call, fits: Fits) -> tuple[str, Fix | No
     return address_hint(node) or did_you_mean(name, _FUNCTIONS), None
 
 
-def _calculation(context: Context, node: ast.BinOp, fits: Fits) -> tuple[str, Fix | None]:
+def _calculation(context: Context, node: cst.BinaryOperation, fits: Fits) -> tuple[str, Fix | None]:
     """A sum in the place of a condition: most often a name with a sign in it."""
-    left = node.left
-    if isinstance(node.op, ast.Sub) and isinstance(left, ast.Attribute) and isinstance(node.right, ast.Name):
-        return f"CLICK takes no - in a nickname: write {own(context, left)}_{node.right.id}", None
+    left, right = node.left, name_of(node.right)
+    if isinstance(node.operator, cst.Subtract) and isinstance(left, cst.Attribute) and right:
+        return f"CLICK takes no - in a nickname: write {own(context, left)}_{right}", None
     if has_bits(node):
         series, parallel = (f"{name}({own(context, left)}, {own(context, node.right)})" for name in ("all", "any"))
         return f"bits do not calculate; in series write {series}, in parallel {parallel}" if fits(series) else "", None
@@ -160,12 +180,12 @@ def _calculation(context: Context, node: ast.BinOp, fits: Fits) -> tuple[str, Fi
 # -- comparisons ------------------------------------------------------------------------------------------------------
 
 
-def unchained(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, Fix | None]:
+def unchained(context: Context, node: cst.Comparison, fits: Fits) -> tuple[str, Fix | None]:
     """``0 < ds[1] < 10`` as ``all(0 < ds[1], ds[1] < 10)``, and the edits that write it; every comment stays."""
     if context.is_trial:
         return "", None
-    signs = [_COMPARED.get(type(op), "") for op in node.ops]
-    operands = [node.left, *node.comparators]
+    operators, operands = comparison(node)
+    signs = [_COMPARED.get(operator.__class__, "") for operator in operators]
     texts = [own(context, operand) for operand in operands]
     general = "write each comparison by itself: all(1 < ds.A, ds.A < 5)"
     if not all(texts) or any(sign not in ("==", "!=", "<", "<=", ">", ">=") for sign in signs):
@@ -185,7 +205,7 @@ def unchained(context: Context, node: ast.Compare, fits: Fits) -> tuple[str, Fix
     return f"write {text}", Fix(tuple(edits))
 
 
-def _between(context: Context, operands: list[ast.expr]) -> str:
+def _between(context: Context, operands: Sequence[Node]) -> str:
     """What stands between the operands of a comparison, comments left out: its signs, and parentheses."""
     gaps: list[str] = []
     spans = [context.span(operand) for operand in operands]
@@ -203,18 +223,19 @@ class ComparedBit(NamedTuple):
 
     help: str
     fix: Fix | None = None
-    turned: ast.expr | None = None
+    turned: Node | None = None
 
 
-def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> ComparedBit | None:
+def compared_bit(context: Context, node: cst.Comparison, fits: Fits) -> ComparedBit | None:
     """The way out for a bit that is compared: with True, 0, "ON", another bit; None where no bit is."""
-    left, right, sign = node.left, node.comparators[0], _COMPARED.get(type(node.ops[0]), "")
+    target = node.comparisons[0]
+    left, right, sign = node.left, target.comparator, _COMPARED.get(target.operator.__class__, "")
     if bank_of(right) is not None and _is_bit(right) and not _is_bit(left):
         left, right = right, left
-    text, bank = own(context, left), bank_of(left)
-    is_terminal = isinstance(left, ast.Attribute) and left.attr == "immediate" and _is_bit(left.value)
-    if bank is not None and not bank.is_bit and isinstance(right, ast.Constant) and isinstance(right.value, bool):
-        return ComparedBit(f"write {text} {'!=' if right.value is _SIGNS.get(sign, True) else '=='} 0")
+    text, bank, state = own(context, left), bank_of(left), literal(right)
+    is_terminal = isinstance(left, cst.Attribute) and word(left.attr) == "immediate" and _is_bit(left.value)
+    if bank is not None and not bank.is_bit and isinstance(state, bool):
+        return ComparedBit(f"write {text} {'!=' if state is _SIGNS.get(sign, True) else '=='} 0")
     if bank is not None and bank.is_bit and not _is_bit(left) and truth_of(right) is not None and fits(text):
         return ComparedBit(_compared_bits(left, text, truth_of(right) is _SIGNS.get(sign, True)))
     if bank is None or not (_is_bit(left) or (is_terminal and truth_of(right) is not None)) or not fits(text):
@@ -239,18 +260,18 @@ def compared_bit(context: Context, node: ast.Compare, fits: Fits) -> ComparedBit
                 return ComparedBit(f"{text} is the bit; its current value is compared with {written}")
         return ComparedBit(bit_help(text))
     wanted = text if value is _SIGNS[sign] else f"nc({text})"
-    is_sure = isinstance(left, ast.Subscript) and isinstance(left.slice, ast.Constant) and type(left.slice.value) is int
+    is_sure = isinstance(left, cst.Subscript) and whole_number(index_of(left)) is not None
     fix = replaced(context, node, wanted, is_safe=is_sure) if fits(wanted) else None
     return ComparedBit(f"write {wanted}", fix, None if wanted == text else left)
 
 
-def _compared_bits(node: ast.expr, text: str, is_on: bool) -> str:
+def _compared_bits(node: Node, text: str, is_on: bool) -> str:
     """The way out for ``c[1:3] == True``; all of them off and not all of them on are two things."""
-    if is_on or not isinstance(node, ast.Subscript) or not isinstance(node.slice, ast.Slice):
+    index = index_of(node) if isinstance(node, cst.Subscript) else None
+    if is_on or not isinstance(index, cst.Slice):
         return f"write {text}" if is_on else bit_help(text)
-    bank, first, last = bank_of(node), node.slice.lower, node.slice.upper
-    one = ""
-    start, stop = number_of(first), number_of(last)
+    bank, one = bank_of(node), ""
+    start, stop = number_of(index.lower), number_of(index.upper)
     if bank is not None and start is not None and stop is not None:
         cells = [f"nc({bank.dsl}[{number}])" for number in range(start, stop)]
         one = f", any({', '.join(cells)}) where one of them is to be off" if 1 < len(cells) <= _RANGE_MAX else ""
@@ -261,20 +282,20 @@ def bit_help(text: str) -> str:
     return f"write {text or 'c.A'} where it is to be on, nc({text or 'c.A'}) where it is to be off"
 
 
-def _is_bit(node: ast.expr) -> bool:
+def _is_bit(node: Node) -> bool:
     """True for a single bit by its name or number."""
-    if isinstance(node, ast.Subscript) and not isinstance(node.slice, ast.Constant):
+    if isinstance(node, cst.Subscript) and not is_literal(index_of(node)):
         return False
-    bank = bank_of(node) if isinstance(node, ast.Attribute | ast.Subscript) else None
-    return bank is not None and bank.is_bit and isinstance(getattr(node, "value", None), ast.Name)
+    bank = bank_of(node) if node.__class__ in ADDRESSES else None
+    return bank is not None and bank.is_bit and bool(name_of(getattr(node, "value", None)))
 
 
-def searched(context: Context, node: ast.Compare, fits: Fits) -> str:
+def searched(context: Context, node: cst.Comparison, fits: Fits) -> str:
     """``ds.A in ds[1:50]`` by a search; "" for any other comparison."""
-    op, span, left = node.ops[0], node.comparators[0], own(context, node.left)
-    if not isinstance(op, ast.In | ast.NotIn) or not isinstance(span, ast.Subscript | ast.Attribute):
+    operator, span = node.comparisons[0].operator, node.comparisons[0].comparator
+    if not isinstance(operator, cst.In | cst.NotIn) or not isinstance(span, cst.Subscript | cst.Attribute):
         return ""
-    found = "c.Found" if isinstance(op, ast.In) else "nc(c.Found)"
+    left, found = own(context, node.left), "c.Found" if isinstance(operator, cst.In) else "nc(c.Found)"
     bank = bank_of(span)
     if bank is None or bank.is_bit or not left or not fits(f"all({left} == 0)"):
         return ""
@@ -282,25 +303,27 @@ def searched(context: Context, node: ast.Compare, fits: Fits) -> str:
     return f"put a rung before it, if True: {search}, and write {found}"
 
 
-def compared_condition(context: Context, node: ast.Compare, fits: Fits) -> str:
+def compared_condition(context: Context, node: cst.Comparison, fits: Fits) -> str:
     """The way out for ``re(x[1]) == False``, and other conditions of which the language has no opposite."""
-    sides = [side for side in (node.left, node.comparators[0]) if is_condition(side)]
-    other = node.comparators[0] if sides[0] is node.left else node.left
+    operator, right = node.comparisons[0].operator, node.comparisons[0].comparator
+    sides = [side for side in (node.left, right) if is_condition(side)]
+    other = right if sides[0] is node.left else node.left
     said, truth = meant(context, sides[0], fits), truth_of(other)
-    if said is None or said.before or type(node.ops[0]) not in SIGNS or truth is None:
+    if said is None or said.before or operator.__class__ not in SIGNS or truth is None:
         return "a condition is written alone; for its opposite put it on a bit: if c.A: out(c.Result), and nc(c.Result)"
     return f"put it on a bit in a rung before, if {said.text}: out(c.Result), and write nc(c.Result)"
 
 
-def compared_range(context: Context, node: ast.Compare, side: Operand, fits: Fits) -> str:
+def compared_range(context: Context, node: cst.Comparison, side: Operand, fits: Fits) -> str:
     """The way out for a range that is compared: a search for a text, each register by itself for numbers."""
     if isinstance(side, Immediate) or not isinstance(side, Range):
         return ""
-    left, right, sign = node.left, node.comparators[0], _COMPARED.get(type(node.ops[0]), "")
+    target = node.comparisons[0]
+    left, right, sign = node.left, target.comparator, _COMPARED.get(target.operator.__class__, "")
     value = right if context.span(left) == side.span else left
     ranged = left if value is right else right
     text, shown = own(context, value), own(context, ranged)
-    if side.bank == "TXT" and isinstance(value, ast.Constant) and isinstance(value.value, str) and sign in ("==", "!="):
+    if side.bank == "TXT" and text_value(value) is not None and sign in ("==", "!="):
         found = "c.Found" if sign == "==" else "nc(c.Found)"
         return (
             f"a search compares a text: search({shown} == {text}, result=ds.FoundAt, found=c.Found) in a rung before, "

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import keyword
 import re
 from collections.abc import Callable
@@ -10,16 +9,17 @@ from fractions import Fraction
 from itertools import accumulate
 from typing import NamedTuple
 
+import libcst as cst
+
 from clickgen.dialects.if_rungs.read.calls import fits_action
 from clickgen.dialects.if_rungs.read.conditions import as_condition, condition_fault
 from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import elements
 from clickgen.dialects.if_rungs.trade import ACTIONS, UNITS, advice, bank_hint
-from clickgen.dialects.if_rungs.ways_out.hints import BANK_NAMES, bit_of_word, expression_of, statement_of
-from clickgen.dialects.if_rungs.ways_out.misplaced import way_out
+from clickgen.dialects.if_rungs.ways_out.hints import BANK_NAMES, bit_of_word
+from clickgen.dialects.if_rungs.ways_out.misplaced import STATES, way_out
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.durations import in_units
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.text.source import SourceFile
 
 _LINE_MAX = 2000
 """A longer line is left to Python's own message."""
@@ -55,10 +55,10 @@ _HEAD = re.compile(r"\s*(?:if|elif|while)\b\s*", re.IGNORECASE)
 def condition_of(line: Line, text: str) -> str:
     """``write if all(...):`` for the text of an if without its slip; what is wrong with it then, or ""."""
     expression = text.strip().rstrip(":;").strip()
-    node = expression_of(expression)
+    context = line.context.of_text(expression, is_trial=False)
+    node = context.expression()
     if node is None:
         return ""
-    context = Context(SourceFile(line.context.source.path, expression), Diagnostics())
     written = as_condition(context, node)
     if written:
         return f"write if {written}:"
@@ -190,15 +190,14 @@ def no_colon(line: Line, match: re.Match[str]) -> Told | None:
 
 def comma(line: Line, match: re.Match[str]) -> Told | None:
     """``if c.A, c.B:``"""
-    node = expression_of(after_head(line.text).strip().rstrip(":"))
-    if node is None:
-        return None
-    if not isinstance(node, ast.Tuple):
+    context = line.context.of_text(after_head(line.text).strip().rstrip(":"))
+    node = context.expression()
+    if not isinstance(node, cst.Tuple):
         return None
     decimal = re.search(r"\b(\d+),(\d+)\b", line.code)
     if decimal:
         return Told("decimals are written with a point", f"write {decimal[1]}.{decimal[2]}", decimal.span())
-    text = f"all({', '.join(ast.unparse(one) for one in node.elts)})"
+    text = f"all({', '.join(context.text(one) for one in elements(node))})"
     help = condition_of(line, text) or "in series write all(c.A, c.B), in parallel any(c.A, c.B)"
     return Told("a comma joins no conditions", help, match.span("sign"))
 
@@ -301,10 +300,11 @@ def assigned(line: Line, match: re.Match[str]) -> Told | None:
     if _HEAD.match(line.text):
         return _equals_sign(line, match)
     text = f"{line.text[: match.start()].strip()} = {line.text[match.end() :].strip().rstrip(';')}"
-    node = statement_of(text)
+    context = line.context.of_text(text, is_trial=False)
+    node = context.statement()
     if node is None:
         return Told(":= is not part of the language", "to store a value write copy(5, ds.A)", match.span())
-    help = way_out(Context(SourceFile(line.context.source.path, text), Diagnostics()), node).help
+    help = way_out(context, node).help
     return Told(":= is not part of the language", help, match.span(), ((*match.span(), "="),))
 
 
@@ -332,6 +332,41 @@ def bare_call(line: Line, match: re.Match[str]) -> Told | None:
     if not text or not fits_action(line.context, text):
         text = INSTRUCTIONS[name].example if name in INSTRUCTIONS else found.code[0] if found and found.code else ""
     return Told("an instruction has its arguments in parentheses", f"write {text}", match.span("name"))
+
+
+_GAP = re.compile(r"(?<=[\w\])\"'])\s+(?=[\w\"'-])")
+_GAPS_MAX = 6
+"""A line with more gaps is no call whose commas are missing."""
+
+
+def missing_comma(line: Line, match: re.Match[str]) -> Told | None:
+    """``copy(5 ds.A)`` and ``copy 5 ds.A``: commas in some of the gaps make an action of it."""
+    name, is_open = match["name"].lower(), match["open"] == "("
+    if name not in INSTRUCTIONS:
+        return None
+    code = re.sub(r'"( *)"', lambda text: f'"{"x" * len(text[1])}"', line.code)
+    gaps = [gap for gap in _GAP.finditer(code) if gap.start() >= match.end("name") and gap.end() > match.end()]
+    if not gaps or len(gaps) > _GAPS_MAX:
+        return None
+    edits = [(gap.start(), gap.end(), ", ") for gap in gaps]
+    start = line.plain.find("#")
+    bare = line if start < 0 else line._replace(text=line.text[:start])
+    text = without(bare, [edit for edit in edits if start < 0 or edit[1] <= start]).strip().rstrip(" ;")
+    if not is_open:
+        text = f"{name}({text[len(name) :].strip()})"
+    if not fits_action(line.context, text):
+        return None
+    fixed = tuple(edits) if is_open and match["name"] == name else ()
+    return Told("a comma is missing here", f"write {text}", gaps[0].span(), fixed)
+
+
+def coil_value(line: Line, match: re.Match[str]) -> Told | None:
+    """``out(y[1] = True)``"""
+    address = line.text[match.start("address") : match.end("address")].strip()
+    action = {**STATES, "true": match["name"], "1": match["name"], "on": match["name"]}.get(match["value"].lower())
+    if action is None or not fits_action(line.context, f"{action}({address})"):
+        return None
+    return Told(f"{match['name']} takes no value", f"write {action}({address})", match.span("sign"))
 
 
 def arrow(_: Line, match: re.Match[str]) -> Told:
@@ -375,8 +410,38 @@ _SIGNS = {
 SIGN = re.compile(f"[{''.join(_SIGNS)}]")
 
 
+def _plain(text: str) -> tuple[tuple[int, int, str], ...]:
+    """The plain signs in the place of the others, outside of texts and comments: what stands in quotes stays as it is.
+
+    Nothing where a text would end elsewhere than the person sees it end.
+    """
+    edits: list[tuple[int, int, str]] = []
+    at = 0
+    while at < len(text) and text[at] != "#":
+        quote = text[at] if text[at] in ("'", '"') else _SIGNS.get(text[at], "")
+        if quote not in ("'", '"'):
+            if text[at] in _SIGNS:
+                edits.append((at, at + 1, quote))
+            at += 1
+            continue
+        end = _end_of_text(text, at, quote)
+        if end is None or quote in text[at + 1 : end] or "\\" in text[at + 1 : end]:
+            return ()
+        edits += [(place, place + 1, quote) for place in (at, end) if text[place] != quote]
+        at = end + 1
+    return tuple(edits)
+
+
+def _end_of_text(text: str, start: int, quote: str) -> int | None:
+    """Where a text in quotes of any kind ends: at the same plain quote, or at the next one that closes."""
+    if text[start] == quote and (plain := text.find(quote, start + 1)) >= 0:
+        return plain
+    closing = (at for at in range(start + 1, len(text)) if quote in (text[at], _SIGNS.get(text[at])))
+    return next(closing, None)
+
+
 def typographic(line: Line, match: re.Match[str]) -> Told:
-    edits = tuple((*found.span(), _SIGNS[found[0]]) for found in SIGN.finditer(line.code))
+    edits = _plain(line.text)
     plain = _SIGNS[match[0]]
     if plain in ('"', "'"):
         help = f"write straight quotes, {plain}"

@@ -174,6 +174,16 @@ SLIPS: tuple[Slip, ...] = (
         ("if c.1st:", "if c.if:"),
     ),
     Slip(
+        _re(r"^\s*(?P<name>[A-Za-z_]\w*)\s*(?P<open>\(|\s)(?=.*[\w\])\"']\s+[\w\"'-])"),
+        kinds.missing_comma,
+        ("copy(5 ds.A)", "copy(ds.A ds.B)", "ton(t.A 5)", "copy 5 ds.A", "copy ds.A ds.B", "out(y[1] oneshot=True)"),
+    ),
+    Slip(
+        _re(r"^\s*(?P<name>out|set|reset)\s*\((?P<address>[^=()]{1,120}?)\s*(?P<sign>:?=)\s*(?P<value>\w{1,8})\s*\)"),
+        kinds.coil_value,
+        ("out(y[1] = True)", "set(c.A = 0)"),
+    ),
+    Slip(
         _re(rf"{kinds.BANK}\.(?P<name>[A-Za-z_]\w{{0,30}} [A-Za-z0-9_]\w{{0,30}})\b(?!\s*[(=.\[])"),
         kinds.quoted_name,
         ("if c.My Name:",),
@@ -323,9 +333,9 @@ SLIPS: tuple[Slip, ...] = (
         ("out(y[1]) out(y[2])",),
     ),
     Slip(
-        _re(r"^\s*(?P<name>[A-Za-z_]\w*)\s+(?P<argument>[A-Za-z_\"][^=]*)$"),
+        _re(r"^\s*(?P<name>[A-Za-z_]\w*)\s+(?P<argument>[A-Za-z_\"'0-9-][^=]*)$"),
         kinds.bare_call,
-        ("out y[1]", "call fill", "set y[1]"),
+        ("out y[1]", "call fill", "set y[1]", "copy 5, ds.A", "copy -1, ds.A"),
     ),
     Slip(
         _re(r"\(.*;"),

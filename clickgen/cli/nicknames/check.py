@@ -1,0 +1,55 @@
+"""``clickgen nicknames check``: whether table and programs agree."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterable
+from dataclasses import replace
+
+from clickgen.api import build
+from clickgen.cli import OK, PROBLEMS, complain, tell
+from clickgen.cli.jobs import settings_of
+from clickgen.cli.nicknames.shared import add_programs, is_about_names, jobs_of, table_lines
+from clickgen.problems.report.frames import write_problems
+from clickgen.results import BuildResult
+from clickgen.text.wording import counted
+
+HELP = "whether table and programs agree"
+DESCRIPTION = "Check the address table and the names of the programs, without writing anything: for CI."
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    add_programs(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Tell the problems of names, addresses and the table; others are counted, for ``clickgen check`` tells them."""
+    from clickgen.commands.nicknames.sync import sync
+
+    found = jobs_of(options)
+    results = [build(job.program, settings=job.settings._replace(frozen=True)) for job in found]
+    told = 0
+    for result in results:
+        own = [problem for problem in result.diagnostics if is_about_names(problem)]
+        others = [problem for problem in result.diagnostics if problem.is_error and not is_about_names(problem)]
+        write_problems(own, result.sources, sys.stdout)
+        told += len([problem for problem in own if problem.is_error]) + len(others)
+        if others:
+            complain(f"{result.program} has {counted(len(others), 'other error')}: see clickgen check {result.program}")
+    if told:
+        return PROBLEMS
+    lacking = [table for table in sync(found, settings_of(options.config)).tables if table.added or table.changed]
+    for table in lacking:
+        tell(*table_lines(replace(table, unused=()), is_dry=True))
+    if lacking:
+        complain("run clickgen nicknames sync and commit the table")
+        return PROBLEMS
+    tables = {str(result.table_path): len(result.rows) for result in results}
+    for path, count in tables.items():
+        tell(f"{path}: {counted(count, 'address', 'addresses')}, in agreement with {_programs(results, path)}")
+    return OK
+
+
+def _programs(results: Iterable[BuildResult], path: str) -> str:
+    return ", ".join(str(result.program) for result in results if str(result.table_path) == path)

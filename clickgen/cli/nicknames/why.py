@@ -1,0 +1,45 @@
+"""``clickgen nicknames why``: where the address of a name comes from."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from clickgen.api import build
+from clickgen.cli import OK, PROBLEMS, complain, tell
+from clickgen.cli.nicknames.shared import add_programs, jobs_of, summary_of
+from clickgen.problems.report.frames import write_problems
+
+HELP = "where the address of a name comes from"
+DESCRIPTION = "Say where the address of a name comes from, why it is that one, and where the name is used."
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("name", metavar="NAME", help="a nickname, a block, or an address such as DS5")
+    add_programs(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Say where the address of a name comes from; returns the exit code."""
+    from clickgen.commands.nicknames.why import suggestion, why
+    from clickgen.table.names import record_beside
+    from clickgen.table.record import read_record
+
+    found = jobs_of(options)
+    results = [build(job.program, settings=job.settings) for job in found]
+    broken = [result for result in results if not result.ok]
+    for result in broken:
+        write_problems([problem for problem in result.diagnostics if problem.is_error], result.sources, sys.stderr)
+    if broken:
+        complain(f"{summary_of(broken)}; a program with errors has no addresses yet")
+        return PROBLEMS
+    said = []
+    for job, result in zip(found, results, strict=True):
+        data = read_record(record_beside(result.table_path))
+        said += why(options.name, result, job.settings.reserved, data)
+    if not said:
+        hint = suggestion(options.name, results)
+        complain(f"no program knows {options.name}{f'; {hint}' if hint else ''}")
+        return PROBLEMS
+    tell(*said)
+    return OK

@@ -1,0 +1,1 @@
+"""What ``clickgen workbook`` does: the program as an Excel workbook."""

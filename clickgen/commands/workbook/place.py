@@ -1,0 +1,36 @@
+"""Where a workbook goes, and what it may replace there."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from clickgen.emit.workbook import WRITER
+from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.workspace import read_if_there
+
+
+def place_of(output: str | None, program: str, folder: Path) -> Path:
+    """The workbook that ``-o`` names, else one in the program's output folder. Raises CouldNotRun."""
+    if output is None:
+        return folder / f"{Path(program).stem}.xlsx"
+    if Path(output).suffix.lower() != ".xlsx":
+        raise CouldNotRun(f"the workbook's name must end in .xlsx, and {output or 'the name after -o'} does not")
+    return Path(output)
+
+
+def former(path: Path, table: str | os.PathLike[str] | None) -> bytes | None:
+    """The earlier workbook at a place; None where nothing is there.
+
+    Raises CouldNotRun for a file that clickgen did not write, that somebody has saved since, or that is the address
+    table.
+    """
+    if table is not None and os.path.realpath(path) == os.path.realpath(table):
+        raise CouldNotRun(f"{path} is the address table; choose another file with -o")
+    before = read_if_there(path)
+    if before is not None and not WRITER.is_own(before):
+        raise CouldNotRun(
+            f"{path} was not written by clickgen, or somebody has saved it since; move it away, or choose another "
+            "file with -o"
+        )
+    return before

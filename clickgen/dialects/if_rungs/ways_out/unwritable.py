@@ -1,0 +1,112 @@
+"""What no program writes: inputs, bits of timers and counters, CLICK's own points; and what to write in their place."""
+
+from __future__ import annotations
+
+import re
+
+import libcst as cst
+
+from clickgen.device.banks import CURRENT_VALUE_OF, READ_ONLY, Bank
+from clickgen.device.system import WRITABLE_SC, WRITABLE_SD, system_nicknames
+from clickgen.dialects.if_rungs.read.context import Context
+from clickgen.dialects.if_rungs.read.nodes import Node, index_of, name_of, text_value, whole_number, word
+from clickgen.dialects.if_rungs.ways_out.hints import bank_of, own, reset_hint
+
+_WRITABLE = {"SC": WRITABLE_SC, "SD": WRITABLE_SD}
+_CLOCK = re.compile(r"_RTC_(?!New_)", re.IGNORECASE)
+
+
+def why_unwritable(node: Node) -> str:
+    """What an address is that no instruction writes: ``an input``; "" for one that can be written."""
+    bank = bank_of(node)
+    if bank is None:
+        return ""
+    if bank.name in READ_ONLY:
+        return READ_ONLY[bank.name]
+    number = _system_number(bank, node) if bank.name in _WRITABLE else None
+    return "one of CLICK's own" if number is not None else ""
+
+
+def _system_number(bank: Bank, node: Node) -> int | None:
+    """The number of a system point that is read-only; None for any other."""
+    name, number = _name_of(node), None
+    if name:
+        known = system_nicknames().get(name.lower())
+        number = known[1].number if known and known[1].bank == bank.name else None
+    elif isinstance(node, cst.Subscript):
+        index = whole_number(index_of(node))
+        number = index if index is not None and bank.has(index) else None
+    return None if number is None or number in _WRITABLE[bank.name] else number
+
+
+def _name_of(node: Node) -> str:
+    if isinstance(node, cst.Attribute) and name_of(node.value):
+        return word(node.attr)
+    return (text_value(index_of(node)) or "") if isinstance(node, cst.Subscript) else ""
+
+
+def instead(context: Context, node: Node, action: str, value: str = "") -> str:
+    """What to write in the place of an address that nothing writes: ``instead_of`` for a node."""
+    bank = bank_of(node)
+    assert bank is not None
+    return instead_of(bank.name, own(context, node), action, value, _name_of(node))
+
+
+def instead_of(
+    bank: str, shown: str, action: str, value: str = "", name: str = "", owners: frozenset[str] = frozenset()
+) -> str:
+    """What to write in the place of an address that nothing writes. It is shown as the program writes it.
+
+    ``action`` is the instruction that is to write it, and ``value`` the number or address that a copy has for it.
+    ``owners`` are the instructions of a timer, where they are known.
+    """
+    if bank in ("T", "CT"):
+        if action not in ("set", "out"):
+            return reset_hint(bank, shown, owners)
+        box = f"ton({shown}, setpoint=5, unit=Ts)" if bank == "T" else f"ctu({shown}, setpoint=10).reset(c.Clear)"
+        what = "timer" if bank == "T" else "counter"
+        return f"its {what} alone turns it on, {box}; turn on a bit of the program, {action}(c.Name)"
+    written = f"{action}({{}}.Name)" if action in ("set", "reset", "out") else f"copy({value or 'c.A'}, {{}}.Name)"
+    if bank == "X":
+        output, bit = written.format("y"), written.format("c")
+        return f"an input follows its terminal; write an output, {output}, or a bit of the program, {bit}"
+    if bank == "SC":
+        return f"write a bit of the program: {written.format('c')}"
+    if bank == "XD":
+        return f"an input word follows its terminals; write a register of the program: copy({value or shown}, dh.Name)"
+    new = system_nicknames().get(_CLOCK.sub("_RTC_New_", name).lower()) if _CLOCK.match(name) else None
+    if new is not None and new[1].number in WRITABLE_SD:
+        text = f"sd.{new[0]}" if new[0].isidentifier() else f'sd["{new[0]}"]'
+        return f"CLICK's clock shows its time there; what it is set to goes to {text}: copy({value or '0'}, {text})"
+    return f"write a register of the program: copy({value or '0'}, ds.Name)"
+
+
+def is_known_owner(context: Context, node: Node) -> bool:
+    """True for a current value by its number, or by the name of a timer or counter that the file has."""
+    return (
+        isinstance(node, cst.Subscript)
+        or re.search(rf"\b{re.escape(_owner(context, node))}\b", context.source.text) is not None
+    )
+
+
+def _owner(context: Context, node: Node) -> str:
+    bank = bank_of(node)
+    assert bank is not None
+    return CURRENT_VALUE_OF[bank.name].lower() + own(context, node)[len(bank.dsl) :]
+
+
+def of_current_value(context: Context, node: Node, value: str) -> str:
+    """The way out where somebody resets or starts a timer by its current value: ``reset(td.A)``, ``td.A = 0``."""
+    bank, shown = bank_of(node), own(context, node)
+    assert bank is not None
+    owner, written = _owner(context, node), f"copy({value}, {shown})"
+    is_timer = bank.name == "TD"
+    if value == "0":
+        hint = reset_hint(CURRENT_VALUE_OF[bank.name], owner)
+        alone = f"its current value alone is cleared with {written}"
+        return f"{alone}; {hint}" if is_known_owner(context, node) else f"{hint}; then {alone}"
+    if is_known_owner(context, node):
+        return f"write {written}"
+    box = f"ton({owner}, setpoint=5, unit=Ts)" if is_timer else f"ctu({owner}, setpoint=10).reset(c.Clear)"
+    what = "timer" if is_timer else "counter"
+    return f"a {what} counts by itself, {box}, and then its current value is written with {written}"
