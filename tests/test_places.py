@@ -10,7 +10,8 @@ from pathlib import Path
 
 import libcst as cst
 import pytest
-from hypothesis import given, note, settings
+from budget import examples
+from hypothesis import given, note
 from hypothesis import strategies as st
 from libcst.metadata import MetadataWrapper, PositionProvider
 from strategies.broken import broken_programs, mutants
@@ -161,7 +162,7 @@ def _is_inside_string(node: ast.expr, tree: ast.Module) -> bool:
 
 
 @given(st.one_of(mutants, broken_programs))
-@settings(max_examples=60, deadline=None)
+@examples(20)
 def test_random_programs(files: Given) -> None:
     note(files.text)
     text = files.text
