@@ -51,4 +51,4 @@ def test_installing_brings_no_modbus_stack() -> None:
 
     project = tomllib.loads((PROJECT / "pyproject.toml").read_text("utf-8"))["project"]
     names = {requirement.split(">")[0] for requirement in project["dependencies"]}
-    assert names == {"lark", "openpyxl", "defusedxml", "laddercodec", "rich"}
+    assert names == {"libcst", "lark", "openpyxl", "defusedxml", "laddercodec", "rich"}
