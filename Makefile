@@ -4,7 +4,10 @@ VENV := .venv
 BIN := $(VENV)/bin
 DEMO := fixtures/cases/demo/prog.py
 
-.PHONY: demo test lint types golden docs bench clean
+# Tests and checks start many processes; without bytecode each would compile all that it imports.
+unexport PYTHONDONTWRITEBYTECODE
+
+.PHONY: demo test tests fuzz lint types golden docs bench clean
 
 $(VENV)/ready: pyproject.toml scripts/dev_requirements.py
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
@@ -22,8 +25,14 @@ demo: $(VENV)/ready  ## build the demo program and show its listing
 	@echo "The listing begins:"
 	@sed -n '1,40p' build/demo/listing.txt
 
-test: lint types  ## run all checks and tests
-	$(BIN)/python -m pytest -q -n auto
+test: $(VENV)/ready  ## run all checks and tests
+	@$(MAKE) --no-print-directory -j 3 lint types tests
+
+tests: $(VENV)/ready
+	$(BIN)/python -m pytest -q -n auto --dist worksteal
+
+fuzz: $(VENV)/ready  ## run the properties on many new examples; FUZZ="--minutes 60" repeats it for an hour
+	$(BIN)/python tests/fuzz.py $(FUZZ)
 
 lint: $(VENV)/ready
 	$(BIN)/ruff check

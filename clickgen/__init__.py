@@ -18,8 +18,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from clickgen.api import build, check
     from clickgen.config import Settings
-    from clickgen.problems.diagnostics import CouldNotRun
     from clickgen.results import BuildResult, CheckResult
+    from clickgen.workspace import CouldNotRun
 
 __version__ = "0.1.0"
 __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "Settings", "__version__", "build", "check"]

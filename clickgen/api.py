@@ -10,10 +10,9 @@ from clickgen.config import Settings
 from clickgen.emit.built import BuiltProgram
 from clickgen.emit.registry import Outputs
 from clickgen.pipeline import CHECKS, NAMES, STAGES, run
-from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.results import BuildResult, CheckResult, KnownNames
 from clickgen.table.blocks import marked_blocks
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 __all__ = ["BuildResult", "CheckResult", "CouldNotRun", "Settings", "build", "build_all", "check", "known_names"]
 

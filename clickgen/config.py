@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from clickgen.problems.codes import CODES
-from clickgen.problems.diagnostics import CouldNotRun, did_you_mean
+from clickgen.problems.diagnostics import did_you_mean
 from clickgen.table.names import TABLE_NAME, is_workbook
-from clickgen.workspace import MIB, read_file
+from clickgen.workspace import MIB, CouldNotRun, read_file
 
 if TYPE_CHECKING:
     from clickgen.device.banks import Address

@@ -14,6 +14,7 @@ from clickgen.dialects.if_rungs.part_of import tell_of_programs
 from clickgen.dialects.if_rungs.read.imports import read_program
 from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.facts.facts import Facts
+from clickgen.facts.left_names import Asked, Left, find_left
 from clickgen.fixes.verdict import judge_proposals
 from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Program
@@ -21,9 +22,8 @@ from clickgen.lower.place import placed_routines
 from clickgen.lower.scratch import Scratch
 from clickgen.lower.serves import served
 from clickgen.lower.split import ClickRoutine, ClickRung, lower
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.resolve.declare import name_program
-from clickgen.resolve.left_names import Asked, Left, find_left
 from clickgen.resolve.resolve import Resolved, resolve
 from clickgen.rules.errors import RULES, scratch_bits
 from clickgen.table.address_table import AddressTable
@@ -34,7 +34,7 @@ from clickgen.table.read import TableUnreadable
 from clickgen.table.record import placed_still, read_record
 from clickgen.table.rows import Row
 from clickgen.text.source import SourceFile
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 
 @dataclass

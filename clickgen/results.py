@@ -11,13 +11,14 @@ from clickgen.device.banks import Address
 from clickgen.emit.built import BuiltProgram
 from clickgen.emit.delivery import Delivery, TableChange, deliver
 from clickgen.facts.facts import Facts
+from clickgen.facts.left_names import Left
 from clickgen.lower.split import ClickRoutine
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
-from clickgen.resolve.left_names import Left
+from clickgen.problems.diagnostics import Diagnostic
 from clickgen.table.address_table import AddressTable
 from clickgen.table.blocks import Block
 from clickgen.table.rows import Row
 from clickgen.text.source import SourceFile
+from clickgen.workspace import CouldNotRun
 
 
 @dataclass(frozen=True)

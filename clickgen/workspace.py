@@ -22,6 +22,17 @@ StrPath = str | os.PathLike[str]
 Data = TypeVar("Data", bytes, str)
 
 
+class CouldNotRun(Exception):
+    """There is nothing to judge: a file is missing or unreadable, an output folder unusable. The message says which.
+
+    ``lines`` are the message and what is listed below it.
+    """
+
+    def __init__(self, message: str = "", *more: str) -> None:
+        super().__init__("\n".join((message, *more)))
+        self.lines = (message, *more)
+
+
 class NoRegularFile(OSError):
     """A pipe or a device is in the place of a file."""
 

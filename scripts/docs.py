@@ -13,6 +13,7 @@ from pathlib import Path
 from docs_instruction import MADE, instruction_page
 from docs_markdown import bullets, quoted, table
 
+from clickgen.commands.explain import explanation
 from clickgen.device.banks import BANKS, UPPER_BYTE_BANKS
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, Advice
@@ -20,7 +21,6 @@ from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
 from clickgen.instructions import FAMILIES, control
 from clickgen.instructions.spec import Spec
 from clickgen.problems.codes import CODES, Severity
-from clickgen.problems.explain import explanation
 
 ROOT = Path(__file__).parents[1]
 LANGUAGE = ROOT / "docs" / "language.md"

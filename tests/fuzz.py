@@ -1,130 +1,68 @@
-"""The properties of the pytest files as a long run: ``python tests/fuzz.py --minutes 10``.
+"""The properties of the tests as a long run: ``make fuzz``, or ``python tests/fuzz.py --minutes 10``.
 
-Prints each failure once, in its smallest form, and goes on. Exit code 1 when there was one.
+A round is a run of pytest over all properties with new examples, twenty times as many as in ``make test``. A property
+that fails prints its smallest example and sits out the rounds that follow. Exit code 1 when one failed.
 """
 
 from __future__ import annotations
 
 import argparse
 import random
+import subprocess
 import sys
+import tempfile
 import time
-import traceback
-import warnings
-from collections import Counter
-from collections.abc import Callable
-from typing import Any
+from pathlib import Path
+from xml.etree import ElementTree
 
-from hypothesis import HealthCheck, Phase, given, seed, settings
-from hypothesis import strategies as st
-from hypothesis.errors import HypothesisWarning
-from strategies.given import TABLE, Given
-from test_import_properties import IMPORT
-from test_meaning_properties import MEANING
-from test_mending_properties import MENDING
-from test_power_properties import POWER
-from test_robustness import ROBUSTNESS
-
-Check = Callable[[Any], None]
-Property = tuple[st.SearchStrategy[Any], Check]
-PROPERTIES: dict[str, Property] = {**POWER, **MEANING, **MENDING, **IMPORT, **ROBUSTNESS}
+TESTS = Path(__file__).parent
 
 
-def one_round(strategy: st.SearchStrategy[Any], check: Check, number: int, examples: int) -> tuple[str, int]:
-    """Run a property on random examples: the report of its smallest failure or an empty text, and how many ran."""
-    failed: list[tuple[Any, str]] = []
-    count = 0
-
-    @seed(number)
-    @settings(
-        max_examples=examples,
-        database=None,
-        deadline=None,
-        report_multiple_bugs=False,
-        suppress_health_check=list(HealthCheck),
-        phases=(Phase.generate, Phase.shrink),
-    )
-    @given(strategy)
-    def run(example: Any) -> None:
-        nonlocal count
-        count += 1
-        try:
-            check(example)
-        except Exception:
-            failed.append((example, traceback.format_exc(limit=-6)))
-            raise
-
-    try:
-        run()
-    except BaseException as error:
-        if isinstance(error, KeyboardInterrupt) or not failed:
-            raise
-        example, trace = failed[-1]  # hypothesis ends with the smallest
-        if isinstance(example, Given):
-            example = without_lines(example, check, fault_of(trace))
-        return f"{getattr(example, 'text', repr(example))}\n{trace}", count
-    return "", count
+def one_round(seed: int, options: argparse.Namespace, without: list[str]) -> list[str]:
+    """Run the properties once, without some of them; returns those that failed, by their pytest ids."""
+    with tempfile.TemporaryDirectory(prefix="clickgen-fuzz-") as folder:
+        report = Path(folder) / "report.xml"
+        command = [sys.executable, "-m", "pytest", "-q", "-r", "fE", "-m", "property", f"--rootdir={TESTS.parent}"]
+        command += [f"--times={options.times}", f"--hypothesis-seed={seed}", f"--junitxml={report}"]
+        command += ["-o", "junit_family=xunit1", "-n", str(options.workers), "--dist=worksteal"]
+        command += [f"-k={options.only}"] if options.only else []
+        command += [f"--deselect={test}" for test in without]
+        code = subprocess.run([*command, str(TESTS)], cwd=TESTS.parent, check=False).returncode
+        # 5: all have failed before, and none is left.
+        if code not in (0, 1, 5):
+            sys.exit(code)
+        return list(failed_in(report))
 
 
-def fault_of(trace: str) -> str:
-    """What a failure is known by: the first words of its last line."""
-    return trace.strip().splitlines()[-1][:60]
-
-
-def without_lines(files: Given, check: Check, fault: str) -> Given:
-    """The same files without the lines that the fault does not need."""
-
-    def fails(some: Given) -> bool:
-        try:
-            check(some)
-        except Exception:
-            return fault_of(traceback.format_exc(limit=-6)) == fault
-        return False
-
-    for name, _ in files.files:
-        at = 0
-        while name != TABLE:
-            lines = dict(files.files)[name].splitlines(keepends=True)
-            if at >= len(lines):
-                break
-            rest = b"".join(lines[:at] + lines[at + 1 :])
-            fewer = Given(tuple((other, rest if other == name else data) for other, data in files.files))
-            if fails(fewer):
-                files = fewer
-            else:
-                at += 1
-    return files
+def failed_in(report: Path) -> list[str]:
+    """The tests that failed, by their pytest ids."""
+    return [
+        f"{case.get('file')}::{case.get('name')}"
+        for case in ElementTree.parse(report).iter("testcase")
+        if case.find("failure") is not None or case.find("error") is not None
+    ]
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--minutes", type=float, default=10)
-    parser.add_argument("--examples", type=int, default=300, help="examples in one round of a property")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--minutes", type=float, default=0, help="begin new rounds until then; one round without it")
+    parser.add_argument("--times", type=int, default=20, help="examples of a property, in times those of make test")
     parser.add_argument("--seed", type=int, help="of the first round, to repeat a run")
-    parser.add_argument("--only", choices=sorted(PROPERTIES), action="append", help="one property; may be repeated")
+    parser.add_argument("--only", help="properties whose names hold this, as for pytest -k")
+    parser.add_argument("--workers", default="auto", help="processes, as for pytest -n")
     options = parser.parse_args()
-    warnings.simplefilter("ignore", HypothesisWarning)
     stop = time.monotonic() + 60 * options.minutes
-    number = options.seed if options.seed is not None else random.randrange(2**32)
-    print(f"seed {number}", flush=True)
-    reports: Counter[str] = Counter()
-    ran: Counter[str] = Counter()
-    while time.monotonic() < stop:
-        for name in options.only or PROPERTIES:
-            report, count = one_round(*PROPERTIES[name], number, options.examples)
-            ran[name] += count
-            number += 1
-            if not report:
-                continue
-            last = f"{name}: {report.strip().splitlines()[-1][:100]}"
-            reports[last] += 1
-            if reports[last] <= 2:
-                print(f"\n{'=' * 100}\n{name}, seed {number - 1}\n{report}", flush=True)
-    print("\nexamples: " + ", ".join(f"{name} {count}" for name, count in ran.items()))
-    print(f"{sum(reports.values())} rounds failed")
-    for last, count in reports.items():
-        print(f"  {count} x {last}")
-    return 1 if reports else 0
+    seed = options.seed if options.seed is not None else random.randrange(2**32)
+    failed: list[str] = []
+    while True:
+        print(f"\nseed {seed}", flush=True)
+        failed += one_round(seed, options, failed)
+        seed += 1
+        if time.monotonic() >= stop:
+            break
+    if failed:
+        print("\nFailed:\n" + "\n".join(f"  {test}" for test in failed))
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -20,6 +21,12 @@ import golden
 each_case = pytest.mark.parametrize("name", golden.names())
 
 
+@cache
+def built_of(name: str) -> dict[str, bytes]:
+    """What a case builds, built once for all tests."""
+    return golden.outputs(golden.CASES / name)
+
+
 def test_there_are_cases() -> None:
     assert "demo" in golden.names()
 
@@ -27,7 +34,7 @@ def test_there_are_cases() -> None:
 @each_case
 def test_a_case_builds_its_golden_files(name: str) -> None:
     case = golden.CASES / name
-    built, expected = golden.outputs(case), golden.expected(case)
+    built, expected = built_of(name), golden.expected(case)
     assert expected, f"{name} has no golden files: run make golden and read them"
     assert sorted(built) == sorted(expected)
     for path, data in expected.items():
@@ -64,7 +71,7 @@ def test_a_second_build_changes_nothing(name: str, tmp_path: Path) -> None:
 
 @each_case
 def test_outside_readers_take_the_ladder(name: str) -> None:
-    built = golden.outputs(golden.CASES / name)
+    built = built_of(name)
     for path, data in built.items():
         if not path.endswith(".csv") or path.endswith(golden.TABLE):
             continue
@@ -78,7 +85,7 @@ def test_outside_readers_take_the_ladder(name: str) -> None:
 
 @each_case
 def test_pyclickplc_reads_the_nicknames(name: str, tmp_path: Path) -> None:
-    built = golden.outputs(golden.CASES / name)
+    built = built_of(name)
     for written in (golden.TABLE, f"table/{golden.TABLE}"):
         path = tmp_path / golden.TABLE
         path.write_bytes(built[written])

@@ -217,7 +217,7 @@ def test_closed_streams_change_nothing(tmp_path: Path, closed: str) -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a shell's pipe")
 def test_a_reader_that_goes_away_is_no_trouble(tmp_path: Path) -> None:
-    for number in range(400):
+    for number in range(80):
         (tmp_path / f"p{number}.py").write_text(DOUBLE)
     command = f"{sys.executable} -m clickgen check . --output-format sarif | true"
     done = subprocess.run(command, shell=True, cwd=tmp_path, capture_output=True, check=False)

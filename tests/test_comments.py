@@ -94,8 +94,7 @@ def test_the_comments_of_the_fixtures(path: Path) -> None:
         ("a; b\n# c\nif c:\n    pass\n", ["c"]),
         ('if """\n#""":\n    # c\n    if b:\n        pass\n', [""]),
         (
-            "if a:\n    for _ in range(\n        # c\n        3\n    ):\n"
-            "        # d\n        if b:\n            pass\n",
+            "if a:\n    for _ in range(\n        # c\n        3\n    ):\n        # d\n        if b: pass\n",
             ["", "d"],
         ),
         (
@@ -105,7 +104,7 @@ def test_the_comments_of_the_fixtures(path: Path) -> None:
         ("if a:\n    pass\n# clickgen: ignore[CG501]\n# said\nif b:\n    pass\n", ["", "said"]),
         ("if a:\n    pass\n# ends with a \\\nif b:\n    pass\n", ["", "ends with a \\"]),
     ],
-)  # fmt: skip
+)
 def test_odd_places(text: str, comments: list[str]) -> None:
     assert of_block(text) == comments
 

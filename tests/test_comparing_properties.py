@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import pytest
-from hypothesis import assume, given, note, settings
+from budget import examples
+from hypothesis import assume, given, note
 from hypothesis import strategies as st
 from judges.builds import ladder_files
 from judges.codec import normalise
@@ -267,7 +268,7 @@ def test_the_judge_knows_a_comparison_by_either_side(one: str, other: str) -> No
 
 
 @given(st.one_of(power_programs(), meaning_programs()), st.integers(0, 2**32))
-@settings(max_examples=20, deadline=None, print_blob=True)
+@examples(3)
 def test_a_damaged_rung_is_the_same_when_its_power_is(program: Program, seed: int) -> None:
     note(program.text)
     for _ in check_damaged_program(program, seed):
@@ -275,7 +276,7 @@ def test_a_damaged_rung_is_the_same_when_its_power_is(program: Program, seed: in
 
 
 @given(st.one_of(power_programs(), meaning_programs()))
-@settings(max_examples=15, deadline=None, print_blob=True)
+@examples(3)
 def test_what_is_built_twice_is_identical(program: Program) -> None:
     one, other = ladder_files(program.texts), ladder_files(program.texts)
     for name, text in one.items():
@@ -478,7 +479,7 @@ def check_run(program: Program, seed: int, rounds: int = 6) -> Iterator[str]:
 
 
 @given(meaning_programs(), st.integers(0, 2**32))
-@settings(max_examples=40, deadline=None, print_blob=True)
+@examples(8)
 def test_a_split_rung_is_the_same_only_when_it_does_the_same(program: Program, seed: int) -> None:
     note(program.text)
     for _ in check_run(program, seed):

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from budget import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from test_diff import Drawing, plant, with_scratch
 from test_import_shapes import SHAPES, rung, write_bundle
@@ -83,7 +84,7 @@ def sides(rungs: Sequence[Rows], folder: Path) -> tuple[Side, Side] | None:
 
 
 @given(plants)
-@settings(max_examples=60, deadline=None, print_blob=True)
+@examples(12)
 def test_a_plant_is_what_is_imported_of_it(rungs: list[Rows]) -> None:
     folder = Path(tempfile.mkdtemp(prefix="clickgen-diff-"))
     try:
@@ -191,7 +192,7 @@ def scan(rungs: Sequence[DrawnRung], state: dict[str, int]) -> None:
 
 
 @given(edited_ladders(), st.lists(st.sampled_from(("C1999", "C2000")), unique=True), st.booleans(), st.integers(0))
-@settings(max_examples=400, deadline=None, print_blob=True)
+@examples(60)
 def test_what_passes_does_the_same(
     edited: tuple[list[Drawing], list[Drawing]], scratch: list[str], is_both: bool, seed: int
 ) -> None:

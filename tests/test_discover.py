@@ -18,8 +18,7 @@ from clickgen.device.banks import BANKS
 from clickgen.dialects.if_rungs import discover as module
 from clickgen.dialects.if_rungs.discover import Target, discover, is_program, matches, targets, wholly_judged
 from clickgen.instructions import INSTRUCTIONS
-from clickgen.problems.diagnostics import CouldNotRun
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 END = "    if True:\n        end()\n"
 RUNG = "    if c.A:\n        out(c.B)\n"

@@ -24,9 +24,9 @@ What is made from the code is written by ``scripts/docs.py``.
 
 from __future__ import annotations
 
+import gc
 import re
 import shlex
-import subprocess
 import sys
 import textwrap
 from collections.abc import Iterator
@@ -37,7 +37,7 @@ from types import ModuleType
 import pytest
 
 import clickgen
-from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS
+from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS, main
 from clickgen.config import read_config
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.spec import Spec
@@ -168,7 +168,9 @@ def test_shown_settings_can_be_read(block: Block, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_what_a_page_does_gives_what_it_shows(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_a_page_does_gives_what_it_shows(
+    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.chdir(tmp_path)
     for block in blocks_of(page):
         if block.note("file"):
@@ -176,7 +178,7 @@ def test_what_a_page_does_gives_what_it_shows(page: Path, tmp_path: Path, monkey
             path.parent.mkdir(exist_ok=True)
             path.write_text(block.text, "utf-8")
         elif block.language == "console":
-            _run_commands(block, tmp_path)
+            _run_commands(block, capfd)
         elif block.note("output"):
             shown = (tmp_path / block.note("output")).read_text("utf-8")
             assert f"\n{block.text}" in f"\n{shown}", f"{block}: {block.note('output')} holds\n{shown}"
@@ -184,7 +186,7 @@ def test_what_a_page_does_gives_what_it_shows(page: Path, tmp_path: Path, monkey
             exec(compile(block.text, str(block), "exec"), {"__name__": "shown"})
 
 
-def _run_commands(block: Block, folder: Path) -> None:
+def _run_commands(block: Block, capfd: pytest.CaptureFixture[str]) -> None:
     """Runs the ``$ clickgen`` lines; what follows one is all that it says, unless nothing follows."""
     commands: list[tuple[str, list[str]]] = []
     for line in block.text.rstrip("\n").split("\n"):
@@ -197,13 +199,22 @@ def _run_commands(block: Block, folder: Path) -> None:
         if words[0] != "clickgen":
             assert words[0] in ("make", "pip", "git"), f"{block}: {command} is not run by this test"
             continue
-        done = subprocess.run(
-            [sys.executable, "-m", *words], cwd=folder, capture_output=True, encoding="utf-8", check=False
-        )
+        code = _code_of(words[1:])
+        out, err = capfd.readouterr()
         expected = int(block.note("exit") or 0) if number == len(commands) else 0
-        assert done.returncode == expected, f"{block}: {command}\n{done.stderr}"
+        assert code == expected, f"{block}: {command}\n{err}"
         if said:
-            assert (done.stderr + done.stdout).replace("\\", "/").rstrip().split("\n") == said, f"{block}: {command}"
+            assert (err + out).replace("\\", "/").rstrip().split("\n") == said, f"{block}: {command}"
+
+
+def _code_of(arguments: list[str]) -> int:
+    """The exit code of a command line, run in this process."""
+    try:
+        return main(arguments)
+    except SystemExit as stop:
+        return int(str(stop.code or 0))
+    finally:
+        gc.enable()  # the command line turns it off
 
 
 def test_commands_stand_in_console_blocks() -> None:
@@ -216,10 +227,12 @@ def test_commands_stand_in_console_blocks() -> None:
     assert loose == []
 
 
-def test_the_readme_has_the_flags_and_exit_codes_of_build(tmp_path: Path) -> None:
-    help = subprocess.run(
-        [sys.executable, "-m", "clickgen", "build", "--help"], capture_output=True, encoding="utf-8", check=True
-    ).stdout
+def test_the_readme_has_the_flags_and_exit_codes_of_build(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert _code_of(["build", "--help"]) == OK
+    help = capsys.readouterr().out
     readme = (ROOT / "README.md").read_text("utf-8")
     flags = set(re.findall(r"(?<![\w-])--?[a-z]+", help)) - {"-h", "--help"}
     rows = "\n".join(line for line in readme.split("\n") if line.startswith("| `-"))
@@ -227,10 +240,7 @@ def test_the_readme_has_the_flags_and_exit_codes_of_build(tmp_path: Path) -> Non
     shown = re.findall(r"^\| (\d) \| ", readme, re.MULTILINE)
     assert [int(code) for code in shown] == [OK, PROBLEMS, COULD_NOT_RUN]
     for words in (["build", "missing.py"], ["build", "--wrong"], []):
-        done = subprocess.run(
-            [sys.executable, "-m", "clickgen", *words], cwd=tmp_path, capture_output=True, check=False
-        )
-        assert done.returncode == COULD_NOT_RUN
+        assert _code_of(words) == COULD_NOT_RUN
 
 
 # -- links ------------------------------------------------------------------------------------------------------------

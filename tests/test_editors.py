@@ -6,7 +6,10 @@ import json
 import subprocess
 import sys
 from collections.abc import Iterable, Iterator
+from functools import cache
 from pathlib import Path
+
+import pytest
 
 import clickgen
 from clickgen.api import known_names
@@ -49,6 +52,26 @@ def pyright(folder: Path, mode: str = "standard", **settings: object) -> list[Fi
     ]
 
 
+@pytest.fixture(scope="module")
+def findings(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[Finding]]:
+    """What pyright says about the folders of this module, looked at in one run: its start takes most of its time."""
+    parts = {
+        "clean": write_what_builds,
+        "stubs": write_stubs_below_each_other,
+        "mistakes": write_mistakes,
+        "imports": write_importing,
+    }
+    root = tmp_path_factory.mktemp("project")
+    for name, write in parts.items():
+        (root / name).mkdir()
+        write(root / name)
+    found: dict[str, list[Finding]] = {name: [] for name in parts}
+    for file, line, rule, message in pyright(root):
+        name, _, path = file.partition("/")
+        found[name].append((path, line, rule, message))
+    return found
+
+
 def write_stub(folder: Path, names: Iterable[KnownNames]) -> None:
     found = list(names)
     rows = [row for known in found for row in known.rows]
@@ -76,23 +99,24 @@ UNTYPED = {
 """What pyright says against programs that clickgen builds, and why."""
 
 
-def test_what_builds_is_clean(tmp_path: Path) -> None:
+def write_what_builds(root: Path) -> None:
     programs: dict[str, str] = {f"{case.name}.py": (case / "prog.py").read_text("utf-8") for case in CASES}
     for number, text in enumerate(_shown_programs()):
         programs[f"page{number}.py"] = text
     for name in ("several_files", "subroutine_names"):
-        (several := tmp_path / name).mkdir()
+        (several := root / name).mkdir()
         for source in (ROOT / "fixtures" / "cases" / name).glob("*.py"):
             (several / source.name).write_bytes(source.read_bytes())
         programs.pop(f"{name}.py")
         write_stub(several, [known_names(several / "prog.py")])
-    folder = folder_of(tmp_path, "cases", programs)
-    folder_of(tmp_path, "demo", {"prog.py": (CASES[0].parent / "demo" / "prog.py").read_text("utf-8")})
-    folder_of(tmp_path, "more", {"prog.py": MORE})
+    folder = folder_of(root, "cases", programs)
+    folder_of(root, "demo", {"prog.py": (CASES[0].parent / "demo" / "prog.py").read_text("utf-8")})
+    folder_of(root, "more", {"prog.py": MORE})
     write_stub(folder, [*map(_names_of_case, CASES), *(known_names(folder / name) for name in programs)])
 
-    found = pyright(tmp_path)
 
+def test_what_builds_is_clean(findings: dict[str, list[Finding]]) -> None:
+    found = findings["clean"]
     assert [finding for finding in found if (finding[0], finding[2]) not in UNTYPED] == []
     assert {(file, rule) for file, _, rule, _ in found} == {*UNTYPED}
 
@@ -131,16 +155,19 @@ ONE = "def main():\n    if c.One:\n        out(y[1])\n    if c.Wrong:\n        e
 TWO = ONE.replace("One", "Two")
 
 
-def test_a_stub_holds_in_its_folder_and_below_it(tmp_path: Path) -> None:
+def write_stubs_below_each_other(root: Path) -> None:
     for path, text, name in (("line-1", ONE, "One"), ("line-2", TWO, "Two"), ("line-2/deep", ONE, "One")):
-        (tmp_path / path).mkdir()
-        (tmp_path / path / "prog.py").write_text(text)
-        (tmp_path / path / STUB).write_text(builtins_stub([default_row(Address("C", 1), name)]))
-    (tmp_path / "line-1" / "below").mkdir()
-    (tmp_path / "line-1" / "below" / "prog.py").write_text(ONE)
-    (tmp_path / "tool.py").write_text(PYTHON)
+        (root / path).mkdir()
+        (root / path / "prog.py").write_text(text)
+        (root / path / STUB).write_text(builtins_stub([default_row(Address("C", 1), name)]))
+    (root / "line-1" / "below").mkdir()
+    (root / "line-1" / "below" / "prog.py").write_text(ONE)
+    (root / "tool.py").write_text(PYTHON)
+
+
+def test_a_stub_holds_in_its_folder_and_below_it(findings: dict[str, list[Finding]]) -> None:
     wrong = {(file, 4) for file in ("line-1/prog.py", "line-2/prog.py", "line-2/deep/prog.py", "line-1/below/prog.py")}
-    assert {finding[:2] for finding in pyright(tmp_path)} == wrong
+    assert {finding[:2] for finding in findings["stubs"]} == wrong
 
 
 def test_a_stub_in_the_root_holds_everywhere_but_in_roots_of_their_own(tmp_path: Path) -> None:
@@ -156,7 +183,9 @@ def test_a_stub_in_the_root_holds_everywhere_but_in_roots_of_their_own(tmp_path:
 # -- mistakes ---------------------------------------------------------------------------------------------------------
 
 
-def test_mistakes_are_reported_where_they_stand(tmp_path: Path) -> None:
+@cache
+def mistaken_program() -> tuple[str, dict[int, str]]:
+    """A program full of mistakes, and the mistake of each line that has one."""
     lines = [*KNOWN.splitlines(), "def main():", "    if x.Start:"]
     wrong: dict[int, str] = {}
 
@@ -171,12 +200,19 @@ def test_mistakes_are_reported_where_they_stand(tmp_path: Path) -> None:
     add(4, MISTAKEN_CONDITIONS, "if ", "        out(y.Motor)")
     lines += ["    if True:", "        end()", ""]
     add(0, MISTAKEN_TOP)
-    (folder := tmp_path / "plc").mkdir()
+    return "\n".join(lines) + "\n", wrong
+
+
+def write_mistakes(root: Path) -> None:
+    (folder := root / "plc").mkdir()
     (folder / "known.py").write_text(KNOWN)
     write_stub(folder, [known_names(folder / "known.py")])
-    (folder / "prog.py").write_text("\n".join(lines) + "\n")
+    (folder / "prog.py").write_text(mistaken_program()[0])
 
-    found = {line: message for _, line, _, message in pyright(tmp_path)}
+
+def test_mistakes_are_reported_where_they_stand(findings: dict[str, list[Finding]]) -> None:
+    _, wrong = mistaken_program()
+    found = {line: message for _, line, _, message in findings["mistakes"]}
 
     assert [text for line, text in wrong.items() if line not in found] == []
     assert {line: message for line, message in found.items() if line not in wrong} == {}
@@ -221,9 +257,12 @@ def main():
 """
 
 
-def test_a_program_that_imports_has_types_and_any_name(tmp_path: Path) -> None:
-    (tmp_path / "prog.py").write_text(IMPORTING)
-    assert [(line, rule) for _, line, rule, _ in pyright(tmp_path)] == [
+def write_importing(root: Path) -> None:
+    (root / "prog.py").write_text(IMPORTING)
+
+
+def test_a_program_that_imports_has_types_and_any_name(findings: dict[str, list[Finding]]) -> None:
+    assert [(line, rule) for _, line, rule, _ in findings["imports"]] == [
         (16, "reportArgumentType"),
         (17, "reportUndefinedVariable"),
     ]

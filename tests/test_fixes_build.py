@@ -6,7 +6,8 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from hypothesis import example, given, settings
+from budget import examples
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from clickgen.api import check
@@ -171,7 +172,7 @@ SHAPES = [
 @example("{a} += {b}", "ds.Blk", "5")
 @example("{a} := {b}", "x[2]", "x.In")
 @example("{a} := {b}", "ds.Blk", "0")
-@settings(max_examples=150, deadline=None)
+@examples(40)
 @given(st.sampled_from(SHAPES), TARGETS, SOURCES)
 def test_statements(shape: str, target: str, source: str) -> None:
     with tempfile.TemporaryDirectory() as name:

@@ -6,13 +6,14 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from hypothesis import given, note, settings
+from budget import examples
+from hypothesis import given, note
 from hypothesis import strategies as st
 from mended import assert_builds, fixed, found, rung, truth_table
 
 from clickgen.dialects.if_rungs.read.parse import decode
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
-from clickgen.text.edits import apply_fixes
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.edits import Edit, Fix, apply_fixes
 from clickgen.text.source import Span
 
 # -- edits ------------------------------------------------------------------------------------------------------------
@@ -155,7 +156,7 @@ def groups(inner: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
     )
 
 
-@settings(max_examples=150, deadline=None)
+@examples(50)
 @given(st.recursive(SAID, groups, max_leaves=10), st.sampled_from(["\n", "\r\n", "\r"]), st.booleans())
 def test_taking_repeats_out_changes_no_meaning_and_leaves_none(condition: str, end: str, has_bom: bool) -> None:
     before = b"\xef\xbb\xbf" * has_bom + rung(condition).replace(b"\n", end.encode())

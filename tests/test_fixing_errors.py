@@ -7,7 +7,8 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from hypothesis import given, note, settings
+from budget import examples
+from hypothesis import given, note
 from hypothesis import strategies as st
 from mended import NAMES, assert_builds, body, chain, fixed, found, rung, truth_table
 
@@ -203,7 +204,7 @@ def logic(inner: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
     )
 
 
-@settings(max_examples=150, deadline=None)
+@examples(50)
 @given(st.recursive(LEAVES, logic, max_leaves=8), SPACES)
 def test_a_rewritten_condition_means_the_same(condition: str, space: str) -> None:
     before = f"({space}{condition}{space})"
@@ -512,7 +513,7 @@ TESTS = st.recursive(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@examples(50)
 @given(st.lists(TESTS, min_size=1, max_size=4), st.booleans())
 def test_the_rungs_of_a_chain_run_when_its_arms_did(tests: list[str], has_else: bool) -> None:
     heads = [f"{'elif' if number else 'if'} {test}" for number, test in enumerate(tests)]

@@ -13,7 +13,8 @@ from decimal import Decimal
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from budget import examples
+from hypothesis import given
 from hypothesis import strategies as st
 
 from clickgen.device.banks import Address
@@ -146,7 +147,7 @@ def without_places(thing: Any) -> Any:
     return thing
 
 
-@settings(max_examples=400, deadline=None)
+@examples(100)
 @given(formulas)
 def test_reading_the_printed_source_gives_it_back(formula: Formula) -> None:
     problems = Diagnostics()
@@ -324,7 +325,7 @@ class ClickReader:
         return value_of(token)
 
 
-@settings(max_examples=400, deadline=None)
+@examples(100)
 @given(formulas)
 def test_click_computes_what_the_source_means(formula: Formula) -> None:
     printed = print_formula(formula, native)
@@ -368,7 +369,7 @@ SIN SUM PI foo 5 1.5 1e3 .5 1e99 0xFF 00FFh FFh dh. 0x _ ' " 'a' "0u" # $ { } @ 
 scraps = st.lists(st.sampled_from((*SCRAPS.split(), " ", "\n", "\t")), max_size=14).map("".join)
 
 
-@settings(max_examples=600, deadline=None)
+@examples(150)
 @given(scraps | st.text(max_size=40), st.sampled_from(("decimal", "hex")))
 def test_any_text_is_read_or_told(text: str, mode: Mode) -> None:
     problems = Diagnostics()

@@ -18,7 +18,8 @@ from typing import Any
 from unittest.mock import patch
 
 import pytest
-from hypothesis import given, settings
+from budget import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from judges import power
 from strategies.meaning import meaning_programs
@@ -208,7 +209,7 @@ def check_place(bundle: Path, place: Path, before: Mapping[str, str], names: Map
 
 
 @given(plants())
-@settings(max_examples=4, deadline=None, print_blob=True)
+@examples(2)
 def test_a_project_comes_back(plant: Plant) -> None:
     check_comes_back(plant)
 
@@ -402,13 +403,13 @@ def check_refuses(plant: Plant, seed: int, damages: bool) -> None:
 
 
 @given(plants(), st.integers(0, 2**32))
-@settings(max_examples=10, deadline=None, print_blob=True)
+@examples(3)
 def test_a_build_that_differs_is_refused(plant: Plant, seed: int) -> None:
     check_refuses(plant, seed, True)
 
 
 @given(plants(), st.integers(0, 2**32))
-@settings(max_examples=8, deadline=None, print_blob=True)
+@examples(3)
 def test_a_source_that_says_something_else_is_refused(plant: Plant, seed: int) -> None:
     check_refuses(plant, seed, False)
 
@@ -544,14 +545,6 @@ def check_drawing(rows: Rows) -> None:
 
 
 @given(drawings())
-@settings(max_examples=40, deadline=None, print_blob=True)
+@examples(20)
 def test_what_is_kept_of_any_drawing_does_the_same(rows: Rows) -> None:
     check_drawing(rows)
-
-
-IMPORT: dict[str, tuple[st.SearchStrategy[Any], Callable[[Any], None]]] = {
-    "import": (plants(), check_comes_back),
-    "import refuses": (st.tuples(plants(), st.integers(0, 2**32), st.booleans()), lambda one: check_refuses(*one)),
-    "import drawings": (drawings(), check_drawing),
-}
-"""Each property with its examples, for ``fuzz.py``."""

@@ -11,7 +11,7 @@ from test_importing_cases import check_same, compared, ladder_text, wired
 import clickgen
 from clickgen.click.read.network import ONE_WAY_WIRE
 from clickgen.commands.import_.project import ImportResult, Target, import_project
-from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.workspace import CouldNotRun
 
 Drawing = Sequence[tuple[str, str]]
 """Rows: contacts, ``.`` for a blank square; and the output."""

@@ -6,7 +6,8 @@ import subprocess
 import sys
 
 import pytest
-from hypothesis import given, note, settings
+from budget import examples
+from hypothesis import given, note
 from hypothesis import strategies as st
 from judges.builds import ladder_files
 from strategies.meaning import meaning_programs
@@ -31,13 +32,13 @@ def check_round_trip(program: Program) -> None:
 
 
 @given(power_programs())
-@settings(max_examples=60, deadline=None, print_blob=True)
+@examples(10)
 def test_rungs_come_back(program: Program) -> None:
     check_round_trip(program)
 
 
 @given(meaning_programs())
-@settings(max_examples=60, deadline=None, print_blob=True)
+@examples(6)
 def test_programs_come_back(program: Program) -> None:
     check_round_trip(program)
 
@@ -49,7 +50,7 @@ def ruff_changes(text: str) -> str:
 
 
 @given(st.one_of(power_programs(), meaning_programs()))
-@settings(max_examples=30, deadline=None, print_blob=True)
+@examples(4)
 def test_source_is_laid_out_as_ruff_does(program: Program) -> None:
     source = source_of(ladder_files(program.texts))
     assert ruff_changes(source) == ""
@@ -59,7 +60,7 @@ lines = st.text(st.characters(exclude_categories=("Cs", "Cc"), include_character
 
 
 @given(st.lists(lines, min_size=1, max_size=5).map("\n".join).filter(is_comment_kept))
-@settings(max_examples=300, deadline=None)
+@examples(50)
 def test_a_comment_is_read_as_it_was(comment: str) -> None:
     block = "".join(f"{line}\n" for line in comment_lines(comment, 1))
     text = f"def main():\n{block}    if True:\n        end()\n"

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import laddercodec
 import pytest
-from hypothesis import example, given, note, settings
+from budget import examples
+from hypothesis import example, given, note
 from hypothesis import strategies as st
 from judges.power import HEADER, flow, leaf_of, situations
 from test_importing_cases import CASE_NAMES, golden_ladders, ladder_text, wired
@@ -186,7 +187,7 @@ CHARACTERS = st.sampled_from(',"\n\r#RT-|:X~C().=15 \0é')
     st.text(CHARACTERS, max_size=3),
     st.booleans(),
 )
-@settings(max_examples=300, deadline=None)
+@examples(80)
 def test_a_damaged_file_is_read_or_refused(name: str, at: int, length: int, put: str, cut: bool) -> None:
     """Never anything but an LadderProblem in a row that is there; what is read, laddercodec reads too."""
     text = next(iter(golden_ladders(name).values()))
@@ -228,7 +229,7 @@ def drawings(draw: st.DrawFn) -> list[list[str]]:
 
 
 @given(drawings())
-@settings(max_examples=400, deadline=None)
+@examples(100)
 def test_wires_are_led_on_as_laddercodec_does(rows: list[list[str]]) -> None:
     [theirs] = codec_rungs(ladder_text(rows))
     ours = read_ladder(ladder_text(rows), "main.csv").rungs[0]
@@ -250,7 +251,7 @@ def _carries(token: object) -> tuple[bool, bool]:
         ["", "C1", "C1", "C1", "~C1", "~C1", *["-"] * 26, "out(C103)"],
     ]
 )
-@settings(max_examples=600, deadline=None, print_blob=True)
+@examples(150)
 def test_power_is_that_of_the_drawing(rows: list[list[str]]) -> None:
     """Power goes to the right through contacts and wires, and both ways along a downward wire."""
     drawn, found = _imported_without_loose_ends(rows)

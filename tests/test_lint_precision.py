@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from test_lint import program_of
 from test_spec_example import SPECIFICATION
@@ -299,7 +299,6 @@ def _scan(rungs: list[tuple[str, list[Step]]], seed: int, without: int) -> Memor
     return memory
 
 
-@settings(deadline=None)
 @given(rungs=st.lists(_rungs, min_size=1, max_size=7))
 def test_a_lost_value_makes_no_difference(rungs: list[tuple[str, list[Step]]]) -> None:
     lines = [line for test, steps in rungs for line in (f"if {test}:", *(f"    {step.text}" for step in steps))]

@@ -10,7 +10,7 @@ from itertools import product
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from clickgen.dialects.if_rungs.read.imports import read_program
@@ -398,7 +398,6 @@ def _states() -> Iterator[State]:
 STATES = tuple(_states())
 
 
-@settings(deadline=None)
 @given(decidable, decidable)
 def test_it_agrees_with_trying_every_state(one: Term, other: Term) -> None:
     first, second = read(one.text), read(other.text)
@@ -426,7 +425,6 @@ def _floats(term: Term) -> tuple[Condition, list[bool]]:
     return read(term.text.replace("ds[", "df[")), [term.holds(state) for state in FLOATS]
 
 
-@settings(deadline=None)
 @given(_nested(constants), _nested(constants))
 def test_it_agrees_with_trying_every_number_and_none(one: Term, other: Term) -> None:
     (first, here), (second, there) = map(_floats, (one, other))
@@ -437,7 +435,6 @@ def test_it_agrees_with_trying_every_number_and_none(one: Term, other: Term) -> 
     assert implies(first, second) is not any(truths == (True, False) for truths in both)
 
 
-@settings(deadline=None)
 @given(_nested(constants | relations), _nested(constants | relations))
 def test_it_never_denies_a_state_of_floating_point(one: Term, other: Term) -> None:
     (first, here), (second, there) = map(_floats, (one, other))
@@ -448,7 +445,6 @@ def test_it_never_denies_a_state_of_floating_point(one: Term, other: Term) -> No
     assert not implies(first, second) or (True, False) not in both
 
 
-@settings(deadline=None)
 @given(mixed, mixed)
 def test_it_never_denies_a_state_that_there_is(one: Term, other: Term) -> None:
     first, second = read(one.text), read(other.text)
@@ -469,7 +465,6 @@ def _named(text: str) -> str:
     return text
 
 
-@settings(deadline=None)
 @given(decidable, decidable, st.sampled_from([("c.A", "c.B"), ("ds.V", "ds.W"), ("c.B", "c[3]"), ("", "")]))
 def test_what_it_says_of_names_holds_wherever_they_are(one: Term, other: Term, alike: tuple[str, str]) -> None:
     """Whatever it denies of names it denies of their addresses, also where two are of the same one."""

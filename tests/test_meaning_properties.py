@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import budget
 import pytest
-from hypothesis import given, note, settings
+from budget import examples
+from hypothesis import given, note
 from judges.meaning import check_meaning
 from strategies.conditions import ALWAYS, Compare, Condition, Contact, written
 from strategies.meaning import meaning_programs
@@ -11,14 +13,14 @@ from strategies.programs import Act, Branch, Loop, Pin, Program, Rung
 
 
 @given(meaning_programs())
-@settings(max_examples=200, deadline=None, print_blob=True)
+@examples(20)
 def test_the_ladder_does_what_the_source_says(program: Program) -> None:
     note(program.text)
     check_meaning(program)
 
 
 @given(meaning_programs())
-@settings(max_examples=80, deadline=None, print_blob=True)
+@examples(10)
 def test_a_rung_looks_at_a_moving_input_once(program: Program) -> None:
     """All conditions of a rung are looked at in one moment, whatever changes by itself in the meantime."""
     note(program.text)
@@ -146,14 +148,9 @@ FOUND: dict[str, Program] = {
 """Programs that went wrong once, or that random ones seldom come near."""
 
 
+@pytest.mark.property
 @pytest.mark.parametrize("name", FOUND)
 def test_what_was_found(name: str) -> None:
-    check_meaning(FOUND[name], seeds=20)
-    check_meaning(FOUND[name], inputs_move=True, seeds=20)
-
-
-MEANING = {
-    "meaning": (meaning_programs(), check_meaning),
-    "moving inputs": (meaning_programs(), lambda one: check_meaning(one, inputs_move=True)),
-}
-"""Each property with its examples, for ``fuzz.py``."""
+    seeds = len(budget.rounds(8))
+    check_meaning(FOUND[name], seeds=seeds)
+    check_meaning(FOUND[name], inputs_move=True, seeds=seeds)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, note, settings
+from budget import examples
+from hypothesis import given, note
 from judges.mending import check_mended
 from strategies.conditions import BitRange, Compare, Condition, Contact, Group, Logic
 from strategies.mending import Mending, mendings
@@ -11,7 +12,7 @@ from strategies.programs import Act, Arm, Branch, Item, Program, Rung
 
 
 @given(mendings())
-@settings(max_examples=60, deadline=None, print_blob=True)
+@examples(15)
 def test_safe_fixes_keep_the_meaning(mending: Mending) -> None:
     note(mending.text)
     check_mended(mending)
@@ -83,11 +84,3 @@ LEFT: dict[str, tuple[Rung | Program, tuple[tuple[str, str], ...]]] = {
 def test_what_is_not_sure_is_left(name: str) -> None:
     made, words = LEFT[name]
     assert not check_mended(Mending(made if isinstance(made, Program) else Program((made,)), words))
-
-
-def _check(mending: Mending) -> None:
-    check_mended(mending)
-
-
-MENDING = {"mending": (mendings(), _check)}
-"""Each property with its examples, for ``fuzz.py``."""

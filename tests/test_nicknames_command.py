@@ -11,8 +11,8 @@ import openpyxl
 import pytest
 
 from clickgen.cli import main
-from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.text.write import ChangedMeanwhile
+from clickgen.workspace import CouldNotRun
 
 HEADER = "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\n"
 PROGRAM = """\

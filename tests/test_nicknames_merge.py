@@ -633,7 +633,7 @@ def test_any_kinds_leave_a_legal_table_in_its_order(pair: tuple[AddressTable, Ad
 
 @given(pairs())
 def test_an_export_equal_to_the_table_changes_nothing(pair: tuple[AddressTable, AddressTable]) -> None:
-    for table in pair:
-        found = merge(table, read(table.to_bytes()))
+    for each in pair:
+        found = merge(each, read(each.to_bytes()))
         assert found.changes == ()
-        assert found.taken(ALL).to_bytes() == table.to_bytes()
+        assert found.taken(ALL).to_bytes() == each.to_bytes()

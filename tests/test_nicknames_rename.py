@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 import openpyxl
 import pytest
-from hypothesis import given, settings
+from budget import examples
+from hypothesis import given
 from hypothesis import strategies as st
 
 from clickgen.api import build
@@ -18,9 +19,10 @@ from clickgen.commands.nicknames.rename import Rename, rename
 from clickgen.commands.nicknames.uses import comments_with, places_in, read_names
 from clickgen.config import Config, ProgramSettings, Settings
 from clickgen.dialects.if_rungs.read.parse import decode
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.table.rows import HEADER
 from clickgen.text.write import ChangedMeanwhile, put_in_place
+from clickgen.workspace import CouldNotRun
 
 
 class Job(NamedTuple):
@@ -639,7 +641,7 @@ def literals(draw: st.DrawFn) -> str:
 
 
 @given(literals(), st.sampled_from(["N", "MuchLonger", "dh"]))
-@settings(max_examples=60, deadline=None)
+@examples(20)
 def test_formulas_in_any_spelling(literal: str, new: str) -> None:
     source = main(f"if c.Bit:\n        calc({literal}, ds[1])")
     place({"prog.py": source, "nicknames.csv": table("DS5,INT,Old,0,Yes,")})

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import libcst
 import pytest
-from hypothesis import given, note, settings
+from budget import examples
+from hypothesis import given, note
 from hypothesis import strategies as st
 from strategies.broken import broken_programs, mutants
 from strategies.given import CASES, Given, case_texts
@@ -76,7 +77,7 @@ def test_the_cases(path: Path) -> None:
 
 
 @given(st.one_of(mutants, broken_programs))
-@settings(max_examples=60, deadline=None)
+@examples(20)
 def test_a_broken_program(files: Given) -> None:
     note(files.text)
     compare(files.text)

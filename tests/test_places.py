@@ -10,7 +10,8 @@ from pathlib import Path
 
 import libcst as cst
 import pytest
-from hypothesis import given, note, settings
+from budget import examples
+from hypothesis import given, note
 from hypothesis import strategies as st
 from libcst.metadata import MetadataWrapper, PositionProvider
 from mended import found, rung
@@ -162,7 +163,7 @@ def _is_inside_string(node: ast.expr, tree: ast.Module) -> bool:
 
 
 @given(st.one_of(mutants, broken_programs))
-@settings(max_examples=60, deadline=None)
+@examples(20)
 def test_random_programs(files: Given) -> None:
     note(files.text)
     text = files.text
@@ -180,11 +181,11 @@ def test_random_programs(files: Given) -> None:
 @pytest.mark.parametrize("operator", ["and", "or"])
 def test_long_chains(operator: str) -> None:
     """libcst nests their terms; nothing here goes down as deep."""
-    context = Context(SourceFile("p.py", f" {operator} ".join(["x[1]"] * 1000)), Diagnostics())
+    context = Context(SourceFile("p.py", f" {operator} ".join(["x[1]"] * 500)), Diagnostics())
     node = context.expression()
     assert isinstance(node, cst.BooleanOperation)
     found = terms(node)
-    assert len(found) == 1000
+    assert len(found) == 500
     assert [context.span(term).col for term in found[:3]] == [1, 7 + len(operator), 13 + 2 * len(operator)]
 
 
@@ -229,15 +230,17 @@ def test_what_is_no_literal(text: str) -> None:
 
 
 DEEP = {
-    "terms": " and ".join(["a"] * 1001),
-    "strings": " ".join(["'a'"] * 1001),
-    "strings on lines": "(" + "\n".join(["'a'"] * 1001) + ")",
+    "terms": " and ".join(["a"] * 501),
+    "strings": " ".join(["'a'"] * 501),
+    "strings on lines": "(" + "\n".join(["'a'"] * 501) + ")",
     "parentheses in an index": "a[" * 101 + "b" + "]" * 101,
     "loops of a comprehension": "[a " + "for a in b " * 101 + "]",
     "points": ".".join(["a"] * 102),
     "points of an import": "import " + ".".join(["a"] * 102),
     "signs": "-" * 101 + "1",
-    "an f-string": "f'a' " + " ".join(["'a'"] * 1001),
+    "parentheses": "(" * 101 + "a" + ")" * 101,
+    "parentheses around calls": "f((" * 60 + "a" + "))" * 60,
+    "an f-string": "f'a' " + " ".join(["'a'"] * 501),
 }
 
 

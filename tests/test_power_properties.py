@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterator, Sequence
 
 import pytest
-from hypothesis import given, note, settings
+from budget import examples
+from hypothesis import given, note
 from judges.builds import ladder_files
 from judges.codec import assert_codec_reads
 from judges.power import (
@@ -119,14 +120,14 @@ def check_power(program: Program, codec: bool = False) -> None:
 
 
 @given(power_programs())
-@settings(max_examples=150, deadline=None, print_blob=True)
+@examples(25)
 def test_power_reaches_each_output_as_the_source_says(program: Program) -> None:
     note(program.text)
     check_power(program)
 
 
 @given(power_programs())
-@settings(max_examples=25, deadline=None, print_blob=True)
+@examples(5)
 def test_the_codec_reads_what_was_drawn(program: Program) -> None:
     note(program.text)
     check_power(program, codec=True)
@@ -153,7 +154,3 @@ def test_the_reference_sees_the_wrong_input() -> None:
     check_rung(one, rung)
     with pytest.raises(AssertionError, match=r"jump of event_drum.* does not get the power"):
         check_rung(other, rung)
-
-
-POWER = {"power": (power_programs(), check_power), "codec": (power_programs(), lambda one: check_power(one, True))}
-"""Each property with its examples, for ``fuzz.py``."""

@@ -80,6 +80,7 @@ class Repository:
         kept = {key: value for key, value in os.environ.items() if not key.startswith(("GIT_", "PRE_COMMIT", "PYTHON"))}
         self._environ = kept | {
             "PRE_COMMIT_HOME": str(home),
+            "PIP_NO_COMPILE": "1",
             "GIT_CONFIG_GLOBAL": os.devnull,
             "GIT_CONFIG_NOSYSTEM": "1",
             "GIT_AUTHOR_NAME": "test",

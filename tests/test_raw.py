@@ -8,7 +8,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from budget import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from judges.codec import assert_codec_reads
 from judges.power import check_limits, check_no_backfeed, read_ladder
@@ -243,7 +244,7 @@ TEXTS = st.text(st.characters(codec="utf-16", exclude_categories=("Cc", "Cs")), 
 FIELDS = st.tuples(st.integers(0x1000, 0xFFFF), TEXTS | st.sampled_from(["DS1", "C1..C8", "", "0", '"a"']))
 
 
-@settings(max_examples=150, deadline=None)
+@examples(15)
 @given(
     st.sampled_from(["Odd", "Email", "Home", "Out", "Copy", "Tmr"]), st.integers(1, 33), st.lists(FIELDS, max_size=4)
 )

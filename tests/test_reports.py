@@ -21,12 +21,12 @@ from test_lint import program_of
 import clickgen
 from clickgen.cli import main
 from clickgen.problems.codes import CODES, Severity
-from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Edit, Fix, Label
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Label
 from clickgen.problems.formats import FORMATS
 from clickgen.problems.report import Report, render, sarif
 from clickgen.problems.report.fingerprints import fingerprints
 from clickgen.rules.advice import RULES
-from clickgen.text.edits import apply_fixes
+from clickgen.text.edits import Edit, Fix, apply_fixes
 from clickgen.text.source import Span
 from clickgen.text.wording import escaped
 

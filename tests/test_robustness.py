@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from hypothesis import given, note, settings
-from hypothesis import strategies as st
+from budget import examples
+from hypothesis import given, note
 from judges.builds import check_build
+from judges.smallest import Smallest
 from strategies.broken import broken_programs, mutants, random_programs
 from strategies.given import CASES, Given, case_texts, given_files, given_program, valid
 from strategies.tables import table_builds
@@ -23,39 +23,44 @@ def check_whole(files: Given) -> None:
     check_build(files, is_valid=True)
 
 
+def check_table(files: Given) -> None:
+    """A table is told or read, whatever it holds."""
+    check_build(files, codec=False)
+
+
 @given(valid.map(given_files))
-@settings(max_examples=30, deadline=None, print_blob=True)
+@examples(5)
 def test_a_valid_program_builds(files: Given) -> None:
-    note(files.text)
+    note(Smallest(files, check_whole))
     check_whole(files)
 
 
 @given(mutants)
-@settings(max_examples=250, deadline=None, derandomize=True, database=None)
+@examples(40)
 def test_a_program_with_one_fault_is_told_or_builds(files: Given) -> None:
-    note(files.text)
+    note(Smallest(files, check_build))
     check_build(files)
 
 
 @given(broken_programs)
-@settings(max_examples=100, deadline=None, print_blob=True)
+@examples(30)
 def test_a_broken_program_is_told_or_builds(files: Given) -> None:
-    note(files.text)
+    note(Smallest(files, check_build))
     check_build(files)
 
 
 @given(random_programs)
-@settings(max_examples=150, deadline=None, print_blob=True)
+@examples(40)
 def test_anything_can_stand_in_a_program(files: Given) -> None:
-    note(files.text)
+    note(Smallest(files, check_build))
     check_build(files)
 
 
 @given(table_builds)
-@settings(max_examples=150, deadline=None, print_blob=True)
+@examples(30)
 def test_anything_can_stand_in_the_address_table(files: Given) -> None:
-    note(files.text)
-    check_build(files, codec=False)
+    note(Smallest(files, check_table))
+    check_table(files)
 
 
 @pytest.mark.parametrize("start", [b"", b"\xef\xbb\xbf", b"a\n", b"\xef\xbb\xbfa\n\n", b"a\r", b"a\r\n", b"\xc3\xa9"])
@@ -118,13 +123,3 @@ def test_a_condition_without_end_is_told(tmp_path: Path) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 1, done.stderr[-200:]
     assert "CG118" in done.stderr
-
-
-ROBUSTNESS: dict[str, tuple[st.SearchStrategy[Given], Callable[[Given], None]]] = {
-    "whole programs": (valid.map(given_files), check_whole),
-    "mutants": (mutants, check_build),
-    "broken programs": (broken_programs, check_build),
-    "random programs": (random_programs, check_build),
-    "tables": (table_builds, lambda one: check_build(one, codec=False)),
-}
-"""Each property with its examples, for ``fuzz.py``."""

@@ -17,7 +17,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from budget import examples
+from hypothesis import given
 from hypothesis import strategies as st
 from strategies.edits import MESSAGES, PLAIN, SCRATCH, Draft, Piece, edit, numbers_from, pieces, random_draft
 
@@ -126,16 +127,7 @@ def check_no_address_serves_two(desk: Desk) -> None:
     assert len(addresses) == len(set(addresses))
 
 
-SLOW = settings(
-    max_examples=18,
-    deadline=None,
-    derandomize=True,
-    database=None,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
-)
-
-
-@SLOW
+@examples(6)
 @given(st.data(), st.booleans())
 def test_edit_after_edit_nothing_moves(data: st.DataObject, with_foreign: bool) -> None:
     numbers = numbers_from(100)
@@ -176,7 +168,7 @@ def test_edit_after_edit_nothing_moves(data: st.DataObject, with_foreign: bool) 
         assert here.everything() == state
 
 
-@SLOW
+@examples(6)
 @given(st.data())
 def test_scratch_of_unchanged_needs_stays(data: st.DataObject) -> None:
     """Rungs put in front, behind and between change nothing of a scratch row."""
@@ -408,7 +400,7 @@ def sections(listing: str) -> dict[str, str]:
     return {part.split("\n", 1)[0]: part.split("\n", 2)[2] for part in parts[1:]}
 
 
-@SLOW
+@examples(6)
 @given(st.data())
 def test_a_change_in_one_routine_leaves_the_text_of_the_others(data: st.DataObject) -> None:
     numbers = numbers_from(100)
@@ -431,7 +423,7 @@ def test_a_change_in_one_routine_leaves_the_text_of_the_others(data: st.DataObje
         assert second.files[name] == first.files[name]
 
 
-@SLOW
+@examples(6)
 @given(st.data())
 def test_a_routine_moves_to_a_file_of_its_own_and_nothing_else_changes(data: st.DataObject) -> None:
     numbers = numbers_from(100)

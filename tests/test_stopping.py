@@ -16,8 +16,8 @@ from clickgen.cli import main
 from clickgen.cli.jobs import Job
 from clickgen.commands.nicknames.elsewhere import build_among
 from clickgen.config import Config
-from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.results import BuildResult
+from clickgen.workspace import CouldNotRun
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="about signals and pipes of POSIX")
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from judges.work import calls_in
 from pyclickplc import read_csv
@@ -348,7 +348,6 @@ def test_a_table_with_endless_problems_is_not_read_to_its_end(file: Path, row: s
 
 
 @given(st.binary(max_size=200) | st.text(st.sampled_from('C1,"\r\n\0 AbitNo0ä;'), max_size=80).map(str.encode))
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_no_content_is_too_strange(tmp_path: Path, content: bytes) -> None:
     judged(tmp_path / "strange.csv", HEADER.encode() + b"\n" + content.decode(errors="replace").encode())
     (tmp_path / "raw.csv").write_bytes(content)
@@ -422,7 +421,6 @@ def in_some_style(draw: st.DrawFn, row: Row) -> str:
 
 
 @given(st.data())
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_made_up_tables_read_back_and_are_written_byte_for_byte(tmp_path: Path, data: st.DataObject) -> None:
     rows = data.draw(made_rows())
     newline = data.draw(st.sampled_from(["\n", "\r\n"]))
@@ -443,7 +441,6 @@ def test_made_up_tables_read_back_and_are_written_byte_for_byte(tmp_path: Path, 
 
 
 @given(made_rows(), made_rows())
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_extending_moves_nothing_and_keeps_order(tmp_path: Path, old: list[Row], new: list[Row]) -> None:
     """Over tables in any order, CLICK's included."""
     taken = {row.address for row in old} | {at("X001")}
@@ -466,7 +463,6 @@ def test_extending_moves_nothing_and_keeps_order(tmp_path: Path, old: list[Row],
 
 
 @given(made_rows())
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_the_import_file_holds_the_same_records_for_pyclickplc(tmp_path: Path, rows: list[Row]) -> None:
     # pyclickplc's own writer leaves the characters of a CSV unquoted in a TXT's initial value, and so does not read
     # such a row back; ours are quoted.

@@ -79,7 +79,7 @@ def complain(*lines: str) -> None:
 
 def _reason(error: Exception) -> tuple[str, ...] | None:
     """What kept a command from running; None for a fault of clickgen."""
-    from clickgen.problems.diagnostics import CouldNotRun
+    from clickgen.workspace import CouldNotRun
 
     if isinstance(error, CouldNotRun):
         return error.lines

@@ -17,7 +17,7 @@ from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.commands.nicknames.elsewhere import build_among
 from clickgen.dialects.if_rungs.spelling import Spellings
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
+from clickgen.problems.diagnostics import Diagnostic
 from clickgen.problems.report.frames import summary, write_problems
 from clickgen.results import BuildResult, write_all
 from clickgen.table.own_table import own_table_setting
@@ -25,7 +25,7 @@ from clickgen.table.rows import Row
 from clickgen.text.lock import locked
 from clickgen.text.wording import counted
 from clickgen.text.write import ChangedMeanwhile
-from clickgen.workspace import read_file
+from clickgen.workspace import CouldNotRun, read_file
 
 _NAMES_MAX = 8
 """So many new names a build lists."""

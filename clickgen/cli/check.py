@@ -19,12 +19,12 @@ from clickgen.commands.check.programs import run as run_check
 from clickgen.config import Config, code_prefix, find_config, read_config
 from clickgen.dialects.if_rungs.discover import Target
 from clickgen.problems.codes import CODES
-from clickgen.problems.diagnostics import CouldNotRun, did_you_mean
+from clickgen.problems.diagnostics import did_you_mean
 from clickgen.problems.formats import FORMATS
 from clickgen.problems.report import Report, render, shown_path, use_color
 from clickgen.rules.select import Selection
 from clickgen.text.wording import counted, escaped
-from clickgen.workspace import READ_MAX, require_size
+from clickgen.workspace import READ_MAX, CouldNotRun, require_size
 
 if TYPE_CHECKING:
     from clickgen.commands.check.baseline import Baseline
@@ -289,7 +289,8 @@ def _baseline(path: Path) -> Baseline | None:
 
 def _begin_baseline(path: Path, outcome: Outcome) -> Outcome:
     """Write what was found into a new baseline; what is left are the errors."""
-    from clickgen.commands.check.baseline import Baseline, baseline_text, keys_of
+    from clickgen.commands.check.baseline import Baseline, baseline_text
+    from clickgen.problems.finding_keys import keys_of
 
     findings = [finding for finding in outcome.findings if not finding.is_error]
     keys = keys_of(findings, _named_from(path), outcome.line_of)

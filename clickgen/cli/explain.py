@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 
 from clickgen.cli import COULD_NOT_RUN, OK, complain
+from clickgen.commands.explain import explanation, instruction_page, instructions, plain, topics
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, bank_hint
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import did_you_mean
-from clickgen.problems.explain import explanation, instruction_page, instructions, plain, topics
 
 DESCRIPTION = "What a code means and what to do; an instruction; a part of the language; a word of another machine."
 EXAMPLES = """\

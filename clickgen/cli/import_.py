@@ -12,9 +12,9 @@ from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import near, settings_of
 from clickgen.commands.import_.project import ImportResult, Target, import_project
 from clickgen.config import Settings
-from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.problems.report.frames import summary, write_problems
 from clickgen.text.wording import counted
+from clickgen.workspace import CouldNotRun
 
 _SHOWN_MAX = 10
 """How many rungs are named in one line."""

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from clickgen.cli import complain
 from clickgen.config import Config, ProgramSettings, Settings, find_config, read_config
-from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.workspace import CouldNotRun
 
 
 @dataclass(frozen=True)

@@ -14,11 +14,10 @@ from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.commands.stubs.stub import MARK, builtins_stub
 from clickgen.dialects.if_rungs.discover import targets
-from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.results import KnownNames
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
-from clickgen.workspace import Workspace, read_file
+from clickgen.workspace import CouldNotRun, Workspace, read_file
 
 STUB_NAME = "__builtins__.pyi"
 """Pyright takes this file for names that are known everywhere in its folder."""

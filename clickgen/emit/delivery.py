@@ -9,12 +9,11 @@ from typing import NamedTuple
 
 from clickgen.device.banks import Address
 from clickgen.emit.folder import ForeignFiles, stale_files
-from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.table.names import record_beside
 from clickgen.table.record import read_record, with_placed
 from clickgen.table.rows import Row
 from clickgen.text.write import put_in_place
-from clickgen.workspace import read_if_there
+from clickgen.workspace import CouldNotRun, read_if_there
 
 
 class TableChange(NamedTuple):

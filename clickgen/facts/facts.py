@@ -9,7 +9,6 @@ from itertools import product
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.system import ALWAYS_ON, system_name_of
-from clickgen.dialects.if_rungs.read.operands import shorten
 from clickgen.facts.uses import Uses, addresses_of
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import CALL, END, NEXT, RETURN
@@ -22,6 +21,7 @@ from clickgen.logic.conditions import always_holds, are_exclusive
 from clickgen.table.blocks import Block
 from clickgen.table.rows import Row
 from clickgen.text.source import SourceFile, Span
+from clickgen.text.wording import shorten
 
 FIRST_SCAN = Address("SC", 2)
 STARTING = frozenset((ALWAYS_ON, FIRST_SCAN))

@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.uses import Use
-from clickgen.formula.nodes import Node
 from clickgen.formula.values import value_of
 from clickgen.instructions import maths
 from clickgen.instructions.copies import COPY, COPY_FILL
 from clickgen.ir.conditions import Compare
+from clickgen.ir.formula_nodes import Node
 from clickgen.ir.operands import Cell, Hex, Integer, Real
 from clickgen.ir.program import FormulaText
 from clickgen.logic.conditions import are_exclusive

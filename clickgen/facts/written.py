@@ -5,10 +5,10 @@ from __future__ import annotations
 from clickgen.device.banks import Address
 from clickgen.facts.copied import put_in
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
-from clickgen.formula.nodes import references
 from clickgen.formula.values import value_of
 from clickgen.instructions.maths import SPECS as MATHS
 from clickgen.ir.conditions import All, Compare, Condition, Contact
+from clickgen.ir.formula_nodes import references
 from clickgen.ir.operands import Cell, Hex, Integer
 from clickgen.ir.program import FormulaText
 from clickgen.logic.conditions import are_exclusive, implies, looked_at, terms_of

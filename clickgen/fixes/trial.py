@@ -10,8 +10,8 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from clickgen.problems.diagnostics import Diagnostic, Edit, Fix
-from clickgen.text.edits import apply_fixes, fixes_that_fit
+from clickgen.problems.diagnostics import Diagnostic
+from clickgen.text.edits import Edit, Fix, apply_fixes, fixes_that_fit
 
 _ROUNDS_MAX = 6
 """So often a fix may make room for another one in its lines."""

@@ -15,8 +15,9 @@ from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Immediate, Named, Operand, Pointer, Range, Section, form_of
 from clickgen.ir.proposals import Proposal
 from clickgen.ir.walk import condition_operands, rung_operands
-from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Fix
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.resolve.resolve import Resolved
+from clickgen.text.edits import Fix
 from clickgen.text.source import SourceFile, Span
 from clickgen.text.wording import no_opposite
 

@@ -1,6 +1,8 @@
 """The room of formulas: what ``calc`` and ``math_hex`` hold in their strings, read and printed in CLICK's form."""
 
-from clickgen.formula.nodes import (
+from clickgen.formula.parse import parse_formula
+from clickgen.formula.printer import print_formula, print_source
+from clickgen.ir.formula_nodes import (
     Binary,
     Call,
     Formula,
@@ -16,8 +18,6 @@ from clickgen.formula.nodes import (
     references,
     walk,
 )
-from clickgen.formula.parse import parse_formula
-from clickgen.formula.printer import print_formula, print_source
 
 __all__ = [
     "Binary",

@@ -15,9 +15,9 @@ from clickgen.device.banks import BANKS, FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, K
 from clickgen.dialects.if_rungs.trade import FORMULAS
 from clickgen.formula import addresses
 from clickgen.formula.addresses import Index, Negative, Reference
-from clickgen.formula.nodes import Binary, Call, Group, HexNumber, Mode, Node, Number, Operand, Pi, Sum, Unary
 from clickgen.formula.report import Report
 from clickgen.formula.words import ALL_FUNCTIONS, FUNCTIONS, INSTRUCTION, OPERATORS, OTHER, SHIFTS, TERMINAL
+from clickgen.ir.formula_nodes import Binary, Call, Group, HexNumber, Mode, Node, Number, Operand, Pi, Sum, Unary
 from clickgen.ir.operands import WHOLE, Named, Range, Section
 from clickgen.problems.diagnostics import did_you_mean
 

@@ -8,9 +8,9 @@ from lark import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
 
 from clickgen.device.banks import parse_address
 from clickgen.formula.mistakes import MISTAKES, SPELLINGS, Mistake, Situation, Spelling
-from clickgen.formula.nodes import Mode
 from clickgen.formula.report import Report
 from clickgen.formula.words import INSTRUCTION, OPERATORS, OTHER, SHIFTS
+from clickgen.ir.formula_nodes import Mode
 
 _QUOTES = "\"'"
 _LAST = re.compile(r"([\w.]+|\S)\s*$")

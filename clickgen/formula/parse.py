@@ -14,9 +14,9 @@ from threading import Lock
 from typing import TYPE_CHECKING, NamedTuple
 
 import clickgen
-from clickgen.formula.nodes import Formula, Mode
 from clickgen.formula.printer import print_formula
 from clickgen.formula.report import Report
+from clickgen.ir.formula_nodes import Formula, Mode
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.source import EmbeddedText
 

@@ -9,8 +9,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from clickgen.formula.nodes import Binary, Call, Formula, Group, HexNumber, Mode, Node, Number, Operand, Pi, Sum, Unary
 from clickgen.formula.words import SHIFTS
+from clickgen.ir.formula_nodes import (
+    Binary,
+    Call,
+    Formula,
+    Group,
+    HexNumber,
+    Mode,
+    Node,
+    Number,
+    Operand,
+    Pi,
+    Sum,
+    Unary,
+)
 from clickgen.ir.operands import Cell, Named, Pointer, Range, Section
 
 OperandText = Callable[[Named | Cell | Pointer | Range], str]

@@ -7,7 +7,7 @@ import operator
 from collections.abc import Callable, Mapping
 
 from clickgen.device.banks import Address
-from clickgen.formula.nodes import Binary, Call, Group, HexNumber, Node, Number, Operand, Pi, Unary
+from clickgen.ir.formula_nodes import Binary, Call, Group, HexNumber, Node, Number, Operand, Pi, Unary
 from clickgen.ir.operands import Cell
 
 _WORKED_OUT: Mapping[str, Callable[[float, float], float]] = {

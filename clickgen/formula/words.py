@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from clickgen.formula.nodes import Mode
+from clickgen.ir.formula_nodes import Mode
 
 # click-facts [math.functions, math.operators]. SHL, SHR and NOT do not exist on CLICK and are lowered.
 OPERATORS: dict[Mode, frozenset[str]] = {

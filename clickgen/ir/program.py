@@ -14,7 +14,7 @@ from clickgen.ir.operands import Cell, Constant, Named, Operand, Pointer, Range,
 from clickgen.text.source import SourceFile, Span
 
 if TYPE_CHECKING:
-    from clickgen.formula.nodes import Formula
+    from clickgen.ir.formula_nodes import Formula
     from clickgen.ir.proposals import Proposal
 
 

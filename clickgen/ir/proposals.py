@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from clickgen.ir.conditions import Compare, Condition, Contact
 from clickgen.ir.program import Item, Rung
-from clickgen.problems.diagnostics import Edit
+from clickgen.text.edits import Edit
 from clickgen.text.source import Span
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from clickgen.formula.nodes import Formula, references
-from clickgen.formula.nodes import Operand as FormulaOperand
-from clickgen.formula.refs import map_refs
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
+from clickgen.ir.formula_nodes import Formula, references
+from clickgen.ir.formula_nodes import Operand as FormulaOperand
+from clickgen.ir.formula_operands import map_refs
 from clickgen.ir.operands import Cell, Immediate, Named, Operand, Pointer, Range, Single
 from clickgen.ir.program import Action, Branch, FormulaText, Item, KeptToken, Loop, Operands, Program, Rung, Value
 from clickgen.ir.proposals import Alternative, Proposal

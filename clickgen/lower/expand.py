@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 
 from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import BANKS, Address, Kind
-from clickgen.formula.nodes import Operand as FormulaOperand
-from clickgen.formula.nodes import references
-from clickgen.formula.refs import Ref, map_refs
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.copies import COPY
 from clickgen.instructions.timers import RTOF, RTON
 from clickgen.ir.conditions import All, Always, Any, Condition, Contact
+from clickgen.ir.formula_nodes import Operand as FormulaOperand
+from clickgen.ir.formula_nodes import references
+from clickgen.ir.formula_operands import Ref, map_refs
 from clickgen.ir.operands import Cell, Immediate, Integer, Named, Pointer, Range
 from clickgen.ir.program import Action, FormulaText, Value
 from clickgen.ir.walk import Rewriter

@@ -6,21 +6,11 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from clickgen.problems.codes import CODES, Severity
+from clickgen.text.edits import Fix
 from clickgen.text.source import Span
 
 TRACEBACK = "CLICKGEN_TRACEBACK"
 """The environment variable that lets an internal error through, for those who mend it."""
-
-
-class CouldNotRun(Exception):
-    """There is nothing to judge: a file is missing or unreadable, an output folder unusable. The message says which.
-
-    ``lines`` are the message and what is listed below it.
-    """
-
-    def __init__(self, message: str = "", *more: str) -> None:
-        super().__init__("\n".join((message, *more)))
-        self.lines = (message, *more)
 
 
 class Label(NamedTuple):
@@ -28,22 +18,6 @@ class Label(NamedTuple):
 
     span: Span
     text: str
-
-
-class Edit(NamedTuple):
-    """Text that replaces a stretch of a source file; an empty stretch is an insertion."""
-
-    span: Span
-    text: str
-
-
-class Fix(NamedTuple):
-    """Edits that take a problem away. A safe one cannot change what the program does."""
-
-    edits: tuple[Edit, ...]
-    is_safe: bool = True
-    rests_on_names: bool = False
-    """True when it is safe by what names stand for: every program that the file belongs to has to agree."""
 
 
 class Diagnostic(NamedTuple):

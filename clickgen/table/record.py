@@ -12,10 +12,9 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from clickgen.device.banks import Address, parse_address
-from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.table.address_table import AddressTable
 from clickgen.table.rows import Row
-from clickgen.workspace import Workspace, leads_elsewhere
+from clickgen.workspace import CouldNotRun, Workspace, leads_elsewhere
 
 _LEFT = re.compile(r"left (\S+) for (\S+)")
 _HEAD = "# Names that clickgen placed. Commit this file with the address table."

@@ -4,9 +4,26 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from typing import NamedTuple
 
-from clickgen.problems.diagnostics import Edit, Fix
 from clickgen.text.source import FORM_FEED, Span
+
+
+class Edit(NamedTuple):
+    """Text that replaces a stretch of a source file; an empty stretch is an insertion."""
+
+    span: Span
+    text: str
+
+
+class Fix(NamedTuple):
+    """Edits that take a problem away. A safe one cannot change what the program does."""
+
+    edits: tuple[Edit, ...]
+    is_safe: bool = True
+    rests_on_names: bool = False
+    """True when it is safe by what names stand for: every program that the file belongs to has to agree."""
+
 
 _LINE_END = re.compile(r"\r\n|\r|\n")
 

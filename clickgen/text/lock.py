@@ -17,7 +17,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import IO
 
-from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.workspace import CouldNotRun
 
 NAME = ".clickgen-lock"
 PATIENCE = 60.0

@@ -77,3 +77,9 @@ def _is_harmless(character: str) -> bool:
 
 def _written(character: str) -> str:
     return _WRITTEN.get(character) or character.encode("unicode_escape", "surrogatepass").decode()
+
+
+def shorten(text: str, limit: int = 40) -> str:
+    """Source text on one line, for a message."""
+    line = " ".join(text.split())
+    return line if len(line) <= limit else line[: limit - 3] + "..."

@@ -11,7 +11,7 @@ import random
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, lru_cache
 from typing import ClassVar
 
 Place = tuple[object, ...]
@@ -86,7 +86,7 @@ class Machine:
     def moving(self, name: str, values: int = 2) -> int:
         """What changes by itself: it stays as it is until the next instruction writes."""
         moment = self.clock if self.inputs_move else 0
-        return random.Random(f"{self.seed} {self.scan} {name} {moment}").randrange(values)
+        return drawn(f"{self.seed} {self.scan} {name} {moment}", values)
 
     def value(self, name: str) -> int:
         if name.startswith('"'):
@@ -327,6 +327,12 @@ class Machine:
         "latch": latch, "reset": unlatch, "copy": copy, "fill": fill, "blockcopy": blockcopy, "math": math,
         "pack_bits": pack, "unpack_to_bits": unpack, "search": search, "send": message, "receive": message,
     }  # fmt: skip
+
+
+@lru_cache(maxsize=65536)
+def drawn(moment: str, values: int) -> int:
+    """A number below ``values``, always the same for the same moment."""
+    return random.Random(moment).randrange(values)
 
 
 @cache

@@ -9,8 +9,8 @@ from strategies.mending import TABLE, Mending
 
 import clickgen
 from clickgen.api import check
-from clickgen.problems.diagnostics import Diagnostic, Fix
-from clickgen.text.edits import apply_fixes
+from clickgen.problems.diagnostics import Diagnostic
+from clickgen.text.edits import Fix, apply_fixes
 
 from .builds import workshop
 from .meaning import check_same

@@ -15,6 +15,7 @@ import random
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -131,22 +132,26 @@ class LadderRung:
 # ---------------------------------------------------------------------------------------------------- cells
 
 
+@cache
 def goes_down(cell: str) -> bool:
     """Whether the cell carries a downward wire at its left edge."""
     return cell in ("T", "|") or cell.startswith("T:")
 
 
+@cache
 def goes_right(cell: str) -> bool:
     """Whether the cell joins its left edge to its right edge, by wire or through a condition."""
     return cell not in ("", "|")
 
 
+@cache
 def condition_of(cell: str) -> str | None:
     """The cell's condition token without its ``T:`` prefix, or None for wires and blanks."""
     token = cell.removeprefix("T:")
     return None if token in ("", "-", "T", "|") else token
 
 
+@cache
 def leaf_of(token: str) -> tuple[str, bool]:
     """A condition token without its ``~``, and whether it had one."""
     return (token[1:], True) if token.startswith("~") else (token, False)
@@ -157,6 +162,7 @@ def name_of(af: str) -> str:
     return af.partition("(")[0]
 
 
+@cache
 def _is_known_cell(cell: str) -> bool:
     token = condition_of(cell)
     if token is None:
@@ -386,12 +392,18 @@ def flow(
     ``mask(token)`` says in which situations a condition conducts, ``full`` is the set of all of them. Power goes from
     left to right and along vertical wires both ways; with ``bidirectional`` every cell conducts both ways.
     """
-    through = [
-        [(full if (token := condition_of(cell)) is None else mask(token)) if goes_right(cell) else 0 for cell in line]
-        for line in cells
-    ]
-    groups = [list(_tied(cells, column)) for column in range(CONDITION_COLUMNS)]
-    groups.append([range(row, row + 1) for row in range(len(cells))])
+    masks = {"": 0, "|": 0, "-": full, "T": full}
+
+    def conducts(cell: str) -> int:
+        if cell not in masks:
+            token = condition_of(cell)
+            masks[cell] = full if token is None else mask(token)
+        return masks[cell]
+
+    through = [list(map(conducts, line)) for line in cells]
+    # A row that is tied to no other settles by itself.
+    groups = [[group for group in _tied(cells, column) if len(group) > 1] for column in range(CONDITION_COLUMNS)]
+    groups.append([])
     level = [[full] + [0] * CONDITION_COLUMNS for _ in cells]
 
     def settle(boundary: int) -> None:

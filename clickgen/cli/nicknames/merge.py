@@ -17,14 +17,14 @@ from clickgen.commands.nicknames.changes import KINDS, RENAMED, SWAPPED
 from clickgen.commands.nicknames.merge import Merge
 from clickgen.commands.nicknames.programs import Program
 from clickgen.commands.nicknames.uses import FileNames
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.problems.report.frames import summary, write_problems
 from clickgen.table.address_table import AddressTable
 from clickgen.table.names import TABLE_NAME, is_workbook
 from clickgen.text.source import SourceFile
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 HELP = "take in a fresh export from CLICK"
 DESCRIPTION = (

@@ -7,11 +7,12 @@ from collections.abc import Iterable
 
 from clickgen.cli.jobs import Job, jobs
 from clickgen.commands.nicknames.sync import TableSync
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
+from clickgen.problems.diagnostics import Diagnostic
 from clickgen.problems.report.frames import summary
 from clickgen.results import BuildResult
 from clickgen.table.rows import Row
 from clickgen.text.wording import counted
+from clickgen.workspace import CouldNotRun
 
 
 def add_programs(parser: argparse.ArgumentParser) -> None:

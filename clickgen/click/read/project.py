@@ -17,8 +17,7 @@ from clickgen.click.read.kinds import HEAD_BYTES, Kind, kind_of, other_kind
 from clickgen.click.read.problem import LadderProblem
 from clickgen.device.limits import SUBROUTINE_NAME_MAX
 from clickgen.device.project_file import PROGRAM_MAGIC, is_click_project
-from clickgen.problems.diagnostics import CouldNotRun
-from clickgen.workspace import read_file, read_start
+from clickgen.workspace import CouldNotRun, read_file, read_start
 
 MAIN = "main"
 _PART = re.compile(r"main_0*([2-9]|[1-9][0-9]+)")

@@ -13,7 +13,8 @@ from functools import cache
 
 from clickgen.commands.check.cache import Cached
 from clickgen.dialects.if_rungs.discover import Target
-from clickgen.problems.diagnostics import Diagnostic, Fix
+from clickgen.problems.diagnostics import Diagnostic
+from clickgen.text.edits import Fix
 
 
 def agreed(judged: Mapping[Target, Cached], partly: Callable[[Iterable[str]], set[str]]) -> list[Diagnostic]:

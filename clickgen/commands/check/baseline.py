@@ -8,26 +8,12 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
+from clickgen.problems.diagnostics import Diagnostic
+from clickgen.problems.finding_keys import Key, keys_of
 from clickgen.text.wording import json_text
-from clickgen.workspace import read_file
+from clickgen.workspace import CouldNotRun, read_file
 
 _FORMAT = 1
-
-Key = tuple[str, str, str]
-"""File, code and source line of a finding: it may move, but not change."""
-
-
-def keys_of(
-    findings: Iterable[Diagnostic], name: Callable[[str], str], line_of: Callable[[str, int], str]
-) -> list[Key]:
-    """The key of each finding; ``name`` gives a path as the baseline writes it."""
-    return [
-        (name(finding.span.path), finding.code, line_of(finding.span.path, finding.span.line).strip())
-        if finding.span
-        else ("", finding.code, "")
-        for finding in findings
-    ]
 
 
 def read_baseline(path: Path) -> Counter[Key] | None:

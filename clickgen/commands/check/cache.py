@@ -18,7 +18,8 @@ from typing import NamedTuple
 from clickgen import __version__
 from clickgen.commands.check.secret import user_secret
 from clickgen.problems.codes import CODES
-from clickgen.problems.diagnostics import Diagnostic, Edit, Fix, Label
+from clickgen.problems.diagnostics import Diagnostic, Label
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 from clickgen.workspace import leads_elsewhere, read_file
 

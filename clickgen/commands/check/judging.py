@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from clickgen.commands.check.cache import Cache, Cached, key_of
 from clickgen.dialects.if_rungs.discover import Target
-from clickgen.problems.diagnostics import TRACEBACK, CouldNotRun, Diagnostic
+from clickgen.problems.diagnostics import TRACEBACK, Diagnostic
 from clickgen.rules.select import Selection
 from clickgen.text.source import Span
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 if TYPE_CHECKING:
     from clickgen.device.banks import Address

@@ -12,7 +12,7 @@ from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import connection, parent_process
 from typing import TypeVar
 
-from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.workspace import CouldNotRun
 
 T = TypeVar("T")
 _SAFE_PATH = "PYTHONSAFEPATH"

@@ -14,8 +14,9 @@ from clickgen.commands.check.judging import Judge
 from clickgen.config import Config
 from clickgen.dialects.if_rungs.discover import Target, discover, matches, partly_judged, wholly_judged
 from clickgen.problems.codes import CODES, LEFT
-from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Fix
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.rules.select import Selection
+from clickgen.text.edits import Fix
 from clickgen.workspace import Workspace
 
 if TYPE_CHECKING:

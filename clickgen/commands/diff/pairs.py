@@ -11,7 +11,7 @@ from clickgen.commands.diff.revision import is_in_revision, is_revision, named_r
 from clickgen.commands.diff.sides import is_program
 from clickgen.config import Config
 from clickgen.dialects.if_rungs.discover import targets
-from clickgen.problems.diagnostics import CouldNotRun
+from clickgen.workspace import CouldNotRun
 
 
 class Pair(NamedTuple):

@@ -11,13 +11,13 @@ from clickgen.click.read.grid import DrawnRung, read_ladder
 from clickgen.config import Settings
 from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Address
 from clickgen.lower.effects import Cells, reads
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.results import BuildResult
 from clickgen.table.address_table import AddressTable
 from clickgen.table.names import TABLE_NAME
 from clickgen.table.read import read_table
 from clickgen.table.rows import Row
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 
 def name_key(row: Row) -> tuple[str, str]:

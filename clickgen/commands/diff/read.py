@@ -11,10 +11,11 @@ from pathlib import Path
 from clickgen.commands.diff.revision import Named, Tree, named_revision, open_tree
 from clickgen.commands.diff.sides import BrokenProgram, Side, is_program, ladder_side, program_in, program_side
 from clickgen.config import OWN_FILE, PROJECT_FILE, Config, Settings, find_config, read_config
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
+from clickgen.problems.diagnostics import Diagnostic
 from clickgen.table.names import TABLE_NAME
 from clickgen.table.rows import Row
 from clickgen.text.source import SourceFile, Span
+from clickgen.workspace import CouldNotRun
 
 _LADDER_FILES = (".csv", ".json", ".tmp", ".scr")
 """What is read in a folder: ladder, nicknames, the source map, CLICK's program files."""

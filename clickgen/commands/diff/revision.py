@@ -12,8 +12,7 @@ from subprocess import TimeoutExpired
 from typing import NamedTuple
 
 from clickgen.commands.diff.git import run_git
-from clickgen.problems.diagnostics import CouldNotRun
-from clickgen.workspace import MIB, READ_MAX
+from clickgen.workspace import MIB, READ_MAX, CouldNotRun
 
 _DRIVE = re.compile(r"[A-Za-z]:([\\/]|$)")
 _LFS = b"version https://git-lfs.github.com/spec/"

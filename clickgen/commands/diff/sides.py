@@ -18,7 +18,7 @@ from clickgen.click.read.project import DrawnRoutine, Project, read_project
 from clickgen.commands.diff.placing import name_key, placed_alike
 from clickgen.config import Settings
 from clickgen.device.banks import Address, parse_address
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostic, Diagnostics
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.results import BuildResult
 from clickgen.table.address_table import AddressTable, Entry
 from clickgen.table.form import TableForm
@@ -27,7 +27,7 @@ from clickgen.table.names import TABLE_NAME, is_workbook
 from clickgen.table.read import PROBLEMS_MAX, TableUnreadable, read_table
 from clickgen.table.rows import HEADER, Row, format_row, is_scratch
 from clickgen.text.source import SourceFile
-from clickgen.workspace import read_file
+from clickgen.workspace import CouldNotRun, read_file
 
 _PROBLEMS_SHOWN = 20
 _ADDRESS_MAX = 16

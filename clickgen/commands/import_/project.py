@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.project import MAIN, Project, read_project
 from clickgen.click.read.rungs import import_rung
-from clickgen.commands.import_.nicknames import Nicknames, nicknames_of, no_nicknames
 from clickgen.commands.import_.routines import (
     ImportedRoutine,
     RungImport,
@@ -25,13 +24,14 @@ from clickgen.commands.import_.routines import (
 from clickgen.config import Settings
 from clickgen.dialects.if_rungs.write.declarations import declarations
 from clickgen.dialects.if_rungs.write.files import a_file_each
+from clickgen.dialects.if_rungs.write.nicknames import Nicknames, nicknames_of, no_nicknames
 from clickgen.dialects.if_rungs.write.routine import rung_lines, write_source
 from clickgen.ir.program import Routine
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
+from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.source import SourceFile, Span
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
-from clickgen.workspace import Workspace, read_file, read_if_there
+from clickgen.workspace import CouldNotRun, Workspace, read_file, read_if_there
 
 if TYPE_CHECKING:
     from clickgen.commands.import_.proof import Redrawn, Verdict

@@ -19,10 +19,10 @@ from clickgen.device.banks import CURRENT_VALUE_OF
 from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.facts.uses import addresses_of
 from clickgen.ir.program import BlockDeclaration
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.table.record import left_in, placed_in, record_of
 from clickgen.table.rows import Row
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 Edited = Callable[[FileNames, str, str, Workspace], bytes]
 """A file with another name in the place of one."""

@@ -9,9 +9,8 @@ from clickgen.api import build_all
 from clickgen.commands.nicknames.programs import Job, programs_around
 from clickgen.config import Config
 from clickgen.facts.uses import addresses_of
-from clickgen.problems.diagnostics import CouldNotRun
 from clickgen.results import BuildResult
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 
 def build_among(jobs: Sequence[Job], config: Callable[[], Config]) -> list[BuildResult]:

@@ -13,9 +13,9 @@ from clickgen.config import CheckSettings, Config, Settings
 from clickgen.dialects.if_rungs.discover import Target, targets
 from clickgen.dialects.if_rungs.read.imports import read_program
 from clickgen.dialects.if_rungs.read.parse import decode
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostic, Diagnostics
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.text.source import SourceFile
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 
 class Job(Protocol):

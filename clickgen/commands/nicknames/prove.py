@@ -11,11 +11,11 @@ from clickgen.commands.nicknames.programs import Program
 from clickgen.device.banks import Address
 from clickgen.emit.registry import Outputs
 from clickgen.lower.scratch import renamed_reason
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostic
+from clickgen.problems.diagnostics import Diagnostic
 from clickgen.results import BuildResult
 from clickgen.table.blocks import renamed_mark
 from clickgen.table.rows import Row, is_scratch
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 
 @dataclass(frozen=True)

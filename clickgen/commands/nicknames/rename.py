@@ -21,13 +21,13 @@ from clickgen.device.system import addresses_of_system_name
 from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.ir.operands import Named
 from clickgen.ir.program import Declaration
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostic, Diagnostics, Edit, Fix, did_you_mean
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics, did_you_mean
 from clickgen.table.record import read_record
 from clickgen.table.rows import is_scratch, looks_like_scratch
-from clickgen.text.edits import apply_fixes
+from clickgen.text.edits import Edit, Fix, apply_fixes
 from clickgen.text.source import Span
 from clickgen.text.wording import counted
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 __all__ = ["Rename", "rename"]
 

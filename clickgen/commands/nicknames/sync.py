@@ -11,14 +11,14 @@ from clickgen.api import build, build_all
 from clickgen.commands.nicknames.programs import Job, Program, programs_around
 from clickgen.config import Config, find_config
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, VALUE_BANK, Address
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.results import BuildResult
 from clickgen.table.address_table import AddressTable
 from clickgen.table.names import record_beside
 from clickgen.table.read import read_table
 from clickgen.table.record import left_in, placed_in, read_record, record_of
 from clickgen.table.rows import Row, is_scratch
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 
 @dataclass(frozen=True)

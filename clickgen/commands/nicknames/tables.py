@@ -9,7 +9,7 @@ from pathlib import Path
 
 from clickgen.commands.nicknames.programs import Program
 from clickgen.lower.scratch import renamed_reason
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostics
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.table.address_table import AddressTable
 from clickgen.table.blocks import Block, MarkedRow, marked_blocks, read_marks, renamed_mark
 from clickgen.table.layers import beside_workbook
@@ -17,7 +17,7 @@ from clickgen.table.names import record_beside
 from clickgen.table.read import TableUnreadable, bytes_of_table, read_table
 from clickgen.table.record import left_in, placed_in, record_of
 from clickgen.table.rows import Row, is_scratch
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 
 @dataclass(frozen=True)

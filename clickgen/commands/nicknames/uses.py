@@ -20,7 +20,8 @@ from clickgen.ir.imports import Import
 from clickgen.ir.operands import Cell, Immediate, Named, Operand, Range
 from clickgen.ir.program import BlockDeclaration, Declaration, FormulaText, Routine, actions_in, rungs_in
 from clickgen.ir.walk import rung_operands
-from clickgen.problems.diagnostics import Diagnostics, Edit
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.edits import Edit
 from clickgen.text.source import EmbeddedText, SourceFile, Span
 
 _LAST_WORD = re.compile(r"(?<!\w)\w+$")

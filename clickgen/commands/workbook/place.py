@@ -6,8 +6,7 @@ import os
 from pathlib import Path
 
 from clickgen.emit.workbook import WRITER
-from clickgen.problems.diagnostics import CouldNotRun
-from clickgen.workspace import read_if_there
+from clickgen.workspace import CouldNotRun, read_if_there
 
 
 def place_of(output: str | None, program: str, folder: Path) -> Path:

@@ -11,8 +11,7 @@ from pathlib import Path
 from typing import NamedTuple, NoReturn
 
 from clickgen.config import Config
-from clickgen.problems.diagnostics import CouldNotRun
-from clickgen.workspace import Workspace
+from clickgen.workspace import CouldNotRun, Workspace
 
 _USUAL_EXCLUDES = ("build", "dist", "venv", "node_modules", "__pycache__", "site-packages")
 """Folders that hold no sources; those with a dot in front are left out too."""

@@ -13,7 +13,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from clickgen.problems.codes import CODES, Severity
-from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Edit, Fix, did_you_mean
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics, did_you_mean
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections import Counter
 
-from clickgen.commands.check.baseline import Key, keys_of
+from clickgen.problems.finding_keys import Key, keys_of
 from clickgen.problems.report import Report, shown_path
 
 

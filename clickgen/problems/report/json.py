@@ -7,8 +7,9 @@ from collections import Counter
 
 from clickgen import __version__
 from clickgen.problems.codes import CODES, Severity
-from clickgen.problems.diagnostics import Diagnostic, Edit, Label
+from clickgen.problems.diagnostics import Diagnostic, Label
 from clickgen.problems.report import Report, shown_path
+from clickgen.text.edits import Edit
 from clickgen.text.source import Span
 
 FORMAT = 1

@@ -13,11 +13,12 @@ from pathlib import PurePath
 from urllib.parse import quote
 
 from clickgen import __version__
+from clickgen.commands.explain import explanation, plain
 from clickgen.problems.codes import CODES, Severity
-from clickgen.problems.diagnostics import Diagnostic, Edit, Fix, Label
-from clickgen.problems.explain import explanation, plain
+from clickgen.problems.diagnostics import Diagnostic, Label
 from clickgen.problems.report import Report, message_of, shown_path
 from clickgen.problems.report.fingerprints import fingerprints
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
 PAGES = ""

@@ -7,8 +7,9 @@ import re
 from clickgen.facts.facts import Facts
 from clickgen.instructions.data import SEARCH
 from clickgen.ir.program import Word
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
 CODE = "CG524"

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from clickgen.device.banks import BANKS, Address, Kind
 from clickgen.facts.copied import origin_registers, origins, put_in
 from clickgen.facts.facts import Facts, Placed
-from clickgen.formula.nodes import Binary, Call, Node, Number, Operand, Pi, Sum, walk
 from clickgen.instructions.copies import COPY
 from clickgen.ir.conditions import Compare
+from clickgen.ir.formula_nodes import Binary, Call, Node, Number, Operand, Pi, Sum, walk
 from clickgen.ir.operands import Cell, Integer, Pointer, Real, Single
 from clickgen.ir.program import FormulaText
 from clickgen.problems.diagnostics import Diagnostics

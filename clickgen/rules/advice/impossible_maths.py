@@ -9,9 +9,9 @@ from typing import NamedTuple
 from clickgen.facts.copied import put_in
 from clickgen.facts.facts import Facts
 from clickgen.facts.formulas import Calculation, calculations, place_of
-from clickgen.formula.nodes import Binary, Call, Node, walk
 from clickgen.formula.values import register_of, value_of
 from clickgen.ir.conditions import Compare, Condition
+from clickgen.ir.formula_nodes import Binary, Call, Node, walk
 from clickgen.ir.operands import Cell, Integer, Real
 from clickgen.logic.conditions import are_exclusive, can_hold
 from clickgen.problems.diagnostics import Diagnostics

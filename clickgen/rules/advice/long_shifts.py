@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from clickgen.facts.facts import Facts
 from clickgen.facts.formulas import calculations, place_of
-from clickgen.formula.nodes import Binary, walk
 from clickgen.formula.values import value_of
+from clickgen.ir.formula_nodes import Binary, walk
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
 

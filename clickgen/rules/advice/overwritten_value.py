@@ -9,7 +9,6 @@ from clickgen.device.banks import Address, parse_address
 from clickgen.facts.changes import Changes, Extent, extents_written
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.uses import Use, addresses_of, extents_of
-from clickgen.formula.nodes import Binary, Call, walk
 from clickgen.instructions import copies, maths
 from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
 from clickgen.instructions.copies import COPY, COPY_PACK
@@ -17,6 +16,7 @@ from clickgen.instructions.raw import RAW
 from clickgen.instructions.spec import BITS, COPY_FLAGS, MATH_FLAGS, TEXT
 from clickgen.instructions.spec import CODE as CHARACTER
 from clickgen.ir.conditions import Condition
+from clickgen.ir.formula_nodes import Binary, Call, walk
 from clickgen.ir.operands import Cell, Constant, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action, FormulaText
 from clickgen.ir.walk import condition_operands, leaves

@@ -8,8 +8,9 @@ from clickgen.device.banks import BANKS
 from clickgen.facts.facts import Facts
 from clickgen.ir.conditions import All, Any, Condition, Contact
 from clickgen.ir.operands import Immediate, Range
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
+from clickgen.text.edits import Edit, Fix
 
 CODE = "CG526"
 

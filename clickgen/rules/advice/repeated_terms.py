@@ -21,8 +21,9 @@ from clickgen.logic.conditions import (
     shape,
     terms_of,
 )
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix, Label
+from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.rules.rule import Rule, Wrong
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
 CODE = "CG509"

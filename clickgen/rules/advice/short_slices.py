@@ -9,8 +9,9 @@ from clickgen.facts.facts import Facts, Placed
 from clickgen.instructions.copies import COPY_PACK, COPY_UNPACK
 from clickgen.instructions.spec import BITS
 from clickgen.ir.operands import Range
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
 # click-facts [copy.pack-bits, copy.pack-high-bits]

@@ -12,8 +12,9 @@ from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Integer, Single
 from clickgen.ir.program import Routine
 from clickgen.ir.walk import leaves
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
 CODE = "CG511"

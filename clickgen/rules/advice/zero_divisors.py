@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from clickgen.facts.facts import Facts
 from clickgen.facts.formulas import Calculation, calculations, holds_only_zero, place_of, shown_register
-from clickgen.formula.nodes import Binary, Group, Node, Unary, walk
 from clickgen.formula.values import register_of, value_of
+from clickgen.ir.formula_nodes import Binary, Group, Node, Unary, walk
 from clickgen.ir.operands import Cell
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong

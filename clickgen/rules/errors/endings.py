@@ -8,7 +8,8 @@ from __future__ import annotations
 from clickgen.facts.facts import Facts, Placed
 from clickgen.instructions.control import END, NEXT, RETURN
 from clickgen.ir.program import Routine
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.edits import Edit, Fix
 
 
 def check(facts: Facts, problems: Diagnostics) -> None:

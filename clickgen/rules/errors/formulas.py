@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from clickgen.device.banks import BANKS, Kind
 from clickgen.facts.facts import Facts
-from clickgen.formula.nodes import Operand as FormulaOperand
-from clickgen.formula.nodes import references
+from clickgen.ir.formula_nodes import Operand as FormulaOperand
+from clickgen.ir.formula_nodes import references
 from clickgen.ir.operands import Pointer
 from clickgen.ir.program import FormulaText
 from clickgen.problems.diagnostics import Diagnostics

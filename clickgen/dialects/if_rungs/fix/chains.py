@@ -15,7 +15,7 @@ from clickgen.ir.program import Item
 from clickgen.ir.proposals import Alternative, Proposal
 from clickgen.ir.walk import condition_operands, leaves
 from clickgen.logic.conditions import are_exclusive, can_hold, decided, implies, looked_at, terms_of
-from clickgen.problems.diagnostics import Edit
+from clickgen.text.edits import Edit
 from clickgen.text.source import Span
 
 

@@ -26,7 +26,7 @@ from clickgen.dialects.if_rungs.read.nodes import (
 )
 from clickgen.dialects.if_rungs.read.operands import BANK_NAMES
 from clickgen.ir.conditions import OPPOSITE
-from clickgen.problems.diagnostics import Edit
+from clickgen.text.edits import Edit
 
 _SWAPPED = {"all": "any", "any": "all"}
 _SIGN = re.compile("|".join(sorted(OPPOSITE, key=len, reverse=True)))

@@ -28,7 +28,7 @@ from clickgen.dialects.if_rungs.read.nodes import (
     string_pieces,
     text_value,
 )
-from clickgen.dialects.if_rungs.read.operands import read_operand, shorten
+from clickgen.dialects.if_rungs.read.operands import read_operand
 from clickgen.dialects.if_rungs.read.options import read_options
 from clickgen.dialects.if_rungs.read.places import has_parameters
 from clickgen.dialects.if_rungs.trade import UNITS as UNIT_WORDS
@@ -40,7 +40,8 @@ from clickgen.instructions.timers import UNITS
 from clickgen.ir.kept import kept_token
 from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Range, Single
 from clickgen.ir.program import FormulaText, Operands, Pattern, Value, Word
-from clickgen.problems.diagnostics import Edit, Fix
+from clickgen.text.edits import Edit, Fix
+from clickgen.text.wording import shorten
 
 _COMPARISONS = {
     "==": "==",

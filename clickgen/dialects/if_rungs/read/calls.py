@@ -23,7 +23,6 @@ from clickgen.dialects.if_rungs.read.nodes import (
     whole_number,
     word,
 )
-from clickgen.dialects.if_rungs.read.operands import shorten
 from clickgen.dialects.if_rungs.read.options import modifier_of, read_modifier
 from clickgen.dialects.if_rungs.read.searches import read_range_comparison
 from clickgen.dialects.if_rungs.trade import ARGUMENTS
@@ -34,8 +33,10 @@ from clickgen.instructions.data import SEARCH, SEARCH_RANGE
 from clickgen.instructions.spec import REQUIRED, Access, Param, ParamKind, Spec
 from clickgen.ir.operands import Cell, Constant, Immediate, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action, Value
-from clickgen.problems.diagnostics import Fix, did_you_mean
+from clickgen.problems.diagnostics import did_you_mean
+from clickgen.text.edits import Fix
 from clickgen.text.source import Span
+from clickgen.text.wording import shorten
 
 _NOTHING_CHAINED = "nothing is chained behind it:"
 

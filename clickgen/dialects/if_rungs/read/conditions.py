@@ -22,7 +22,7 @@ from clickgen.dialects.if_rungs.read.nodes import (
     name_of,
     on_one_line,
 )
-from clickgen.dialects.if_rungs.read.operands import looks_like_address, read_address, read_operand, shorten
+from clickgen.dialects.if_rungs.read.operands import looks_like_address, read_address, read_operand
 from clickgen.dialects.if_rungs.ways_out import no_condition
 from clickgen.dialects.if_rungs.ways_out.binding import binds_otherwise
 from clickgen.dialects.if_rungs.ways_out.hints import bank_of, is_condition, own
@@ -30,9 +30,10 @@ from clickgen.dialects.if_rungs.ways_out.meant import Meant, meant
 from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real, form_of
 from clickgen.ir.proposals import Proposal
-from clickgen.problems.diagnostics import Diagnostic, Edit, Fix
+from clickgen.problems.diagnostics import Diagnostic
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
-from clickgen.text.wording import no_opposite
+from clickgen.text.wording import no_opposite, shorten
 
 COMPARISONS: dict[type[Node], str] = {
     cst.Equal: "==",

@@ -14,7 +14,8 @@ from clickgen.dialects.if_rungs.read import statements
 from clickgen.dialects.if_rungs.read.nodes import Elements, Node, Statement, string_pieces, text_value
 from clickgen.dialects.if_rungs.read.places import Places
 from clickgen.ir.proposals import Proposal
-from clickgen.problems.diagnostics import Diagnostics, Fix
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.edits import Fix
 from clickgen.text.source import EmbeddedText, SourceFile, Span, embedded_text
 
 Located = Node | Elements
@@ -55,18 +56,22 @@ class Context:
 
     def span(self, node: Located) -> Span:
         """Where a node is."""
-        start, end = self.extent(node)
+        start, end = self.places.table[id(node)]
+        if node.__class__ in _EXTENTS:
+            start, end = self.extent(node)
+        source = self.source
+        line = bisect_right(source.starts, start)
+        first = source.starts[line - 1]
+        if end < source.starts[line]:
+            return Span(source.path, line, start - first + 1, line, end - first + 1)
         return self.stretch(start, end)
 
     def stretch(self, start: int, end: int) -> Span:
         """A stretch of the text, counted from 0, as a span."""
         starts = self.source.starts
-        line = bisect_right(starts, start)
-        first = starts[line - 1]
-        if end < starts[line]:
-            return Span(self.source.path, line, start - first + 1, line, end - first + 1)
-        end_line = bisect_right(starts, end)
-        return Span(self.source.path, line, start - first + 1, end_line, end - starts[end_line - 1] + 1)
+        line, end_line = bisect_right(starts, start), bisect_right(starts, end)
+        first, last = starts[line - 1], starts[end_line - 1]
+        return Span(self.source.path, line, start - first + 1, end_line, end - last + 1)
 
     def text(self, node: Located) -> str:
         """A node as written."""

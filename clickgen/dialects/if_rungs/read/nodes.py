@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 import unicodedata
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 import libcst as cst
 from libcst._nodes.internal import CodegenState
@@ -18,6 +19,7 @@ Statement = cst.BaseSmallStatement | cst.BaseCompoundStatement
 
 ADDRESSES: frozenset[type[Node]] = frozenset((cst.Attribute, cst.Subscript))
 LISTS: frozenset[type[Node]] = frozenset((cst.Tuple, cst.List))
+_STARRED: frozenset[type[Node]] = frozenset((cst.Arg, cst.StarredElement))
 NO_LITERAL = type("NoLiteral", (), {"__repr__": lambda _: "NO_LITERAL"})()
 """In the place of a value, for what is no literal: None is one."""
 
@@ -29,25 +31,12 @@ _PLAIN_TEXT = re.compile(r"""[uUrR]?(?:'''(?P<a>.*)'''|\"\"\"(?P<b>.*)\"\"\"|'(?
 
 def literal(node: object) -> object:
     """The value of a number, a string, True, False, None or ``...``; NO_LITERAL for anything else."""
-    kind = node.__class__
-    if kind is cst.Name:
-        assert isinstance(node, cst.Name)
-        return _WORDS.get(node.value, NO_LITERAL)
-    if kind is cst.Integer:
-        assert isinstance(node, cst.Integer)
-        return int(node.value, 0)
-    if kind is cst.SimpleString:
-        assert isinstance(node, cst.SimpleString)
-        return _string(node)
-    if kind is cst.Float:
-        assert isinstance(node, cst.Float)
-        return float(node.value)
-    if kind is cst.ConcatenatedString:
-        assert isinstance(node, cst.ConcatenatedString)
-        return _concatenated(node)
-    if isinstance(node, cst.Imaginary):
-        return complex(node.value.replace("_", ""))
-    return ... if isinstance(node, cst.Ellipsis) else NO_LITERAL
+    read = _LITERALS.get(node.__class__)
+    return NO_LITERAL if read is None else read(node)
+
+
+def _number(node: Any) -> int:
+    return int(node.value, 0)
 
 
 def is_literal(node: object) -> bool:
@@ -65,7 +54,7 @@ def text_value(node: object) -> str | None:
 
 def whole_number(node: object) -> int | None:
     """The value of an integer literal without a sign; None for anything else."""
-    return int(node.value, 0) if isinstance(node, cst.Integer) else None
+    return _number(node) if node.__class__ is cst.Integer else None
 
 
 def string_pieces(node: Node) -> list[Node]:
@@ -106,6 +95,17 @@ def _concatenated(node: cst.ConcatenatedString) -> object:
     return NO_LITERAL
 
 
+_LITERALS: dict[type, Callable[[Any], object]] = {
+    cst.Name: lambda node: _WORDS.get(node.value, NO_LITERAL),
+    cst.Integer: _number,
+    cst.Float: lambda node: float(node.value),
+    cst.SimpleString: _string,
+    cst.ConcatenatedString: _concatenated,
+    cst.Imaginary: lambda node: complex(node.value.replace("_", "")),
+    cst.Ellipsis: lambda _: ...,
+}
+
+
 def word(node: cst.Name) -> str:
     """A name as Python compares it: letters of one kind, however they are encoded."""
     value = node.value
@@ -114,7 +114,12 @@ def word(node: cst.Name) -> str:
 
 def name_of(node: object) -> str:
     """The identifier that an expression is; "" for anything else, also for True, False and None."""
-    return word(node) if isinstance(node, cst.Name) and node.value not in _WORDS else ""
+    # To ask for the class is faster than isinstance, which asks libcst's abstract classes first.
+    if node.__class__ is not cst.Name:
+        return ""
+    assert isinstance(node, cst.Name)
+    value = node.value
+    return "" if value in _WORDS else value if value.isascii() else word(node)
 
 
 def is_name(node: object) -> bool:
@@ -136,7 +141,10 @@ def dotted(node: Node | None) -> str:
 
 def called(node: object) -> str:
     """The name of the function that a call calls; "" for anything else."""
-    return name_of(node.func) if isinstance(node, cst.Call) else ""
+    if node.__class__ is not cst.Call:
+        return ""
+    assert isinstance(node, cst.Call)
+    return name_of(node.func)
 
 
 def arguments(node: cst.Call) -> list[Node]:
@@ -161,7 +169,7 @@ def keyword_name(arg: cst.Arg) -> str:
 
 def is_starred(node: Node) -> bool:
     """True for an argument or an element with a star in front."""
-    return isinstance(node, cst.Arg | cst.StarredElement)
+    return node.__class__ in _STARRED
 
 
 def elements(node: Node) -> list[cst.BaseExpression]:

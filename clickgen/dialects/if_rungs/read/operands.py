@@ -20,6 +20,7 @@ from clickgen.dialects.if_rungs.read.nodes import (
     name_of,
     text_value,
     values,
+    whole_number,
     word,
 )
 from clickgen.dialects.if_rungs.read.options import MODIFIERS, modifier_hint
@@ -50,10 +51,13 @@ from clickgen.ir.operands import (
     Section,
     Text,
 )
-from clickgen.problems.diagnostics import Edit, Fix, did_you_mean
+from clickgen.problems.diagnostics import did_you_mean
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
+from clickgen.text.wording import shorten
 
 _CHAR_CODE = re.compile(r"\$[0-9A-Fa-f]{2}")
+_ADDRESSES = (cst.Attribute, cst.Subscript)
 _ADDRESS_FORMS = "an address is written ds[5] or ds.Name"
 
 
@@ -137,17 +141,14 @@ def _calculated(context: Context, node: Node) -> str:
 
 def read_address(context: Context, node: Node) -> Operand | None:
     """``bank.name``, ``bank[number]``, ``bank["name"]``, ``bank[a:b]``, ``bank[ds.Pointer]``, with ``.immediate``."""
-    assert isinstance(node, cst.Attribute | cst.Subscript)
+    assert isinstance(node, _ADDRESSES)
     holder = node.value
-    if holder.__class__ is not cst.Name:
-        if isinstance(node, cst.Attribute):
-            return _read_modifier(context, node)
-        if isinstance(holder, cst.Attribute | cst.Subscript):
-            return _read_part(context, holder, node)
     name = name_of(holder)
     if not name:
         if isinstance(node, cst.Attribute):
             return _read_modifier(context, node)
+        if isinstance(holder, _ADDRESSES):
+            return _read_part(context, holder, node)
         context.problem("CG113", node, f"{shorten(context.text(node))} is not an address", _ADDRESS_FORMS)
         return None
     bank = BANK_NAMES.get(name)
@@ -241,14 +242,14 @@ def _read_index(context: Context, bank: Bank, node: cst.Subscript) -> Operand | 
     number = _whole_number(index)
     if number is not None:
         return _cell(context, bank, number, span)
-    if isinstance(index, cst.Slice):
-        return _read_range(context, bank, index, node)
-    text = text_value(index) if isinstance(index, Node) else None
+    text = text_value(index)
     if text is not None:
         if text.lower() == "0u" and bank.name in UPPER_BYTE_BANKS:
             return Cell(Address(bank.name, 0, True), span)
         return Named(bank.name, text, span)
-    if isinstance(index, cst.Attribute | cst.Subscript):
+    if isinstance(index, cst.Slice):
+        return _read_range(context, bank, index, node)
+    if isinstance(index, _ADDRESSES):
         return _read_pointer(context, bank, index, span)
     context.problem(
         "CG113",
@@ -336,15 +337,9 @@ def _slice_text(start: int, stop: int, step: int) -> str:
 
 
 def _whole_number(node: Located | None) -> int | None:
-    if isinstance(node, cst.Integer):
-        return int(node.value, 0)
+    if node.__class__ is cst.Integer:
+        return whole_number(node)
     if isinstance(node, cst.UnaryOperation) and isinstance(node.operator, cst.Minus):
         inner = _whole_number(node.expression)
         return None if inner is None else -inner
     return None
-
-
-def shorten(text: str, limit: int = 40) -> str:
-    """Source text on one line, for a message."""
-    line = " ".join(text.split())
-    return line if len(line) <= limit else line[: limit - 3] + "..."

@@ -46,7 +46,10 @@ def read_options(context: Context, node: Node, signature: str) -> Options | None
 
 def modifier_of(node: Node) -> tuple[cst.Call, cst.Attribute] | None:
     """The call and the attribute of ``txt[1].as_value()``; None for anything else."""
-    if isinstance(node, cst.Call) and isinstance(node.func, cst.Attribute) and word(node.func.attr) in MODIFIERS:
+    if node.__class__ is not cst.Call:
+        return None
+    assert isinstance(node, cst.Call)
+    if isinstance(node.func, cst.Attribute) and word(node.func.attr) in MODIFIERS:
         return node, node.func
     return None
 

@@ -13,16 +13,21 @@ import re
 import tokenize
 import warnings
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 
 from clickgen.device.project_file import no_program
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.source import FORM_FEED, SourceFile, Span
 
-_SPLIT = "split it into several rungs"
+SPLIT = "split it into several rungs"
 MAX_DEPTH = 100
 """How deep the syntax tree may be: far beyond any rung, and safe for every recursive walk."""
-_TERMS_MAX = 1000
-"""Terms of one ``and`` or ``or``, and pieces of one string: level for Python and nested for libcst."""
+_TERMS_MAX = 500
+"""Terms of one ``and`` or ``or``, and pieces of one string: level for Python and nested for libcst.
+
+libcst's parser takes about 1.3 kilobytes of the stack for each; where it has none left, the process ends.
+"""
+TOO_DEEP = f"this is nested more than {MAX_DEPTH} levels deep, or has more than {_TERMS_MAX} terms"
 _BITS_MAX = 64
 """CLICK's largest integers have 32 bits (click-facts [value.integers]). Past some thousand digits Python cannot even
 print one."""
@@ -78,18 +83,13 @@ def parse_tree(source: SourceFile, problems: Diagnostics) -> ast.Module | None:
         _syntax_problem(source, error, problems)
         return None
     except (RecursionError, MemoryError):
-        problems.add("CG118", source.span(1, 1, 1, 2), "the program is nested too deeply to be read", _SPLIT)
+        problems.add("CG118", source.span(1, 1, 1, 2), "the program is nested too deeply to be read", SPLIT)
         return None
     deep = _too_deep(tree, source.lines)
     if deep is not None:
         line = getattr(deep, "lineno", 1)
         col = source.column(line, getattr(deep, "col_offset", 0))
-        problems.add(
-            "CG118",
-            source.span(line, col, line, col + 1),
-            f"this is nested more than {MAX_DEPTH} levels deep, or has more than {_TERMS_MAX} terms",
-            _SPLIT,
-        )
+        problems.add("CG118", source.span(line, col, line, col + 1), TOO_DEEP, SPLIT)
         return None
     return None if _report_huge(source, tree, problems) else tree
 
@@ -115,7 +115,7 @@ def is_statement(text: str) -> bool:
         tree = _parsed(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return False
-    return len(tree.body) == 1 and _too_deep(tree, text.split("\n")) is None
+    return len(tree.body) == 1 and _too_deep(tree, text.split("\n")) is None and deep_bracket(text) is None
 
 
 def _parsed(text: str) -> ast.Module:
@@ -149,7 +149,7 @@ def _syntax_problem(source: SourceFile, error: SyntaxError, problems: Diagnostic
     if (end_line, end_col) <= (line, col) or end_line != line:
         end_line, end_col = line, col + 1
     if "too many" in error.msg:  # levels of indentation, nested parentheses
-        problems.add("CG118", source.span(line, col, line, col + 1), f"this is nested too deeply: {error.msg}", _SPLIT)
+        problems.add("CG118", source.span(line, col, line, col + 1), f"this is nested too deeply: {error.msg}", SPLIT)
         return
     if error.msg.startswith("Exceeds the limit"):  # of digits
         fault = "this number is too long: CLICK's largest integers have 32 bits"
@@ -178,14 +178,14 @@ def _too_deep(tree: ast.Module, lines: list[str]) -> ast.AST | None:
     waiting: list[tuple[ast.AST, int]] = [(tree, 0)]
     while waiting:
         node, depth = waiting.pop()
-        if depth > MAX_DEPTH or (isinstance(node, _LONG) and _is_long(node, lines)):
+        if depth > MAX_DEPTH or (node.__class__ in _LONG and _is_long(node, lines)):
             return node
         if isinstance(node, ast.expr) and _is_short(node, MAX_DEPTH - depth):
             continue
         for value in node.__dict__.values():
             if value.__class__ is list:
                 waiting += [(item, depth + 1) for item in value if isinstance(item, ast.AST)]
-            elif isinstance(value, ast.expr | ast.arguments | ast.pattern):
+            elif isinstance(value, _NESTED):
                 waiting.append((value, depth + 1))
     return None
 
@@ -194,8 +194,9 @@ def _is_short(node: ast.expr, characters: int) -> bool:
     return node.lineno == node.end_lineno and (node.end_col_offset or 0) - node.col_offset < characters
 
 
+_NESTED = (ast.expr, ast.arguments, ast.pattern)
 _COMPREHENSIONS = (ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
-_LONG = (ast.BoolOp, ast.Constant, ast.JoinedStr, ast.Import, ast.ImportFrom, *_COMPREHENSIONS)
+_LONG = frozenset((ast.BoolOp, ast.Constant, ast.JoinedStr, ast.Import, ast.ImportFrom, *_COMPREHENSIONS))
 
 
 def _is_long(node: ast.AST, lines: list[str]) -> bool:
@@ -213,12 +214,33 @@ def _is_long(node: ast.AST, lines: list[str]) -> bool:
     return False
 
 
+def deep_bracket(text: str) -> tuple[int, int] | None:
+    """The line and column of the first bracket below the depth limit; None without one.
+
+    Parentheses alone make no level in Python's tree.
+    """
+    if text.count("(") + text.count("[") + text.count("{") <= MAX_DEPTH:
+        return None
+    depth = 0
+    for token in _tokens(text):
+        depth += (token.string in _OPENING) - (token.string in _CLOSING)
+        if depth > MAX_DEPTH:
+            return token.start[0], token.start[1] + 1
+    return None
+
+
+_OPENING = frozenset("([{")
+_CLOSING = frozenset(")]}")
+
+
 def _strings(text: str) -> int:
-    """How many strings stand on these lines, which may begin and end inside brackets."""
-    count = 0
-    try:
-        for token in tokenize.generate_tokens(io.StringIO(text).readline):
-            count += token.type == tokenize.STRING or tokenize.tok_name[token.type] == "FSTRING_START"
-    except (tokenize.TokenError, SyntaxError):
-        pass
-    return count
+    """How many strings there are on these lines, which may begin and end inside brackets."""
+    return sum(
+        token.type == tokenize.STRING or tokenize.tok_name[token.type] == "FSTRING_START" for token in _tokens(text)
+    )
+
+
+def _tokens(text: str) -> Iterator[tokenize.TokenInfo]:
+    """The tokens of a text, as far as it is whole."""
+    with suppress(tokenize.TokenError, SyntaxError):
+        yield from tokenize.generate_tokens(io.StringIO(text).readline)

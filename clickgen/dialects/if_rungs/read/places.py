@@ -24,7 +24,8 @@ class Places:
     """
 
     def __init__(self) -> None:
-        self._table: dict[int, tuple[int, int]] = {}
+        self.table: dict[int, tuple[int, int]] = {}
+        """Where each node begins and ends, by its identity: ``of`` asks for one."""
         self.roots: Sequence[Node] = ()
         """The statements of these nodes. Kept, so that no other node can have the identity of one of theirs."""
         self._indents: list[str] = []
@@ -35,7 +36,7 @@ class Places:
 
         ``indent`` is the indentation of their block, ``default_indent`` that of blocks for which libcst notes none.
         """
-        self._table = {}
+        self.table = {}
         self.roots = nodes
         self._indents = [indent] if indent else []
         self._default_indent = default_indent
@@ -45,11 +46,11 @@ class Places:
 
     def of(self, node: Node | Sequence[cst.SubscriptElement]) -> tuple[int, int]:
         """Where a node begins and ends; for the elements of a subscript, where the first begins and the last ends."""
-        return self._table[id(node)]
+        return self.table[id(node)]
 
     def note(self, node: object, start: int, end: int) -> int:
         """Note a place; returns where it ends."""
-        self._table[id(node)] = start, end
+        self.table[id(node)] = start, end
         return end
 
     def expression(self, node: cst.BaseExpression, at: int) -> int:
@@ -59,16 +60,16 @@ class Places:
             return self.written_out(node, at)
         if not node.lpar:
             end = inner(self, node, at)
-            self._table[id(node)] = at, end
+            self.table[id(node)] = at, end
             return end
         for opening in node.lpar:
             start, at = at, self.blank(opening.whitespace_after, at + 1)
-            self._table[id(opening)] = start, at
+            self.table[id(opening)] = start, at
         end = inner(self, node, at)
-        self._table[id(node)] = at, end
+        self.table[id(node)] = at, end
         for closing in node.rpar:
             start, end = end, self.blank(closing.whitespace_before, end) + 1
-            self._table[id(closing)] = start, end
+            self.table[id(closing)] = start, end
         return end
 
     def other(self, node: Node, at: int) -> int:
@@ -82,7 +83,10 @@ class Places:
 
     def around(self, node: Any, at: int) -> int:
         """Pass a token of one character with blanks before and behind it: a dot, a comma, a colon."""
-        return self.blank(node.whitespace_after, self.blank(node.whitespace_before, at) + 1)
+        before, after = node.whitespace_before, node.whitespace_after
+        if before.__class__ is after.__class__ is cst.SimpleWhitespace:
+            return at + len(before.value) + 1 + len(after.value)
+        return self.blank(after, self.blank(before, at) + 1)
 
     @property
     def indent_width(self) -> int:
@@ -101,7 +105,7 @@ class Places:
 
     def written_out(self, node: Node, at: int) -> int:
         """Note the places of a node of a rare kind, as libcst writes it out; returns where it ends."""
-        state = _Recorder(self._table, at, self._indents, self._default_indent)
+        state = _Recorder(self.table, at, self._indents, self._default_indent)
         node._codegen(state)
         return state.at
 
@@ -148,7 +152,9 @@ def _token(_: Places, node: cst.Name | cst.Integer | cst.Float | cst.SimpleStrin
 def _attribute(places: Places, node: cst.Attribute, at: int) -> int:
     attr = node.attr
     at = places.around(node.dot, places.expression(node.value, at))
-    return places.note(attr, at, at + len(attr.value))
+    end = at + len(attr.value)
+    places.table[id(attr)] = at, end
+    return end
 
 
 def _subscript(places: Places, node: cst.Subscript, at: int) -> int:

@@ -31,7 +31,7 @@ from clickgen.dialects.if_rungs.read.nodes import (
     whole_number,
     word,
 )
-from clickgen.dialects.if_rungs.read.operands import read_constant, read_operand, shorten
+from clickgen.dialects.if_rungs.read.operands import read_constant, read_operand
 from clickgen.dialects.if_rungs.read.parse import parse_tree
 from clickgen.dialects.if_rungs.read.pieces import Broken
 from clickgen.dialects.if_rungs.read.places import has_parameters
@@ -45,9 +45,10 @@ from clickgen.ir.imports import Import
 from clickgen.ir.operands import Cell, Constant, Integer, Named, Operand, Range, Text
 from clickgen.ir.program import Action, BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
 from clickgen.ir.proposals import Proposal
-from clickgen.problems.diagnostics import Diagnostic, Diagnostics, Edit, Fix, did_you_mean
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics, did_you_mean
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span
-from clickgen.text.wording import no_opposite, quoted
+from clickgen.text.wording import no_opposite, quoted, shorten
 
 _DSL_MODULE = "clickgen.dsl"
 _LIBRARIES = frozenset(("clickgen", "pyrung", "pyclickplc", "clickplc", "laddercodec"))

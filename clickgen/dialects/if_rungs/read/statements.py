@@ -18,11 +18,12 @@ import libcst as cst
 
 from clickgen.dialects.if_rungs.read import nodes, pieces
 from clickgen.dialects.if_rungs.read.nodes import Node
-from clickgen.dialects.if_rungs.read.parse import is_statement, sound_tree, soundness
+from clickgen.dialects.if_rungs.read.parse import SPLIT, TOO_DEEP, deep_bracket, is_statement, sound_tree, soundness
 from clickgen.dialects.if_rungs.read.pieces import RoutineNode
 from clickgen.dialects.if_rungs.read.places import Places
 from clickgen.text.source import SourceFile, Span
 
+_SIMPLER = "write it in a simpler way"
 _BLOCK = "if 1:\n"
 """Put above the statements of a block. They keep their indentation: in a text over several lines it counts."""
 
@@ -41,11 +42,11 @@ class Statement(NamedTuple):
 class Refused(Exception):
     """Python reads the file and libcst does not: what to say of it, and where."""
 
-    def __init__(self, span: Span, why: str, code: str = "CG101", help: str = "write it in a simpler way") -> None:
-        super().__init__(why)
+    def __init__(self, span: Span, message: str, help: str, code: str = "CG101") -> None:
+        super().__init__(message)
         self.code = code
         self.span = span
-        self.message = f"this cannot be read: {why}"
+        self.message = message
         self.help = help
 
 
@@ -111,6 +112,10 @@ class Reader:
         """The statements of a part, whose places are noted. Raises Refused."""
         starts = self._source.starts
         text = "\n".join([*self._lines[part.start : part.last], part.ending])
+        deep = deep_bracket(text)
+        if deep is not None:
+            line, col = part.start + deep[0], deep[1]
+            raise Refused(self._source.span(line, col, line, col + 1), TOO_DEEP, SPLIT, "CG118")
         if not part.indent:
             tree = self._parsed(text, part)
             default_indent = part.ending.removesuffix("pass\n")
@@ -177,10 +182,9 @@ class Reader:
 
     def _shares_line(self, node: ast.stmt) -> bool:
         """True for a statement that follows another one on its line."""
-        if isinstance(node, RoutineNode | ast.ClassDef):
-            return False
         line = self._lines[node.lineno - 1]
-        if line.encode()[: node.col_offset].strip():
+        before = line[: node.col_offset] if line.isascii() else line.encode()[: node.col_offset]
+        if before and not before.isspace():
             return True
         return node.lineno > 1 and _is_joined(self._lines[node.lineno - 2])
 
@@ -196,10 +200,11 @@ class Reader:
 
     def _inner_indent(self, node: ast.AST) -> str:
         """The indentation of a statement's last block; "" for one without a block, or with it on its own line."""
-        names = ("finalbody", "orelse", "handlers", "cases", "body")
-        block: Sequence[ast.AST] = next((found for name in names if (found := getattr(node, name, None))), [])
+        block: Sequence[ast.AST] = []
+        for name in _BLOCKS:
+            block = getattr(node, name, None) or block
         first = block[0] if block else None
-        if isinstance(first, ast.ExceptHandler | ast.match_case):
+        if isinstance(first, _ARMS):
             return self._inner_indent(block[-1])
         if not isinstance(first, ast.stmt) or self._shares_line(first):
             return ""
@@ -227,26 +232,30 @@ class Reader:
             span = self._span(part.start + 1)
             if "\t" in text:
                 help = "indent with four spaces; an editor can turn tabs into spaces"
-                raise Refused(span, "tabs and spaces are mixed", help=help) from None
-            message = error.message if isinstance(error, cst.ParserSyntaxError) else str(error)
-            if isinstance(error, TypeError) or message.startswith("Must have at least one space"):
+                raise Refused(span, "tabs and spaces are mixed", help) from None
+            why = error.message if isinstance(error, cst.ParserSyntaxError) else str(error)
+            if isinstance(error, TypeError) or why.startswith("Must have at least one space"):
                 why = "a blank is missing beside a word such as if, not or and"
-                raise Refused(span, why, help="put a blank between the word and the parenthesis beside it") from None
-            raise Refused(span, message.removeprefix("tokenizer error: ")) from None
+                help = "put a blank between the word and the parenthesis beside it"
+                raise Refused(span, f"this cannot be read: {why}", help) from None
+            raise Refused(span, f"this cannot be read: {why}", _SIMPLER) from None
 
     def _note(self, found: Sequence[Node], part: Part, at: int, indent: str, default_indent: str) -> None:
         """Note the places of statements that begin at this character."""
         try:
             end = self._places.read(found, at, indent, default_indent)
         except RecursionError:
-            raise Refused(self._span(part.last), "it is nested too deeply", "CG118") from None
+            raise Refused(self._span(part.last), TOO_DEEP, SPLIT, "CG118") from None
         if end != self._source.starts[part.last] + len(part.ending):
-            raise Refused(self._span(part.last), "it is laid out in an unusual way")
+            raise Refused(self._span(part.last), "this cannot be read: its layout is unusual", _SIMPLER)
 
     def _span(self, line: int) -> Span:
         return self._source.span(line, 1, line, 2)
 
 
+_BLOCKS = ("body", "cases", "handlers", "orelse", "finalbody")
+"""Where a statement has its blocks, in the order of the text."""
+_ARMS = (ast.ExceptHandler, ast.match_case)
 _SIMPLE = (
     ast.Expr,
     ast.Import,

@@ -24,7 +24,8 @@ from clickgen.dialects.if_rungs.read.nodes import (
 )
 from clickgen.dialects.if_rungs.trade import ARGUMENTS, CONDITIONS, MEMBERS, Advice, advice, bank_hint
 from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile
 
 Fits = Callable[[str], bool]

@@ -11,6 +11,7 @@ from clickgen.device.banks import CURRENT_VALUE_OF, Bank, Kind
 from clickgen.dialects.if_rungs.read.conditions import as_condition
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import (
+    ADDRESSES,
     Node,
     arguments,
     called,
@@ -66,7 +67,8 @@ def _of_coil(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiv
         return None
     value = own(context, rest[0]) if rest else ""
     if not bank.is_bit:
-        return _of_register(context, spec, first, bank, value, fits)
+        # Of pointers and immediates the rules speak: no coil takes one of a register.
+        return _of_register(context, spec, first, bank, value, fits) if _is_plain(first) else None
     if not rest or (spec is OUT and not _is_number(rest[0])):
         return None
     if why_unwritable(first):
@@ -78,8 +80,8 @@ def _of_coil(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiv
         written = [f"{spec.name}({own(context, one)})" for one in given]
         if not all(map(fits, written)):
             return None
-        help = f"each gets a line of its own: {' and '.join(written)}"
-        return Misgiven("CG109", rest[0], f"{spec.name} takes one address or range at a time", help)
+        help = f"each gets a line of its own: {' and '.join(written)}; {spec.signature}"
+        return Misgiven("CG109", rest[0], f"{spec.name} takes no more than 1 address or range", help)
     if spec is OUT:
         help = f"it follows its rung: out({shown}); for one scan alone out({shown}, oneshot=True)"
         return Misgiven("CG115", rest[0], "out takes no value", help)
@@ -96,6 +98,15 @@ def _by_value(spec: Spec, value: str) -> str:
     if state is None:
         return ""
     return "set" if state and spec is not RESET else "reset"
+
+
+def _is_plain(node: Node) -> bool:
+    """True for an address or a range that names its cells itself: no pointer, nothing immediate."""
+    if isinstance(node, cst.Attribute) and node.attr.value == "immediate":
+        return False
+    return not isinstance(node, cst.Subscript) or not any(
+        type(inner) in ADDRESSES for element in node.slice for inner in every(element)
+    )
 
 
 def _is_bit(node: Node) -> bool:

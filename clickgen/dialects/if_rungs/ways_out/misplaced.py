@@ -36,7 +36,8 @@ from clickgen.dialects.if_rungs.ways_out.meant import meant
 from clickgen.dialects.if_rungs.ways_out.no_call import routine_named
 from clickgen.dialects.if_rungs.ways_out.unwritable import instead, is_known_owner, of_current_value, why_unwritable
 from clickgen.instructions import INSTRUCTIONS
-from clickgen.problems.diagnostics import Edit, Fix, did_you_mean
+from clickgen.problems.diagnostics import did_you_mean
+from clickgen.text.edits import Edit, Fix
 
 
 class WayOut(NamedTuple):

@@ -23,7 +23,8 @@ from clickgen.dialects.if_rungs.ways_out.hints import (
 )
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.spec import ParamKind, Spec
-from clickgen.problems.diagnostics import Edit, Fix, did_you_mean
+from clickgen.problems.diagnostics import did_you_mean
+from clickgen.text.edits import Edit, Fix
 
 _FUNCTIONS = ("all", "any", "nc", "re", "fe")
 _LIST = "clickgen explain instructions lists them all"

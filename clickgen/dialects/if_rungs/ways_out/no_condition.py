@@ -48,7 +48,8 @@ from clickgen.dialects.if_rungs.ways_out.meant import SIGNS, Meant, meant
 from clickgen.dialects.if_rungs.ways_out.no_call import routine_named
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.ir.operands import Immediate, Operand, Range
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix, did_you_mean
+from clickgen.problems.diagnostics import Diagnostics, did_you_mean
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile
 
 _FUNCTIONS = ("all", "any", "nc", "re", "fe")

@@ -16,7 +16,8 @@ from clickgen.dialects.if_rungs.ways_out import slip_kinds as kinds
 from clickgen.dialects.if_rungs.ways_out import slip_words as words
 from clickgen.dialects.if_rungs.ways_out.slip_kinds import Line, Told
 from clickgen.instructions import INSTRUCTIONS
-from clickgen.problems.diagnostics import Diagnostics, Edit, Fix
+from clickgen.problems.diagnostics import Diagnostics
+from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span
 
 _LINE_MAX = 2000

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from clickgen.commands.import_.nicknames import Nicknames
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address, Kind
 from clickgen.device.system import find_system_name
 from clickgen.dialects.if_rungs.write.expressions import operand_text, quoted
 from clickgen.dialects.if_rungs.write.layout import Atom, Brackets, Keyword, Piece, lines
+from clickgen.dialects.if_rungs.write.nicknames import Nicknames
 from clickgen.ir.operands import Cell, Immediate, Named
 from clickgen.ir.program import Routine
 from clickgen.ir.walk import rung_operands

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from clickgen.problems.codes import CODES, Severity
 
-_FOLDER = Path(__file__).with_name("explanations")
+_FOLDER = Path(__file__).parents[1] / "problems" / "explanations"
 _WORDS = {Severity.ERROR: "Error", Severity.WARNING: "Warning", Severity.INFO: "Note"}
 
 

@@ -8,12 +8,13 @@ from pathlib import Path
 from clickgen.device.banks import Address
 from clickgen.device.system import find_system_name, system_nicknames
 from clickgen.dialects.if_rungs.write.expressions import Names
-from clickgen.problems.diagnostics import CouldNotRun, Diagnostic, Diagnostics
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.table.address_table import AddressTable
 from clickgen.table.judge_row import address_nickname_fault, may_share_a_name
 from clickgen.table.read import TableUnreadable, bytes_of_table, read_table
 from clickgen.table.rows import Row, is_scratch
 from clickgen.text.wording import counted
+from clickgen.workspace import CouldNotRun
 
 
 @dataclass(frozen=True)

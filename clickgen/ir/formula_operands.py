@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from clickgen.formula.nodes import Binary, Call, Formula, Group, Node, Operand, Sum, Unary
+from clickgen.ir.formula_nodes import Binary, Call, Formula, Group, Node, Operand, Sum, Unary
 from clickgen.ir.operands import Cell, Named, Pointer, Range
 
 Ref = Named | Cell | Pointer
