@@ -7,7 +7,7 @@
 # Expected: decode() reads what encode() wrote. CLICK's grid has 31 columns, and the rung fills them.
 # Meaning: A capture with one rung as wide as CLICK allows cannot be read at all, and a rung that is to be pasted cannot
 #   be checked before by reading it back. clickgen reads and writes such rungs in ladder CSV, and reports a capture
-#   that laddercodec does not decode as a problem of the file (CG701), never as fewer rungs.
+#   that laddercodec does not decode as a problem that names this limit (CG710), never as fewer rungs.
 #
 # Output:
 #> 30 contacts, out(Y001): 30 contacts, out(Y001)
