@@ -403,7 +403,8 @@ def test_a_rule_about_logic_counts_its_addresses(code: str, tmp_path: Path) -> N
 def test_an_output_in_a_token_is_not_said_to_be_driven(tmp_path: Path) -> None:
     program = tmp_path / "prog.py"
     program.write_text(
-        "def main():\n    if x[1]:\n        raw('raw(Odd,0x2799,1,60aa=Y001,0000=)')\n        call(other)\n"
+        "def main():\n    if x[1]:\n        raw('raw(Odd,0x2799,1,60aa=Y001,0000=)')\n"
+        "    if True:\n        call(other)\n"
         f"{END}\n\n@sub\ndef other():\n    if x[2]:\n        out(y[1])\n\n    if True:\n        return\n"
     )
     assert check(program).diagnostics == ()

@@ -483,9 +483,7 @@ def test_an_address_has_many_forms(text: str, address: str) -> None:
     assert row.address == at(address)
 
 
-@pytest.mark.parametrize(
-    "text", ["X017", "X-001", "DS4501", "Q1", "1", "X", "X001..X005", "X1.0", "X001 X002", "XD1u", "X\u0661"]
-)
+@pytest.mark.parametrize("text", ["X017", "X-001", "DS4501", "Q1", "1", "X", "X1.0", "X001 X002", "XD1u", "X\u0661"])
 def test_what_is_no_address(text: str) -> None:
     data = listed(("C1", "A"), (text, "Name"))
     assert said(data) == [f"CG601 IO!A3 CLICK has no address {text}"]

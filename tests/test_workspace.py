@@ -107,7 +107,7 @@ def test_what_a_command_reads_goes_through_the_workspace() -> None:
     ours = {
         "workspace.py",  # the place
         "text/write.py", "text/lock.py", "commands/check/secret.py", "commands/check/cache.py",  # files of clickgen
-        "formula/parse.py", "device/system.py", "problems/explain.py",  # what is installed with clickgen
+        "formula/parse.py", "device/system.py", "commands/explain.py",  # what is installed with clickgen
         "emit/workbook/archive.py", "device/project_file.py", "table/workbook/archive.py",  # parts of an archive
         "cli/__init__.py",  # the null device
     }  # fmt: skip

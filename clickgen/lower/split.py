@@ -15,7 +15,7 @@ from functools import cached_property
 from itertools import accumulate, takewhile
 
 from clickgen.click.draw.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw
-from clickgen.click.draw.network import is_range, network
+from clickgen.click.draw.network import bits, is_range, network
 from clickgen.click.draw.words import condition_words
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import NEXT, NOP
@@ -214,7 +214,12 @@ class _RungSplit:
 
     def _on_scratch(self, condition: Condition, purpose: str) -> Contact:
         """A condition on a scratch bit, in a rung before those to come; the contact that reads it."""
-        cell = self._take("C", purpose, condition.span, condition_words(condition, shown_in_reason))
+        content = condition
+        match condition:
+            case All(terms=(Contact() as contact,)) if is_range(contact):
+                # Tables of earlier versions name the bits of a range that was cut.
+                content = All(tuple(bits(contact)), condition.span)
+        cell = self._take("C", purpose, condition.span, condition_words(content, shown_in_reason))
         self._emit(condition, (Action(OUT, {"address": cell}, condition.span),))
         return Contact(cell, condition.span)
 
