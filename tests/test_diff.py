@@ -867,6 +867,8 @@ def test_json(run: Run, bundle: str) -> None:
 
 
 def git(*words: str) -> str:
+    if not shutil.which("git"):
+        pytest.skip("there is no git")
     who = ["-c", "user.name=Test", "-c", "user.email=test@example.org", "-c", "commit.gpgsign=false"]
     done = subprocess.run(["git", *who, *words], capture_output=True, encoding="utf-8", check=True)
     return done.stdout.strip()
@@ -1063,6 +1065,7 @@ def test_no_name_of_a_tree_leaves_the_folder(repository: Run) -> None:
     assert "plc/../main.csv is no name that a file can have here" in said.err
 
 
+@pytest.mark.skipif(not shutil.which("git"), reason="there is no git")
 def test_without_a_repository(run: Run, bundle: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(Path.cwd().parent))
     assert "in no git repository" in run("HEAD:prog.py", bundle).err

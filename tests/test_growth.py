@@ -164,10 +164,10 @@ def test_marks_and_styles_are_looked_for_in_what_can_hold_them() -> None:
 
 
 def test_scratch_cells_that_cannot_be_placed_are_not_drawn(tmp_path: Path) -> None:
-    """Each of these rungs takes 66 scratch bits; after two thousand the bank is full, and the rest is not drawn."""
-    rungs = "    if nc(c[1:2001]):\n        set(y[1])\n"
-    (few, _), (many, codes) = (judged_and_told("def main():\n" + rungs * n + END, tmp_path) for n in (8, 96))
-    assert many < 6 * few, "the bank holds about four times as many"
+    """Each of these rungs takes ten scratch bits; after two thousand the bank is full, and the rest is not drawn."""
+    rungs = "    if nc(c[1:301]):\n        set(y[1])\n"
+    (few, _), (many, codes) = (judged_and_told("def main():\n" + rungs * n + END, tmp_path) for n in (20, 400))
+    assert many < 12 * few, "twenty times as many rungs, of which the bank holds half"
     assert codes == ["CG208"]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from budget import examples
@@ -45,7 +46,15 @@ def test_programs_come_back(program: Program) -> None:
 
 def ruff_changes(text: str) -> str:
     """What ``ruff format`` with its own settings would change."""
-    command = [sys.executable, "-m", "ruff", "format", "--isolated", "--diff", "--stdin-filename", "prog.py", "-"]
+    command = [
+        Path(sys.executable).with_name("ruff"),
+        "format",
+        "--isolated",
+        "--diff",
+        "--stdin-filename",
+        "prog.py",
+        "-",
+    ]
     return subprocess.run(command, input=text, capture_output=True, text=True, check=False).stdout
 
 
