@@ -47,7 +47,7 @@ def test_programs_come_back(program: Program) -> None:
 def ruff_changes(text: str) -> str:
     """What ``ruff format`` with its own settings would change."""
     command = [
-        Path(sys.executable).with_name("ruff"),
+        str(Path(sys.executable).with_name("ruff")),
         "format",
         "--isolated",
         "--diff",
