@@ -22,6 +22,7 @@ from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import every, literal, terms, text_value
 from clickgen.dialects.if_rungs.read.parse import is_statement
 from clickgen.dialects.if_rungs.read.places import Places
+from clickgen.dialects.if_rungs.read.program import read_file
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.source import SourceFile
 
@@ -265,3 +266,19 @@ def test_a_word_directly_beside_a_parenthesis(condition: str, tmp_path: Path) ->
     (refused,) = found(rung(condition), "CG101", tmp_path)
     assert refused.help == "put a blank between the word and the parenthesis beside it"
     assert not found(rung(condition.replace("(", " (")), "CG101", tmp_path)
+
+
+@pytest.mark.parametrize("index", ["*a, b", "a, b", "a,", "1:2, b"])
+def test_several_things_between_brackets_have_a_place_in_every_statement(index: str) -> None:
+    """libcst writes out the statements of a loop itself, and its elements of a subscript are no node together."""
+    spans = []
+    for head in ("    if x[2]:\n", "    for _ in range(2):\n        if x[2]:\n"):
+        indent = " " * (4 * head.count("\n") + 4)
+        source = SourceFile("p.py", f"def main():\n  if x[1]:\n{head}{indent}ton(t[{index}], 5)\n")
+        problems = Diagnostics()
+        read_file(source, problems)
+        (problem,) = [one for one in problems.found if one.code == "CG113"]
+        assert problem.span is not None
+        text = source.line(problem.span.line)
+        spans.append(text[problem.span.col - 1 : problem.span.end_col - 1])
+    assert spans == [index, index]

@@ -131,6 +131,14 @@ class _Recorder(CodegenState):
     def after_codegen(self, node: Node) -> None:
         # A place without the parentheses may have been noted already.
         self.table.setdefault(id(node), (self._starts.pop(), self.at))
+        if isinstance(node, cst.Subscript):
+            self._note_elements(node)
+
+    def _note_elements(self, node: cst.Subscript) -> None:
+        """Note where the elements of a subscript are together, a last comma included: they are no node of their own."""
+        first, last = node.slice[0], node.slice[-1]
+        closing = last.comma if isinstance(last.comma, cst.Comma) else last
+        self.table[id(node.slice)] = self.table[id(first)][0], self.table[id(closing)][1]
 
     @contextmanager
     def record_syntactic_position(
