@@ -295,6 +295,9 @@ def duration(_: Line, match: re.Match[str]) -> Told | None:
 # -- actions ----------------------------------------------------------------------------------------------------------
 
 
+_STORED = "to store a value write copy(5, ds.A)"
+
+
 def assigned(line: Line, match: re.Match[str]) -> Told | None:
     """``ds.A := 5;``"""
     if _HEAD.match(line.text):
@@ -303,8 +306,8 @@ def assigned(line: Line, match: re.Match[str]) -> Told | None:
     context = line.context.of_text(text, is_trial=False)
     node = context.statement()
     if node is None:
-        return Told(":= is not part of the language", "to store a value write copy(5, ds.A)", match.span())
-    help = way_out(context, node).help
+        return Told(":= is not part of the language", _STORED, match.span())
+    help = way_out(context, node).help or _STORED
     return Told(":= is not part of the language", help, match.span(), ((*match.span(), "="),))
 
 
