@@ -7,12 +7,12 @@ are made have a function each; libcst writes out all others.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import libcst as cst
-from libcst._nodes.internal import CodegenState
+
+from clickgen.dialects.if_rungs.read.recorder import Recorder
 
 Node = cst.CSTNode
 
@@ -105,49 +105,9 @@ class Places:
 
     def written_out(self, node: Node, at: int) -> int:
         """Note the places of a node of a rare kind, as libcst writes it out; returns where it ends."""
-        state = _Recorder(self.table, at, self._indents, self._default_indent)
+        state = Recorder(self.table, at, self._indents, self._default_indent)
         node._codegen(state)
         return state.at
-
-
-class _Recorder(CodegenState):
-    """What libcst writes into: it counts characters, and notes where each node begins and ends."""
-
-    def __init__(self, table: dict[int, tuple[int, int]], at: int, indents: list[str], default_indent: str) -> None:
-        super().__init__(default_indent=default_indent, default_newline="\n", indent_tokens=list(indents))
-        self.table = table
-        self.at = at
-        self._starts: list[int] = []
-
-    def add_token(self, value: str) -> None:
-        self.at += len(value)
-
-    def add_indent_tokens(self) -> None:
-        self.at += sum(map(len, self.indent_tokens))
-
-    def before_codegen(self, node: Node) -> None:  # noqa: ARG002
-        self._starts.append(self.at)
-
-    def after_codegen(self, node: Node) -> None:
-        # A place without the parentheses may have been noted already.
-        self.table.setdefault(id(node), (self._starts.pop(), self.at))
-        if isinstance(node, cst.Subscript):
-            self._note_elements(node)
-
-    def _note_elements(self, node: cst.Subscript) -> None:
-        """Note where the elements of a subscript are together, a last comma included: they are no node of their own."""
-        first, last = node.slice[0], node.slice[-1]
-        closing = last.comma if isinstance(last.comma, cst.Comma) else last
-        self.table[id(node.slice)] = self.table[id(first)][0], self.table[id(closing)][1]
-
-    @contextmanager
-    def record_syntactic_position(
-        self, node: Node, *, start_node: Node | None = None, end_node: Node | None = None
-    ) -> Iterator[None]:
-        start = self.at
-        yield
-        first = start if start_node is None else self.table[id(start_node)][0]
-        self.table[id(node)] = first, self.at if end_node is None else self.table[id(end_node)][1]
 
 
 # -- expressions ------------------------------------------------------------------------------------------------------
