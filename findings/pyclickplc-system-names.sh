@@ -9,7 +9,7 @@
 # Expected: The package calls its list canonical, so a name from CLICK's own export should be in it, at its address.
 # Meaning: A program that names system points by this list does not fit the project in CLICK: _RTC_Hour is not found,
 #   and an access counter can be the wrong one. clickgen takes the spelling of the export first and the others as
-#   aliases, refuses a name that moved (CG215), and tests both in tests/test_system_names.py.
+#   aliases, refuses a name that moved (CG215), and tests both in tests/device/test_system_names.py.
 #
 # Output:
 #> SC19: CLICK '_PLC Error', pyclickplc '_PLC_Error'

@@ -7,7 +7,7 @@
 #   the row and all that follow run together, and read_csv() raises AttributeError.
 # Expected: Values in quotes where CSV needs them: nickname and comment of the same row have them.
 # Meaning: One character of a printer text can spoil the nickname file of a project. clickgen quotes the value, and
-#   tests its table against this reader with such values (tests/test_table.py).
+#   tests its table against this reader with such values (tests/table/test_table.py).
 #
 # Output:
 #> comma is legal: True
