@@ -100,7 +100,7 @@ def _read_source(state: Build) -> None:
         raise CouldNotRun(f"{state.shown} cannot be read: {reason}") from None
     source = decode(state.shown, data, state.problems)
     if source is not None:
-        state.program, state.sources = read_program(source, state.files.read, state.problems)
+        state.program, state.sources = read_program(source, state.files.read, state.problems, state.files.memory)
 
 
 def _read_table(state: Build) -> None:

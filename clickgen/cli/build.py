@@ -25,7 +25,8 @@ from clickgen.table.rows import Row
 from clickgen.text.lock import locked
 from clickgen.text.wording import counted
 from clickgen.text.write import ChangedMeanwhile
-from clickgen.workspace import CouldNotRun, read_file
+from clickgen.workspace import CouldNotRun, Workspace, read_file
+from clickgen.workspace.memory import Memory
 
 _NAMES_MAX = 8
 """So many new names a build lists."""
@@ -73,9 +74,10 @@ _TRIES = 5
 def _built(jobs: Sequence[Job], config: str | None) -> list[BuildResult]:
     """Build and write; where a table changed in between, again, now with the folders locked against other builds."""
     told: set[Diagnostic] = set()
+    memory = Memory(settings_of(config).root)
     with ExitStack() as stack:
         for left in reversed(range(_TRIES)):
-            results = build_among(jobs, partial(settings_of, config))
+            results = build_among(jobs, partial(settings_of, config), Workspace(memory=memory))
             # What is shown of a table is what was read, so before anything is written.
             for result in results:
                 write_problems((each for each in result.diagnostics if each not in told), result.sources, sys.stderr)
@@ -84,6 +86,7 @@ def _built(jobs: Sequence[Job], config: str | None) -> list[BuildResult]:
                 break
             try:
                 write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
+                memory.save()
                 break
             except ChangedMeanwhile:
                 if not left:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from clickgen import __version__
-from clickgen.commands.check.secret import user_secret
+from clickgen.workspace.secret import user_secret
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import Diagnostic, Label
 from clickgen.text.edits import Edit, Fix

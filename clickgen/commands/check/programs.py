@@ -18,6 +18,7 @@ from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.rules.select import Selection
 from clickgen.text.edits import Fix
 from clickgen.workspace import Workspace
+from clickgen.workspace.memory import Memory
 
 if TYPE_CHECKING:
     from clickgen.commands.check.baseline import Baseline
@@ -89,7 +90,7 @@ class Outcome(NamedTuple):
 def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
     """Check, and with ``fix`` mend in memory what can be mended. Raises CouldNotRun."""
     given = {os.path.realpath(request.paths[0]): request.stdin} if request.stdin is not None else {}
-    workspace = Workspace(given)
+    workspace = Workspace(given, Memory(request.config.root if request.use_cache else None))
     found, empty = discover(request.paths, request.config, request.exclude, request.force_exclude, workspace)
     outcome = _look(request, found, workspace)
     if not fix:

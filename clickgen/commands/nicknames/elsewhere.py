@@ -13,12 +13,14 @@ from clickgen.results import BuildResult
 from clickgen.workspace import CouldNotRun, Workspace
 
 
-def build_among(jobs: Sequence[Job], config: Callable[[], Config]) -> list[BuildResult]:
+def build_among(
+    jobs: Sequence[Job], config: Callable[[], Config], workspace: Workspace | None = None
+) -> list[BuildResult]:
     """Build programs one after the other; where a name left one, with the knowledge of what the others around it name.
 
     ``config`` gives the settings, where they are needed.
     """
-    results = build_all((job.program, job.settings) for job in jobs)
+    results = build_all(((job.program, job.settings) for job in jobs), workspace)
     if not any(result.left for result in results):
         return results
     settings = config()
@@ -26,9 +28,8 @@ def build_among(jobs: Sequence[Job], config: Callable[[], Config]) -> list[Build
         named_elsewhere(job, settings, jobs) if result.left else frozenset()
         for job, result in zip(jobs, results, strict=True)
     ]
-    return build_all(
-        (job.program, job.settings._replace(named_elsewhere=names)) for job, names in zip(jobs, known, strict=True)
-    )
+    informed = ((job.program, job.settings._replace(named_elsewhere=names)) for job, names in zip(jobs, known, strict=True))
+    return build_all(informed, workspace)
 
 
 def named_elsewhere(job: Job, config: Config, others: Sequence[Job] = ()) -> frozenset[str]:

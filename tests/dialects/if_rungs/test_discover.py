@@ -12,7 +12,7 @@ import pytest
 
 from clickgen.cli import main
 from clickgen.commands.check.cache import Cache, Cached, _mark, key_of
-from clickgen.commands.check.secret import user_secret
+from clickgen.workspace.secret import user_secret
 from clickgen.config import Config, ConfigError, find_config
 from clickgen.device.banks import BANKS
 from clickgen.dialects.if_rungs import discover as module

@@ -7,12 +7,12 @@ import stat
 import sys
 from pathlib import Path
 
-from clickgen.workspace import read_file
+from clickgen.workspace.disk import StrPath, read_file
 
 _BYTES = 32
 
 
-def user_secret(root: Path) -> bytes | None:
+def user_secret(root: StrPath) -> bytes | None:
     """The secret, made at first use; None where there is no place for it that is this user's alone.
 
     A place below ``root``, the folder that is checked, is none: whoever made the repository could have put it there.
