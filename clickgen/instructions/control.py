@@ -57,4 +57,6 @@ NOP = Spec(
 )
 
 SPECS = (CALL, END, NEXT)
-"""What is written as a call; return, for and pass have syntax of their own."""
+"""What is written as a call; the others have syntax of their own."""
+STATEMENTS = (RETURN, FOR, NOP)
+"""What is written as a statement of Python: return, for and pass."""

@@ -11,7 +11,7 @@ from dataclasses import fields
 from typing import Any
 
 from clickgen.device.banks import Address
-from clickgen.instructions import INSTRUCTIONS
+from clickgen.instructions import INSTRUCTIONS, control
 from clickgen.instructions.spec import Spec
 from clickgen.ir import conditions, formula_nodes, modbus, operands, program
 from clickgen.ir.imports import Import
@@ -36,6 +36,9 @@ _CLASSES: tuple[type, ...] = (
 )
 _FIRST = 10
 """The number of the first of these classes."""
+
+
+_SPECS = {**INSTRUCTIONS, **{spec.name: spec for spec in control.STATEMENTS}}
 
 
 class NotData(Exception):
@@ -69,7 +72,7 @@ def _from_span(value: Span, source: SourceFile, base: int) -> Data:
 
 
 def _from_spec(value: Spec, _: SourceFile, __: int) -> Data:
-    if INSTRUCTIONS.get(value.name) is not value:
+    if _SPECS.get(value.name) is not value:
         raise NotData(value.name)
     return [_SPEC, value.name]
 
@@ -132,7 +135,7 @@ class FromData:
             self._tuple,
             self._span,
             lambda data: Address(*data[1:]),
-            lambda data: INSTRUCTIONS[data[1]],
+            lambda data: _SPECS[data[1]],
             self._args,
             self._text,
             lambda data: Section(*data[1:]),

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from clickgen.api import build_all
-from clickgen.commands.nicknames.programs import Job, programs_around
 from clickgen.config import Config
 from clickgen.facts.uses import addresses_of
 from clickgen.results import BuildResult
 from clickgen.workspace import CouldNotRun, Workspace
+
+if TYPE_CHECKING:
+    from clickgen.commands.nicknames.programs import Job
 
 
 def build_among(
@@ -38,6 +41,8 @@ def named_elsewhere(job: Job, config: Config, others: Sequence[Job] = ()) -> fro
     Looks at the programs around the table, at those of the settings and at ``others``. A program that cannot be read
     may use any: nobody knows, and nothing is found.
     """
+    from clickgen.commands.nicknames.programs import programs_around  # It loads libcst.
+
     table = os.path.realpath(job.settings.table_of(job.program))
     own = os.path.realpath(job.program)
     try:

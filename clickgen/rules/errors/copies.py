@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 
 from clickgen.device.banks import BANKS, PADDED_DIGITS, Address, Kind
-from clickgen.dialects.if_rungs.ways_out.hints import flat_address
 from clickgen.facts.facts import Facts
 from clickgen.facts.values import copies, refused_operands
 from clickgen.instructions.copies import CONVERSIONS, COPY, COPY_FILL, COPY_PACK
@@ -176,6 +175,8 @@ def _unquoted(name: str, text: str, bank: str, to: str) -> str:
         decimal = text.replace(",", ".")
         where = to if kind is Kind.FLOAT else "df.Name"
         return f"without quotes it is a number, and decimals go to DF: {name}({decimal}, {where})"
+    from clickgen.dialects.if_rungs.ways_out.hints import flat_address  # It loads libcst.
+
     flat = flat_address(text)
     if flat or _ADDRESS.fullmatch(text):
         return f"without quotes it is an address: {name}({flat or text}, {to})"

@@ -6,8 +6,6 @@ import re
 
 from clickgen.device.banks import BANKS, READ_ONLY
 from clickgen.device.system import DISPUTED_SC, WRITABLE_SC, WRITABLE_SD, system_name_of
-from clickgen.dialects.if_rungs.ways_out.hints import text_hint
-from clickgen.dialects.if_rungs.ways_out.unwritable import instead_of
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.setpoints import setpoint_hint
 from clickgen.facts.values import constant_fault, copies, fitting, value_class
@@ -210,6 +208,8 @@ def _instead(facts: Facts, placed: Placed, target: object) -> str:
     source = placed.action.args.get("source")
     value = _text(facts, source) if isinstance(source, Cell | Constant) else ""
     owners = frozenset(one.spec.name for one in facts.actions if _owns(one, target))
+    from clickgen.dialects.if_rungs.ways_out.unwritable import instead_of  # It loads libcst.
+
     return instead_of(bank, shown, placed.spec.name, value, own, owners)
 
 
@@ -233,6 +233,8 @@ def _check_constant(facts: Facts, placed: Placed, param: Param, constant: Consta
     if form_of(constant) not in slot.constants:
         help = setpoint_hint(action, param, constant)
         if isinstance(constant, Text):
+            from clickgen.dialects.if_rungs.ways_out.hints import text_hint  # It loads libcst.
+
             help = help or text_hint(constant.value, BANKS[slot.cells[0]].dsl if slot.cells else "c")
         problems.add(
             "CG301",
