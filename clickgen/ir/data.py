@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import fields
+from operator import attrgetter
 from typing import Any
 
 from clickgen.device.banks import Address
@@ -56,10 +57,6 @@ def to_data(value: object, source: SourceFile, base: int) -> Data:
     return write(value, source, base)
 
 
-def _plain(value: Data, _: SourceFile, __: int) -> Data:
-    return value
-
-
 def _from_tuple(value: tuple[object, ...], source: SourceFile, base: int) -> Data:
     return [_TUPLE, *(to_data(item, source, base) for item in value)]
 
@@ -92,24 +89,21 @@ def _from_text(value: EmbeddedText, source: SourceFile, base: int) -> Data:
 
 
 def _from_node(number: int, cls: type) -> Callable[[Any, SourceFile, int], Data]:
-    names = [field.name for field in fields(cls)]
+    values = attrgetter(*(field.name for field in fields(cls)))
 
-    def write(value: object, source: SourceFile, base: int) -> Data:
-        found: list[Data] = [number]
-        for name in names:
-            item = getattr(value, name)
-            found.append(_WRITERS[item.__class__](item, source, base) if item.__class__ in _WRITERS else _refuse(item))
-        return found
+    def write(node: object, source: SourceFile, base: int) -> Data:
+        found = values(node)
+        items = found if found.__class__ is tuple else (found,)
+        return [number, *[one if one.__class__ in _PLAIN else to_data(one, source, base) for one in items]]
 
     return write
 
 
-def _refuse(value: object) -> Data:
-    raise NotData(value.__class__.__name__)
+_PLAIN = frozenset((str, int, float, bool, type(None)))
 
 
 _WRITERS: dict[type, Callable[[Any, SourceFile, int], Data]] = {
-    **dict.fromkeys((str, int, float, bool, type(None)), _plain),
+    **dict.fromkeys(_PLAIN, lambda value, _, __: value),
     tuple: _from_tuple,
     Span: _from_span,
     Address: lambda value, _, __: [_ADDRESS, *value],
