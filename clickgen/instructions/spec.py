@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import Enum
+from functools import cached_property
 from typing import Final
 
 from clickgen.device.banks import READ_ONLY
@@ -184,7 +185,7 @@ class Spec:
     sets_flags: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
 
-    @property
+    @cached_property
     def pins(self) -> tuple[Param, ...]:
         return tuple(param for param in self.params if param.kind is ParamKind.PIN)
 

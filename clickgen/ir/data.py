@@ -99,7 +99,7 @@ def _from_node(number: int, cls: type) -> Callable[[Any, SourceFile, int], Data]
     return write
 
 
-_PLAIN = frozenset((str, int, float, bool, type(None)))
+_PLAIN: frozenset[type] = frozenset((str, int, float, bool, type(None)))
 
 
 _WRITERS: dict[type, Callable[[Any, SourceFile, int], Data]] = {
@@ -125,7 +125,7 @@ class FromData:
         self._source = source
         self._path = source.path
         self._base = 0
-        self._makers: list[Callable[[list[Data]], object]] = [
+        makers: list[Callable[[list[Data]], object]] = [
             self._tuple,
             self._span,
             lambda data: Address(*data[1:]),
@@ -134,27 +134,32 @@ class FromData:
             self._text,
             lambda data: Section(*data[1:]),
             *(self._no_class for _ in range(_SECTION + 1, _FIRST)),
-            *map(self._node, _CLASSES),
         ]
+
+        def maker(cls: type) -> Callable[[list[Data]], object]:
+            return lambda data: cls(*[x if x.__class__ is not list else makers[x[0]](x) for x in data[1:]])
+
+        makers += map(maker, _CLASSES)
+        self._makers = makers
 
     def __call__(self, data: Data, base: int) -> Any:
         """The tree, with its lines counted from ``base``."""
         self._base = base
-        return self._makers[data[0]](data) if data.__class__ is list else data
+        return self._makers[data[0]](data)
 
-    def _items(self, data: list[Data], first: int = 1) -> list[Any]:
+    def _items(self, data: list[Data]) -> list[Any]:
         makers = self._makers
-        return [item if item.__class__ is not list else makers[item[0]](item) for item in data[first:]]
+        return [x if x.__class__ is not list else makers[x[0]](x) for x in data]
 
     def _tuple(self, data: list[Data]) -> tuple[object, ...]:
-        return tuple(self._items(data))
+        return tuple(self._items(data[1:]))
 
     def _span(self, data: list[Data]) -> Span:
         base = self._base
         return Span(self._path, data[1] + base, data[2], data[3] + base, data[4])
 
     def _args(self, data: list[Data]) -> dict[str, object]:
-        return dict(zip(data[1::2], self._items(data[1:][1::2], 0), strict=True))
+        return dict(zip(data[1::2], self._items(data[2::2]), strict=True))
 
     def _text(self, data: list[Data]) -> EmbeddedText:
         value, lines, cols = data[1], data[2::2], data[3::2]
@@ -163,9 +168,6 @@ class FromData:
             return EmbeddedText(self._source, value, tuple((line, col + n) for n in range(len(value) + 1)))
         places = tuple((line + self._base, col) for line, col in zip(lines, cols, strict=True))
         return EmbeddedText(self._source, value, places)
-
-    def _node(self, cls: type) -> Callable[[list[Data]], object]:
-        return lambda data: cls(*self._items(data))
 
     def _no_class(self, data: list[Data]) -> object:
         raise ValueError(data[0])

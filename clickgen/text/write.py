@@ -16,9 +16,10 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from pathlib import Path
 from types import FrameType
 
-from clickgen.text.journal import Note, Step, digest_of, done_name, journal_name, recover, sibling_name
+from clickgen.text.journal import Note, Step, done_name, journal_name, recover, sibling_name
 from clickgen.text.lock import locked
 from clickgen.workspace import CouldNotRun, leads_elsewhere, read_file, read_if_there
+from clickgen.workspace.digest import digest_of
 
 written: list[Path] = []
 """Everything that this process has put in place, for those who have to say so when it is stopped."""

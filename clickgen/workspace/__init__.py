@@ -12,6 +12,7 @@ import errno
 import os
 from collections.abc import Mapping
 
+from clickgen.workspace.digest import digest_of
 from clickgen.workspace.disk import (
     MIB,
     READ_MAX,
@@ -59,19 +60,33 @@ class Workspace:
         self._known: dict[str, bytes | None] = {}
         self._shown: dict[str, str] = {}
         self._reals: dict[str, str] = {}
+        self._folders: dict[str, str] = {}
+        self._digests: dict[str, str | None] = {}
 
     def apart(self, overlay: Mapping[str, bytes] | None = None) -> Workspace:
         """The same files, with a record of its own of what is read. ``overlay`` adds to what counts instead."""
         other = Workspace({**self.overlay, **overlay} if overlay else self.overlay, self.memory)
-        other._known, other._reals = self._known, self._reals
+        other._known, other._reals, other._folders = self._known, self._reals, self._folders
         return other
 
     def real(self, path: StrPath) -> str:
         """The real path of a file, looked up once."""
         asked = os.fspath(path)
-        if asked not in self._reals:
-            self._reals[asked] = os.path.realpath(asked)
-        return self._reals[asked]
+        found = self._reals.get(asked)
+        if found is None:
+            folder, name = os.path.split(asked)
+            # Most files of a folder are no links, and each level of the folder costs a look at the disk.
+            if os.name == "nt" or not folder or name in ("", ".", "..") or os.path.islink(asked):
+                found = os.path.realpath(asked)
+            else:
+                found = os.path.join(self._real_folder(folder), name)
+            self._reals[asked] = found
+        return found
+
+    def _real_folder(self, folder: str) -> str:
+        if folder not in self._folders:
+            self._folders[folder] = os.path.realpath(folder)
+        return self._folders[folder]
 
     @property
     def found(self) -> dict[str, bytes | None]:
@@ -113,6 +128,14 @@ class Workspace:
             self.reads[asked] = None
             return None
         return self.read(path, limit)
+
+    def digest(self, path: StrPath) -> str | None:
+        """The digest of a file's bytes; None where nothing is there. Raises OSError as ``look`` does."""
+        real = self.real(path)
+        if real not in self._digests:
+            data = self.look(path)
+            self._digests[real] = None if data is None else digest_of(data)
+        return self._digests[real]
 
     def _on_disk(self, asked: str, real: str, size: int) -> bytes | None:
         """What was first found on the disk; None where nothing was there. Raises OSError."""

@@ -9,7 +9,6 @@ cannot be used is no memory: every answer is found anew.
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import json
 import os
 import sys
@@ -17,6 +16,7 @@ from functools import cache, cached_property
 from importlib.machinery import PathFinder
 
 from clickgen import __version__
+from clickgen.workspace.digest import blake2b
 from clickgen.workspace.disk import StrPath, leads_elsewhere, read_file
 from clickgen.workspace.secret import user_secret
 
@@ -85,7 +85,8 @@ class Memory:
     def _mark(self, name: str, body: bytes) -> str:
         """What only this user could have written above these contents, and only this version of clickgen."""
         assert self._secret is not None
-        signed = hashlib.blake2b(json.dumps([name, own_state()]).encode() + b"\n", key=self._secret, digest_size=_MARK // 2)
+        rests_on = json.dumps([name, own_state()]).encode() + b"\n"
+        signed = blake2b(rests_on, key=self._secret, digest_size=_MARK // 2)
         signed.update(body)
         return signed.hexdigest()
 
@@ -94,11 +95,6 @@ def _write_new(path: str, data: bytes) -> None:
     """Write a file that is not there yet, not even as a link. Raises OSError."""
     with open(path, "xb") as file:
         file.write(data)
-
-
-def digest_of(data: bytes) -> str:
-    """What tells one text from another."""
-    return hashlib.blake2b(data, digest_size=20).hexdigest()
 
 
 @cache

@@ -49,6 +49,7 @@ class Judge(NamedTuple):
             if reads and not self.workspace.overlay:
                 self.cache.put(keys[target], cached, reads)
             self.progress(len(found))
+        self.workspace.memory.save()
         return found
 
     def again(self, target: Target, named_elsewhere: frozenset[str]) -> Cached:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from clickgen.commands.check.agree import agreed
-from clickgen.commands.check.cache import FOLDER, Cache, Cached
+from clickgen.commands.check.cache import Cache, Cached
 from clickgen.commands.check.judging import Judge
 from clickgen.config import Config
 from clickgen.dialects.if_rungs.discover import Target, discover, matches, partly_judged, wholly_judged
@@ -132,9 +132,8 @@ def add_ignores(outcome: Outcome) -> Outcome:
 
 
 def _look(request: Request, found: Sequence[Target], workspace: Workspace) -> Outcome:
-    cache = Cache(Path(request.config.root) / FOLDER if request.use_cache else None)
     judge = Judge(
-        cache,
+        Cache(workspace),
         request.selection,
         request.config.reserved,
         workspace,
@@ -146,7 +145,11 @@ def _look(request: Request, found: Sequence[Target], workspace: Workspace) -> Ou
             if any(finding.code == LEFT for finding in cached.findings):
                 judged[target] = judge.again(target, request.elsewhere(target))
     checked = tuple(sorted({path for cached in judged.values() for path in cached.sources}))
-    findings = agreed(judged, lambda paths: partly_judged(paths, judged, request.config, workspace))
+
+    def partly(paths: Iterable[str]) -> set[str]:
+        return partly_judged(paths, judged, request.config, workspace)
+
+    findings = agreed(judged, partly, workspace.real)
     left, about = _heard(request, findings, checked, judged, workspace)
     ignored = _Ignored(request.config)
     shown = [finding for finding in (*left, *about) if not ignored(finding)]

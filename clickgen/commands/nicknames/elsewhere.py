@@ -31,7 +31,9 @@ def build_among(
         named_elsewhere(job, settings, jobs) if result.left else frozenset()
         for job, result in zip(jobs, results, strict=True)
     ]
-    informed = ((job.program, job.settings._replace(named_elsewhere=names)) for job, names in zip(jobs, known, strict=True))
+    informed = (
+        (job.program, job.settings._replace(named_elsewhere=names)) for job, names in zip(jobs, known, strict=True)
+    )
     return build_all(informed, workspace)
 
 

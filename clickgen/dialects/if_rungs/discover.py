@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fnmatch import fnmatch
 from functools import cache, cached_property
 from pathlib import Path
@@ -12,6 +12,7 @@ from typing import NamedTuple, NoReturn
 
 from clickgen.config import Config
 from clickgen.workspace import CouldNotRun, Workspace
+from clickgen.workspace.memory import Memory
 
 _USUAL_EXCLUDES = ("build", "dist", "venv", "node_modules", "__pycache__", "site-packages")
 """Folders that hold no sources; those with a dot in front are left out too."""
@@ -47,7 +48,7 @@ def discover(
     """
     repository = _Repository(config, (*config.check.exclude, *exclude), workspace or Workspace())
     if not paths and config.programs:
-        return Found(_each_once(repository.configured_targets()))
+        return Found(_each_once(repository.configured_targets(), repository.real))
     found: list[Target] = []
     empty: list[str] = []
     for path in paths or ["."]:
@@ -55,7 +56,7 @@ def discover(
         found += targets
         if not targets and os.path.isdir(path):
             empty.append(path)
-    return Found(_each_once(found), tuple(empty))
+    return Found(_each_once(found, repository.real), tuple(empty))
 
 
 def targets(
@@ -97,10 +98,10 @@ def _programs_of(
     return done, {path: {os.path.realpath(program) for program in repository.programs_with(path)} for path in paths}
 
 
-def _each_once(targets: Iterable[Target]) -> list[Target]:
+def _each_once(targets: Iterable[Target], real: Callable[[str], str]) -> list[Target]:
     programs: dict[str, Target] = {}
     for target in targets:
-        programs.setdefault(os.path.realpath(target.path), target)
+        programs.setdefault(real(target.path), target)
     return sorted(programs.values(), key=lambda target: target.path)
 
 
@@ -113,30 +114,46 @@ def _shown(path: Path) -> str:
 # -- the files --------------------------------------------------------------------------------------------------------
 
 
-class _File:
-    """What a look at a file tells, found out when it is asked for."""
+class _File(NamedTuple):
+    """What a look at a file tells."""
 
-    def __init__(self, path: str, text: str) -> None:
-        self._path = path
-        self._text = text
+    is_program: bool
+    has_main: bool
+    modules: list[str]
+    """What it imports: the names of files beside it, not all of which need be there."""
 
-    @cached_property
-    def _code(self) -> str:
-        return _code_of(self._text)
 
-    @cached_property
-    def is_program(self) -> bool:
-        return _is_program(self._code)
+def _seen(text: str) -> _File:
+    code = _code_of(text)
+    # A text in quotes may show a main.
+    has_main = _MAIN.search(text) is not None and _MAIN.search(code) is not None
+    return _File(_is_program(code), has_main, list(dict.fromkeys(_modules(text))))
 
-    @cached_property
-    def has_main(self) -> bool:
-        # A text in quotes may show a main.
-        return bool(_MAIN.search(self._text) and _MAIN.search(self._code))
 
-    @cached_property
-    def imports(self) -> tuple[str, ...]:
-        """The files beside it that it imports, by their real paths; not all of them need be there."""
-        return tuple(_siblings(self._text, self._path))
+_NAME_IN_MEMORY = "discovered.json"
+_REMEMBERED_MAX = 20_000
+"""So many files are remembered, by their digests; the last that were new."""
+
+
+class _Seen:
+    """What was seen of files, by the digests of their contents: an unchanged file is not looked through again."""
+
+    def __init__(self, memory: Memory) -> None:
+        found = memory.get(_NAME_IN_MEMORY)
+        self._memory = memory
+        self._known: dict[str, list[object]] = found if isinstance(found, dict) else {}
+
+    def get(self, digest: str) -> _File | None:
+        match self._known.get(digest):
+            case [bool() as is_program, bool() as has_main, list() as modules]:
+                return _File(is_program, has_main, modules)
+        return None
+
+    def put(self, digest: str, file: _File) -> None:
+        self._known[digest] = [*file]
+        while len(self._known) > _REMEMBERED_MAX:
+            del self._known[next(iter(self._known))]
+        self._memory.put(_NAME_IN_MEMORY, self._known)
 
 
 class _Repository:
@@ -146,6 +163,7 @@ class _Repository:
         self._config = config
         self._patterns = patterns
         self._workspace = files
+        self._seen = _Seen(files.memory)
         self._files: dict[str, _File] = {}
         self._programs: dict[str, list[str]] = {}
         self._parts: dict[str, set[str]] = {}
@@ -163,7 +181,7 @@ class _Repository:
         if os.path.isdir(path):
             for file in self._walk(path):
                 yield from self._targets_of(file)
-        elif not os.path.exists(path) and self._real(path) not in self._workspace.overlay:
+        elif not os.path.exists(path) and self.real(path) not in self._workspace.overlay:
             raise CouldNotRun(f"there is no file or folder {path}")
         elif not force or (not self._is_excluded(path) and (self._is_ours(path) or self._importers(path))):
             yield from self._targets_of(path)
@@ -211,17 +229,17 @@ class _Repository:
         return any(_meets(names, _steps(pattern, root)) for pattern in self._patterns)
 
     def _is_ours(self, path: str) -> bool:
-        return self._look(path).is_program or self._real(path) in self._named
+        return self._look(path).is_program or self.real(path) in self._named
 
     def _is_whole(self, path: str) -> bool:
         """True for a program, however broken; not for a part of one."""
-        return self._look(path).has_main or self._real(path) in self._configured
+        return self._look(path).has_main or self.real(path) in self._configured
 
     @cached_property
     def _configured(self) -> dict[str, str]:
         """The configured programs that are there, by their real paths."""
         programs = [_shown(program.path) for program in self._config.programs if program.path.is_file()]
-        return {self._real(program): program for program in programs}
+        return {self.real(program): program for program in programs}
 
     @cached_property
     def _named(self) -> set[str]:
@@ -235,7 +253,7 @@ class _Repository:
         return [*([path] if self._is_whole(path) else []), *self._importers(path)]
 
     def _importers(self, path: str) -> list[str]:
-        real = self._real(path)
+        real = self.real(path)
         return [program for program in self._programs_around(path) if real in self._imported(program)]
 
     def _programs_around(self, path: str) -> list[str]:
@@ -243,7 +261,7 @@ class _Repository:
         folder = os.path.dirname(path)
         if folder not in self._programs:
             beside = (os.path.normpath(os.path.join(folder, name)) for name in _names(folder) if name.endswith(".py"))
-            programs = {self._real(file): file for file in beside if self._is_program_with_main(file)}
+            programs = {self.real(file): file for file in beside if self._is_program_with_main(file)}
             self._programs[folder] = [*({**programs, **self._configured}).values()]
         return self._programs[folder]
 
@@ -266,7 +284,10 @@ class _Repository:
         seen: set[str] = set()
         waiting = [program]
         while waiting:
-            new = [file for file in self._look(waiting.pop()).imports if file not in seen and os.path.isfile(file)]
+            path = waiting.pop()
+            folder = os.path.dirname(path)
+            imported = [os.path.realpath(os.path.join(folder, f"{name}.py")) for name in self._look(path).modules]
+            new = [file for file in imported if file not in seen and os.path.isfile(file)]
             seen.update(new)
             waiting += new
         return seen
@@ -275,21 +296,30 @@ class _Repository:
 
     def _look(self, path: str) -> _File:
         """What a file is. Raises CouldNotRun when it cannot be read: it could be a program."""
-        real = self._real(path)
+        real = self.real(path)
         if real not in self._files:
-            self._files[real] = _File(path, self._text(path))
+            self._files[real] = self._seen_or_known(path)
         return self._files[real]
 
-    def _real(self, path: str) -> str:
+    def _seen_or_known(self, path: str) -> _File:
+        data = self._bytes(path)
+        digest = self._workspace.digest(path) or ""
+        file = self._seen.get(digest)
+        if file is None:
+            text = data.decode("utf-8-sig", "replace")
+            file = _seen(text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text)
+            self._seen.put(digest, file)
+        return file
+
+    def real(self, path: str) -> str:
         return self._workspace.real(path)
 
-    def _text(self, path: str) -> str:
+    def _bytes(self, path: str) -> bytes:
         try:
-            text = self._workspace.read(path).decode("utf-8-sig", "replace")
+            return self._workspace.read(path)
         except OSError as error:
             error.filename = path
             _give_up(error)
-        return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
 
 def _give_up(error: OSError) -> NoReturn:
@@ -458,11 +488,10 @@ _MAIN = re.compile(r"^(?:async[ \t]+)?def[ \t]+main\b", re.MULTILINE)
 _IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+(?:\.[ \t]*)?(\w+)[ \t]+import\b|import[ \t]+([\w., \t]+))", re.MULTILINE)
 
 
-def _siblings(text: str, path: str) -> Iterator[str]:
-    """The files that a file's imports stand for, by their real paths."""
-    folder = os.path.dirname(path)
+def _modules(text: str) -> Iterator[str]:
+    """The modules that a file imports, those without a dot."""
     for source, listed in _IMPORT.findall(text):
         for name in (source, *listed.split(",")):
             module = name.split()[0] if name.strip() else ""
             if module and "." not in module:
-                yield os.path.realpath(os.path.join(folder, f"{module}.py"))
+                yield module

@@ -45,7 +45,6 @@ from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.imports import Import
 from clickgen.ir.operands import Cell, Constant, Integer, Named, Operand, Range, Text
 from clickgen.ir.program import Action, BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
-from clickgen.ir.proposals import Proposal
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics, did_you_mean
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span

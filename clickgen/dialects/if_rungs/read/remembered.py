@@ -15,7 +15,8 @@ from clickgen.ir.data import FromData, NotData, to_data
 from clickgen.ir.program import Routine, Rung
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.source import SourceFile
-from clickgen.workspace.memory import Memory, digest_of
+from clickgen.workspace.digest import digest_of
+from clickgen.workspace.memory import Memory
 
 _RUNGS = "rungs"
 
@@ -41,7 +42,7 @@ class RememberedFile:
     def __init__(self, source: SourceFile, memory: Memory) -> None:
         self._source = source
         self._memory = memory
-        self._name = f"{digest_of(os.fsencode(os.path.realpath(source.path)))[:32]}.{_RUNGS}"
+        self._name = f"{_RUNGS}-{digest_of(os.fsencode(os.path.realpath(source.path)))[:32]}.json"
         self._digest = digest_of(source.text.encode())
         self._known = _sound(memory.get(self._name))
         self._read: dict[str, Any] = memory.texts.setdefault(_RUNGS, {})
