@@ -52,6 +52,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="the address table, or a workbook with lists of addresses (default: nicknames.csv beside the program)",
     )
     parser.add_argument("--frozen", action="store_true", help="choose no address; fail where one is missing")
+    parser.add_argument("--no-cache", action="store_true", help="read everything anew, and remember nothing")
     parser.add_argument("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
 
 
@@ -59,7 +60,7 @@ def run(options: argparse.Namespace) -> int:
     """Build and write, without a program every configured one, all of them or none; returns the exit code."""
     jobs = _jobs(options.program, options.output, options.nicknames, options.frozen, options.config)
     settle(jobs, options.config)
-    results = _built(jobs, options.config)
+    results = _built(jobs, options.config, not options.no_cache)
     if not all(result.ok for result in results):
         complain(f"{_summary(results)}; nothing was written")
         return PROBLEMS
@@ -71,10 +72,10 @@ def run(options: argparse.Namespace) -> int:
 _TRIES = 5
 
 
-def _built(jobs: Sequence[Job], config: str | None) -> list[BuildResult]:
+def _built(jobs: Sequence[Job], config: str | None, use_cache: bool) -> list[BuildResult]:
     """Build and write; where a table changed in between, again, now with the folders locked against other builds."""
     told: set[Diagnostic] = set()
-    memory = Memory(settings_of(config).root)
+    memory = Memory(settings_of(config).root if use_cache else None)
     with ExitStack() as stack:
         for left in reversed(range(_TRIES)):
             results = build_among(jobs, partial(settings_of, config), Workspace(memory=memory))
