@@ -290,7 +290,13 @@ class _Work:
             raise _os_error(errno.ENOTDIR, f"{folder} is a file, and a folder is needed there", folder)
         for new in reversed(missing):
             self.made_folders.append(new)
-            new.mkdir()
+            try:
+                new.mkdir()
+            except FileExistsError:
+                # Another writer was faster; it is that one's folder now.
+                self.made_folders.remove(new)
+                if not new.is_dir():
+                    raise
 
 
 @contextlib.contextmanager
