@@ -22,7 +22,7 @@ from clickgen.text.source import EmbeddedText, SourceFile, Span
 Data = Any
 """What JSON can hold."""
 
-_TUPLE, _SPAN, _ADDRESS, _SPEC, _ARGS, _TEXT, _SECTION = range(7)
+_TUPLE, _SPAN, _ADDRESS, _SPEC, _ARGS, _TEXT, _SECTION, _EDGE = range(8)
 
 _CLASSES: tuple[type, ...] = (
     *(conditions.Contact, conditions.Compare, conditions.All, conditions.Any, conditions.Always),
@@ -108,6 +108,7 @@ _WRITERS: dict[type, Callable[[Any, SourceFile, int], Data]] = {
     Span: _from_span,
     Address: lambda value, _, __: [_ADDRESS, *value],
     Section: lambda value, _, __: [_SECTION, *value],
+    conditions.Edge: lambda value, _, __: [_EDGE, value.value],
     Spec: _from_spec,
     dict: _from_args,
     EmbeddedText: _from_text,
@@ -133,7 +134,8 @@ class FromData:
             self._args,
             self._text,
             lambda data: Section(*data[1:]),
-            *(self._no_class for _ in range(_SECTION + 1, _FIRST)),
+            lambda data: conditions.Edge(data[1]),
+            *(self._no_class for _ in range(_EDGE + 1, _FIRST)),
         ]
 
         def maker(cls: type) -> Callable[[list[Data]], object]:
