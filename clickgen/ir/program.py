@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from clickgen.instructions.raw import rows_of
@@ -11,6 +11,7 @@ from clickgen.instructions.spec import Spec, Variant
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.modbus import Remote, Target
 from clickgen.ir.operands import Cell, Constant, Named, Operand, Pointer, Range, Single, form_of
+from clickgen.records import dataclass
 from clickgen.text.source import SourceFile, Span
 
 if TYPE_CHECKING:
@@ -223,7 +224,7 @@ class Offer:
     module: str
 
 
-@dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True)
 class Program:
     """All that was read: routines in the order of their definitions, main among them."""
 
@@ -233,7 +234,7 @@ class Program:
     blocks: tuple[BlockDeclaration, ...] = ()
     misimported: frozenset[str] = frozenset()
     """Functions that an import should bring and does not: they have their problem there."""
-    offered: Mapping[str, Offer] = field(default_factory=dict)
+    offered: Mapping[str, Offer] = dataclasses.field(default_factory=dict)
     """Subroutines that could be imported, by their functions."""
     proposals: tuple[Proposal, ...] = ()
     """The fixes that the text of all its files suggests."""

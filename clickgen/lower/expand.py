@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import BANKS, Address, Kind
@@ -17,6 +17,7 @@ from clickgen.ir.formula_operands import Ref, map_refs
 from clickgen.ir.operands import Cell, Immediate, Integer, Named, Pointer, Range
 from clickgen.ir.program import Action, FormulaText, Value
 from clickgen.ir.walk import Rewriter
+from clickgen.records import dataclass
 from clickgen.text.source import Span
 
 _SCRATCH_BANK = {Kind.INT16: "DS", Kind.INT32: "DD", Kind.HEX: "DH", Kind.FLOAT: "DF"}
