@@ -189,6 +189,11 @@ class Spec:
     def pins(self) -> tuple[Param, ...]:
         return tuple(param for param in self.params if param.kind is ParamKind.PIN)
 
+    @cached_property
+    def ends(self) -> frozenset[str]:
+        """The parameters that name the last address of what another one begins."""
+        return frozenset(param.extends_to for param in self.params if param.extends_to)
+
     @property
     def methods(self) -> dict[str, Param]:
         """The pins by their names in a chain: ``ctud(...).down(...).reset(...)``."""
