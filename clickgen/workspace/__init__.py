@@ -44,6 +44,10 @@ __all__ = [
 ]
 
 
+_DEEP = 100
+"""A path through more folders than this is looked up as a whole."""
+
+
 class Workspace:
     """The files as one command sees them.
 
@@ -60,13 +64,12 @@ class Workspace:
         self._known: dict[str, bytes | None] = {}
         self._shown: dict[str, str] = {}
         self._reals: dict[str, str] = {}
-        self._folders: dict[str, str] = {}
         self._digests: dict[str, str | None] = {}
 
     def apart(self, overlay: Mapping[str, bytes] | None = None) -> Workspace:
         """The same files, with a record of its own of what is read. ``overlay`` adds to what counts instead."""
         other = Workspace({**self.overlay, **overlay} if overlay else self.overlay, self.memory)
-        other._known, other._reals, other._folders = self._known, self._reals, self._folders
+        other._known, other._reals = self._known, self._reals
         return other
 
     def real(self, path: StrPath) -> str:
@@ -75,18 +78,14 @@ class Workspace:
         found = self._reals.get(asked)
         if found is None:
             folder, name = os.path.split(asked)
-            # Most files of a folder are no links, and each level of the folder costs a look at the disk.
-            if os.name == "nt" or not folder or name in ("", ".", "..") or os.path.islink(asked):
+            # Most files are no links, and each folder above them costs a look at the disk: it is looked up once.
+            is_deep = asked.count("/") > _DEEP
+            if os.name == "nt" or is_deep or name in ("", ".", "..") or os.path.islink(asked):
                 found = os.path.realpath(asked)
             else:
-                found = os.path.join(self._real_folder(folder), name)
+                found = os.path.join(self.real(folder or "."), name)
             self._reals[asked] = found
         return found
-
-    def _real_folder(self, folder: str) -> str:
-        if folder not in self._folders:
-            self._folders[folder] = os.path.realpath(folder)
-        return self._folders[folder]
 
     @property
     def found(self) -> dict[str, bytes | None]:
