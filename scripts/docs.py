@@ -15,9 +15,9 @@ from docs_markdown import bullets, quoted, table
 
 from clickgen.commands.explain import explanation
 from clickgen.device.banks import BANKS, UPPER_BYTE_BANKS
+from clickgen.device.elsewhere import BANKS as FOREIGN_BANKS
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, Advice
-from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
 from clickgen.instructions import FAMILIES, control
 from clickgen.instructions.spec import Spec
 from clickgen.problems.codes import CODES, Severity

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
-from clickgen.dialects.if_rungs.trade import UNITS
+from clickgen.device.elsewhere import UNITS
 from clickgen.instructions.durations import in_units
 from clickgen.instructions.spec import Param, ParamKind
 from clickgen.ir.operands import Constant, Integer, Real, Text

@@ -41,8 +41,8 @@ class Spelling:
     help: str = ""
 
 
-_STORE = 'the result goes to the second argument: calc("ds.A + 1", ds.B)'
-_COMPARE = "comparisons stand in the if above the calculation"
+_STORE = "write the calculation alone: its result goes to the destination of the instruction"
+_COMPARE = "a comparison is a condition of the rung, and has no place in a calculation"
 
 SPELLINGS: dict[str, Spelling] = {
     "**": Spelling("`**` is Python", ("ds.A ** 2",), "^"),
@@ -258,15 +258,6 @@ MISTAKES: tuple[Mistake, ...] = (
     Mistake("index", ("RSQB",), "there is nothing between the brackets", "write ds[5]", ("ds[]",), before=r"\["),
     Mistake(
         "index",
-        ("RSQB", "COLON"),
-        "`{before}` is neither a number nor an address",
-        'a nickname is written ds.{before}, or ds["{before}"] with any characters',
-        ("ds[Name]", "SUM(ds[A:B])"),
-        "before",
-        before=r"[^\W\d]\w*",
-    ),
-    Mistake(
-        "index",
         ("WORD",),
         "`{before}{found}` is not a number",
         'the word XD0u is written xd["0u"]',
@@ -276,23 +267,10 @@ MISTAKES: tuple[Mistake, ...] = (
     ),
     Mistake(
         "index",
-        ("PLUS", "MINUS", "SLASH", "STAR", *_BINARY),
-        "brackets do not calculate",
-        "calculate the number into a DS register first, and point through that one",
-        ("ds[ds.A + 1]", "ds[+5]", "ds[5 - 1]", "ds[ds[5] * 2]", "ds[Name + 1]", "ds[ds.A MOD 4]"),
-    ),
-    Mistake(
-        "index", ("LPAR",), "brackets do not calculate", "write a number, or a DS register", ("ds[(5)]", "ds[SUM(5)]")
-    ),
-    Mistake(
-        "index", ("COMMA",), "a comma has no place in brackets", "write one number, or a range ds[1:11]", ("ds[1,2]",)
-    ),
-    Mistake(
-        "index",
         (),
         "`{found}` has no place in brackets",
         "write ds[5], ds.Name or ds[ds.Pointer]",
-        ("ds[5 6]", "ds[- ds.A]", "ds[NOT 1]", "ds[1:2:3:4]", "ds[5h 2]", 'ds["a" "b"]'),
+        ("ds[5 6]", "ds[NOT 1]", "ds[1:2:3:4]", "ds[5h 2]", 'ds["a" "b"]', "ds[A +"),
     ),
 )
 """In order; the first that fits tells."""

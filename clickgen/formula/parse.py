@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import clickgen
 from clickgen.formula.printer import print_formula
-from clickgen.formula.report import Report
+from clickgen.formula.report import Foreign, Report, unknown
 from clickgen.ir.formula_nodes import Formula, Mode
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.source import EmbeddedText
@@ -46,13 +46,15 @@ class Reader(NamedTuple):
     builder: Builder
 
 
-def parse_formula(text: EmbeddedText, mode: Mode, problems: Diagnostics, target: str = "") -> Formula | None:
+def parse_formula(
+    text: EmbeddedText, mode: Mode, problems: Diagnostics, target: str = "", foreign: Foreign = unknown
+) -> Formula | None:
     """Read a formula, or add what is wrong with it to ``problems`` and return None. Never raises.
 
     Names keep the bank's upper-case name (``DS``), like addresses; ranges include both ends. ``target`` is where the
-    result goes, as the person wrote it, for ways out.
+    result goes, as the person wrote it, and ``foreign`` knows functions of other machines, for ways out.
     """
-    report = Report(text, target)
+    report = Report(text, target, foreign)
     formula = _parse(text.value, mode, report)
     problems.found.extend(report.problems.found)
     return None if report.problems.has_errors else formula

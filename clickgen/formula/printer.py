@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from clickgen.formula.spelling import SPELL
 from clickgen.formula.words import SHIFTS
 from clickgen.ir.formula_nodes import (
     Binary,
@@ -24,7 +25,7 @@ from clickgen.ir.formula_nodes import (
     Sum,
     Unary,
 )
-from clickgen.ir.operands import Cell, Named, Pointer, Range, Section
+from clickgen.ir.operands import Cell, Named, Pointer, Range
 
 OperandText = Callable[[Named | Cell | Pointer | Range], str]
 
@@ -108,7 +109,7 @@ def print_source(formula: Formula) -> str:
 
 def _source(node: Node) -> str:
     if isinstance(node, Operand):
-        return source_reference(node.ref)
+        return SPELL.reference(node.ref)
     if isinstance(node, Number):
         return node.text
     if isinstance(node, HexNumber):
@@ -120,29 +121,9 @@ def _source(node: Node) -> str:
     if isinstance(node, Call):
         return f"{node.name}({_source(node.argument)})"
     if isinstance(node, Sum):
-        return f"SUM({source_reference(node.range)})"
+        return f"SUM({SPELL.reference(node.range)})"
     if isinstance(node, Unary):
         return f"{node.op}{' ' if node.op == 'NOT' else ''}{_source(node.operand)}"
     if node.op in _CALLS:
         return f"{node.op}({_source(node.left)}, {_source(node.right)})"
     return f"{_source(node.left)} {node.op} {_source(node.right)}"
-
-
-def source_reference(ref: Named | Cell | Pointer | Range) -> str:
-    """An operand in the dialect: ``ds.Name``, ``ds["Any name"]``, ``xd["0u"]``, ``ds[ds.Index]``, ``ds[1:11]``."""
-    bank = ref.bank.lower()
-    if isinstance(ref, Named):
-        name = f"{bank}.{ref.name}" if ref.name.isidentifier() else f'{bank}["{ref.name}"]'
-        return name if ref.part is None else f"{name}[{_source_part(ref.part)}]"
-    if isinstance(ref, Cell):
-        return f'{bank}["0u"]' if ref.address.upper else f"{bank}[{ref.address.number}]"
-    if isinstance(ref, Range):
-        return f"{bank}[{ref.first}:{ref.last + 1}]"
-    return f"{bank}[{source_reference(ref.register)}]"
-
-
-def _source_part(part: int | Section) -> str:
-    if isinstance(part, int):
-        return str(part)
-    start, stop, step = ("" if bound is None else str(bound) for bound in part)
-    return f"{start}:{stop}" + ("" if part.step == 1 else f":{step}")

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from clickgen.device.banks import BANKS, Address
-from clickgen.formula.printer import source_reference
+from clickgen.formula.spelling import SPELL
 from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import WHOLE, Cell, Immediate, Named, Operand, Range, Section, Single
 from clickgen.ir.program import Operands, Program, Value
@@ -50,8 +50,8 @@ class _Members(Rewriter):
         found = self._found(cell)
         if isinstance(found, Range):
             assert isinstance(cell, Named)
-            shown = source_reference(cell)
-            block = source_reference(replace(cell, part=None))
+            shown = SPELL.reference(cell)
+            block = SPELL.reference(replace(cell, part=None))
             return self._refused(cell, f"{shown} is a block of {len(found)} where one address stands", f"{block}[0]")
         return found
 
@@ -104,7 +104,7 @@ class _Members(Rewriter):
 
     def _member(self, named: Named, block: Block) -> Named | Cell | Range:
         part = WHOLE if named.part is None else named.part
-        shown = source_reference(replace(named, part=None))
+        shown = SPELL.reference(replace(named, part=None))
         bounds = [part] if isinstance(part, int) else [bound for bound in (part.start, part.stop) if bound is not None]
         beyond = block.size - (1 if isinstance(part, int) else 0)
         if any(not -1 <= bound <= beyond for bound in bounds):
@@ -131,11 +131,11 @@ class _Members(Rewriter):
         missing = next((n for n in range(min(first, last), max(first, last) + 1) if not bank.has(n)), None)
         if missing is None:
             return None
-        message = f"{source_reference(named)} is no address: there is no {Address(bank.name, missing)}"
+        message = f"{SPELL.reference(named)} is no address: there is no {Address(bank.name, missing)}"
         return self._refused(named, message, f"{bank.name} has {bank.describe_range()}")
 
     def _no_block(self, named: Named) -> tuple[str, str]:
-        shown = source_reference(replace(named, part=None))
+        shown = SPELL.reference(replace(named, part=None))
         row = unclosed_block(self._table, named.name)
         if row is not None:
             place = self._table.place(row)

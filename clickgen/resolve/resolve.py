@@ -10,7 +10,7 @@ from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import nickname_fault
 from clickgen.device.system import addresses_of_system_name, doubt_about, near_system_name
 from clickgen.dialects.if_rungs.trade import CONDITIONS, advice
-from clickgen.formula.printer import source_reference
+from clickgen.formula.spelling import SPELL
 from clickgen.instructions.spec import Access
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Constant, Immediate, Named, Operand, Range
@@ -223,7 +223,7 @@ class _Resolver:
 
     def _ambiguous(self, use: Named, addresses: tuple[Address, ...]) -> None:
         """One of CLICK's own names that may mean one of several addresses."""
-        reference = source_reference(use)
+        reference = SPELL.reference(use)
         written = " or ".join(f"{address.bank.lower()}[{address.number}]" for address in addresses)
         pin = f"nickname({reference}, {addresses[0].bank.lower()}[{addresses[0].number}])"
         self.problems.add(
@@ -270,7 +270,7 @@ class _Resolver:
                 "CG210",
                 use.span,
                 f"{use.name} was given {address}: is it wired there?",
-                f"pin it: nickname({source_reference(use)}, {use.bank.lower()}[{address.number}])",
+                f"pin it: nickname({SPELL.reference(use)}, {use.bank.lower()}[{address.number}])",
             )
         self.meanings[use.name.lower()] = Meaning(address, "", use.span)
         self.addresses[use.bank, use.name.lower()] = address
@@ -347,7 +347,7 @@ def _own_name_help(use: Named) -> str:
 
 
 def _reference(address: Address, name: str) -> str:
-    return source_reference(Named(address.bank, name, _NOWHERE))
+    return SPELL.reference(Named(address.bank, name, _NOWHERE))
 
 
 _NOWHERE = Span("", 0, 0, 0, 0)

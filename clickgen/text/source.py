@@ -84,6 +84,10 @@ class SourceFile:
             return byte_offset + 1
         return len(self.line(line).encode()[:byte_offset].decode(errors="ignore")) + 1
 
+    def text_of(self, span: Span) -> str:
+        """The text of a stretch of this file."""
+        return self.text[self.starts[span.line - 1] + span.col - 1 : self.starts[span.end_line - 1] + span.end_col - 1]
+
     def span(self, line: int, col: int, end_line: int, end_col: int) -> Span:
         return Span(self.path, line, col, end_line, end_col)
 

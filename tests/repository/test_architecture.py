@@ -20,7 +20,6 @@ FLOORS = (
     "table",
     "config",
     "logic",
-    "dialects.if_rungs.trade",
     "formula",
     "dialects.if_rungs",
     "resolve",

@@ -115,7 +115,7 @@ def test_a_list_of_outputs_takes_a_block(tmp_path: Path) -> None:
         ("copy_block(ds.Recipe[::2], ds[1])", "CG214", "every address"),
         ("copy(ds.Recipe[-1], ds[1])", "CG214", "counted from 0"),
         ("copy(ds.Recipe[ds.I], ds[1])", "CG214", "a pointer cannot count inside ds.Recipe"),
-        ('calc("ds.Recipe[ds.I] + 1", ds[1])', "CG214", "a pointer cannot count inside a block"),
+        ('calc("ds.Recipe[ds.I] + 1", ds[1])', "CG214", "a pointer cannot count inside ds.Recipe"),
         ('calc("ds.Recipe[10] + 1", ds[1])', "CG214", "ds.Recipe has 10 members"),
         ('calc("ds.Recipe + 1", ds[1])', "CG214", "ds.Recipe is a block of 10 where one address stands"),
         ('calc("ds.Recipe[0:3] + 1", ds[1])', "CG116", "a range has a place only in SUM"),

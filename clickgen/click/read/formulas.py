@@ -8,7 +8,7 @@ from clickgen.click.draw.tokens import formula_text
 from clickgen.click.read.operands import ADDRESS, embedded
 from clickgen.device.banks import parse_address
 from clickgen.formula import Mode, parse_formula
-from clickgen.formula.printer import source_reference
+from clickgen.formula.spelling import SPELL
 from clickgen.ir.operands import Cell, Range
 from clickgen.ir.program import FormulaText
 from clickgen.problems.diagnostics import Diagnostics
@@ -50,8 +50,8 @@ def _source(match: re.Match[str], span: Span) -> str | None:
         first, last = parse_address(match["first"]), parse_address(match["last"])
         if first is None or last is None or first.bank != last.bank or first.number > last.number:
             return None
-        return source_reference(Range(first.bank, first.number, last.number, span))
+        return SPELL.reference(Range(first.bank, first.number, last.number, span))
     if match["cell"]:
         address = parse_address(match["cell"])
-        return source_reference(Cell(address, span)) if address else None
+        return SPELL.reference(Cell(address, span)) if address else None
     return None if match["unknown"] else match[0]

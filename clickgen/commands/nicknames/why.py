@@ -10,7 +10,7 @@ from typing import NamedTuple
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, VALUE_BANK, Address, parse_address
 from clickgen.device.system import addresses_of_system_name, doubt_about, find_system_name, system_name_of
 from clickgen.facts.uses import Use, extents_of
-from clickgen.formula.printer import source_reference
+from clickgen.formula.spelling import SPELL
 from clickgen.ir.operands import Named
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.results import BuildResult
@@ -159,7 +159,7 @@ def _memberships(address: Address, blocks: Iterable[Block]) -> Iterator[str]:
 
 
 def _member(block: Block, address: Address) -> str:
-    return source_reference(Named(address.bank, block.name, _NOWHERE, address.number - block.first))
+    return SPELL.reference(Named(address.bank, block.name, _NOWHERE, address.number - block.first))
 
 
 _NOWHERE = Span("", 0, 0, 0, 0)
@@ -200,7 +200,7 @@ def _address_lines(
 def _own_name(address: Address, row: Row | None, bit: Row | None) -> str:
     """The nickname of an address; of a current value without one ``td.Pause``, by the nickname of its bit."""
     own = (row.nickname if row else "") or system_name_of(address) or ""
-    return own or (source_reference(Named(address.bank, bit.nickname, _NOWHERE)) if bit and bit.nickname else "")
+    return own or (SPELL.reference(Named(address.bank, bit.nickname, _NOWHERE)) if bit and bit.nickname else "")
 
 
 def _head(address: Address, own: str, row: Row | None) -> str:

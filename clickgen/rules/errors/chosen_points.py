@@ -7,7 +7,7 @@ from collections.abc import Collection
 from clickgen.device.banks import WORD_TWINS, Address, points_of
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use, addresses_of
-from clickgen.formula.printer import source_reference
+from clickgen.formula.spelling import SPELL
 from clickgen.ir.operands import Named, Operand, Pointer, form_of
 from clickgen.problems.diagnostics import Diagnostics
 
@@ -19,7 +19,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         left.difference_update(met)
         if met:
             point = met[0]
-            named = source_reference(Named(point.bank, facts.nickname(point), use.operand.span))
+            named = SPELL.reference(Named(point.bank, facts.nickname(point), use.operand.span))
             verb, noun = "writes" if use.is_written else "reads", "address" if len(met) == 1 else "addresses"
             problems.add(
                 "CG432",

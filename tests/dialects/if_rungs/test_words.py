@@ -11,14 +11,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import clickgen
+from clickgen.device.elsewhere import BANKS, UNITS
 from clickgen.dialects.if_rungs.trade import (
     ACTIONS,
     ARGUMENTS,
-    BANKS,
     CONDITIONS,
     FORMULAS,
     MEMBERS,
-    UNITS,
     Advice,
     bank_hint,
 )

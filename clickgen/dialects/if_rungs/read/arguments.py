@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import libcst as cst
 
+from clickgen.device.elsewhere import UNITS as UNIT_WORDS
 from clickgen.dialects.if_rungs.read.conditions import (
     FUNCTIONS,
     fits_condition,
@@ -31,7 +32,7 @@ from clickgen.dialects.if_rungs.read.nodes import (
 from clickgen.dialects.if_rungs.read.operands import read_operand
 from clickgen.dialects.if_rungs.read.options import read_options
 from clickgen.dialects.if_rungs.read.places import has_parameters
-from clickgen.dialects.if_rungs.trade import UNITS as UNIT_WORDS
+from clickgen.dialects.if_rungs.trade.formulas import formula_advice
 from clickgen.dialects.if_rungs.ways_out.formulas import is_formula
 from clickgen.dialects.if_rungs.ways_out.hints import own, replaced
 from clickgen.instructions.maths import MATH_HEX
@@ -173,9 +174,10 @@ def _read_formula(context: Context, spec: Spec, param: Param, node: Node, target
         else:
             _refuse(context, spec, param, node, _no_formula(node))
         return None
-    from clickgen.formula import parse_formula
+    from clickgen.formula import Mode, parse_formula
 
-    formula = parse_formula(context.embedded(node), "hex" if is_hex else "decimal", context.problems, target)
+    mode: Mode = "hex" if is_hex else "decimal"
+    formula = parse_formula(context.embedded(node), mode, context.problems, target, formula_advice)
     return FormulaText(formula, context.span(node)) if formula is not None else None
 
 

@@ -11,16 +11,14 @@ from clickgen.dialects.if_rungs.trade.actions import ACTIONS
 from clickgen.dialects.if_rungs.trade.advice import Advice, advice
 from clickgen.dialects.if_rungs.trade.conditions import CONDITIONS
 from clickgen.dialects.if_rungs.trade.formulas import FORMULAS
-from clickgen.dialects.if_rungs.trade.names import ARGUMENTS, BANKS, MEMBERS, UNITS, bank_hint
+from clickgen.dialects.if_rungs.trade.names import ARGUMENTS, MEMBERS, bank_hint
 
 __all__ = [
     "ACTIONS",
     "ARGUMENTS",
-    "BANKS",
     "CONDITIONS",
     "FORMULAS",
     "MEMBERS",
-    "UNITS",
     "Advice",
     "advice",
     "bank_hint",

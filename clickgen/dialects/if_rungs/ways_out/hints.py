@@ -7,7 +7,8 @@ from collections.abc import Callable, Sequence
 
 import libcst as cst
 
-from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
+from clickgen.device.banks import VALUE_BANK, Address, Bank, Kind, parse_address, points_of
+from clickgen.device.elsewhere import BANKS as FOREIGN_BANKS
 from clickgen.device.nicknames import nickname_fault
 from clickgen.dialects.if_rungs.read.context import Context, Located
 from clickgen.dialects.if_rungs.read.nodes import (
@@ -23,7 +24,8 @@ from clickgen.dialects.if_rungs.read.nodes import (
     word,
 )
 from clickgen.dialects.if_rungs.trade import ARGUMENTS, CONDITIONS, MEMBERS, Advice, advice, bank_hint
-from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
+from clickgen.formula.spelling import SPELL
+from clickgen.ir.addresses import BANK_NAMES
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile
@@ -31,7 +33,6 @@ from clickgen.text.source import SourceFile
 Fits = Callable[[str], bool]
 """True for code that the language takes in this place."""
 
-BANK_NAMES = {bank.dsl: bank for bank in BANKS.values()}
 _OWN_MAX = 120
 """So much of a person's own code is repeated in a message."""
 
@@ -131,15 +132,10 @@ def replaced(context: Context, node: Located, text: str, is_safe: bool) -> Fix:
 # -- addresses --------------------------------------------------------------------------------------------------------
 
 
-def cell_text(address: Address) -> str:
-    """An address as a program writes it: ``x[1]``, ``xd["0u"]``."""
-    return f"{address.bank.lower()}[{chr(34) + '0u' + chr(34) if address.upper else address.number}]"
-
-
 def flat_address(text: str) -> str:
     """How the language writes what looks like an address of CLICK's: ``C1``, ``ds5``, ``X001``; "" for others."""
     address = parse_address(text) if len(text) < 10 else None
-    return cell_text(address) if address is not None else ""
+    return SPELL.cell(address) if address is not None else ""
 
 
 def name_hint(name: str) -> str:
@@ -173,11 +169,6 @@ def text_hint(value: str, bank: str = "c") -> str:
     return f"a nickname follows its bank, without quotes around it all: {bank}{shown}"
 
 
-def banks_hint() -> str:
-    """All banks, and how an address of one is written."""
-    return f"the banks: {', '.join(BANK_NAMES)}; an address is written ds[5] or ds.Name"
-
-
 def bit_of_word(word: str, bank: Bank, index: int | None) -> str:
     """How a bit of a word is looked at: ``ds[1][3]``."""
     bits = 32 if bank.kind in (Kind.INT32, Kind.FLOAT) else 16
@@ -185,7 +176,7 @@ def bit_of_word(word: str, bank: Bank, index: int | None) -> str:
     match = re.fullmatch(r"[xy]d\[(\d)\]", word)
     if match and bank.has(int(match[1])):
         point = points_of(Address(bank.name, int(match[1])))[number]
-        return f"bit {number} of this word is {cell_text(point)}"
+        return f"bit {number} of this word is {SPELL.cell(point)}"
     source, before = word, ""
     if bank.name not in ("DS", "DD", "DH", "DF"):
         if bank.kind is Kind.TEXT:

@@ -12,7 +12,6 @@ from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import Node, arguments, is_name, keyword_name, keywords, name_of, word
 from clickgen.dialects.if_rungs.trade import ACTIONS, ARGUMENTS, CONDITIONS, advice
 from clickgen.dialects.if_rungs.ways_out.hints import (
-    BANK_NAMES,
     Fits,
     own,
     own_code,
@@ -23,6 +22,7 @@ from clickgen.dialects.if_rungs.ways_out.hints import (
 )
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.spec import ParamKind, Spec
+from clickgen.ir.addresses import BANK_NAMES
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.text.edits import Edit, Fix
 

@@ -11,15 +11,17 @@ from typing import NamedTuple
 
 import libcst as cst
 
+from clickgen.device.elsewhere import UNITS
 from clickgen.dialects.if_rungs.read.calls import fits_action
 from clickgen.dialects.if_rungs.read.conditions import as_condition, condition_fault
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import elements
-from clickgen.dialects.if_rungs.trade import ACTIONS, UNITS, advice, bank_hint
-from clickgen.dialects.if_rungs.ways_out.hints import BANK_NAMES, bit_of_word
+from clickgen.dialects.if_rungs.trade import ACTIONS, advice, bank_hint
+from clickgen.dialects.if_rungs.ways_out.hints import bit_of_word
 from clickgen.dialects.if_rungs.ways_out.misplaced import STATES, way_out
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.durations import in_units
+from clickgen.ir.addresses import BANK_NAMES
 
 _LINE_MAX = 2000
 """A longer line is left to Python's own message."""
