@@ -10,9 +10,9 @@ from pathlib import Path
 from clickgen.click.ladder_files import ladder_files
 from clickgen.config import Settings
 from clickgen.device.banks import Address
-from clickgen.dialects.if_rungs.part_of import tell_of_programs
-from clickgen.dialects.if_rungs.read.imports import read_program
-from clickgen.dialects.if_rungs.read.parse import decode
+from clickgen.dialects.base import Dialect
+from clickgen.dialects.part_of import tell_of_programs
+from clickgen.dialects.registry import default, dialect_of
 from clickgen.facts.facts import Facts
 from clickgen.facts.left_names import Asked, Left, find_left
 from clickgen.fixes.verdict import judge_proposals
@@ -46,6 +46,7 @@ class Build:
     settings: Settings
     files: Workspace
     problems: Diagnostics = field(default_factory=Diagnostics)
+    dialect: Dialect = field(default_factory=default)
     sources: tuple[SourceFile, ...] = ()
     program: Program | None = None
     table: AddressTable = field(default_factory=lambda: AddressTable.empty(""))
@@ -98,9 +99,10 @@ def _read_source(state: Build) -> None:
     except OSError as error:
         reason = "it is a folder" if state.path.is_dir() else error.strerror or str(error)
         raise CouldNotRun(f"{state.shown} cannot be read: {reason}") from None
-    source = decode(state.shown, data, state.problems)
+    state.dialect = dialect_of(state.shown, data)
+    source = state.dialect.decode(state.shown, data, state.problems)
     if source is not None:
-        state.program, state.sources = read_program(source, state.files.read, state.problems)
+        state.program, state.sources = state.dialect.read(source, state.files, state.problems)
 
 
 def _read_table(state: Build) -> None:

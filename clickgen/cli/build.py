@@ -16,8 +16,8 @@ from pathlib import Path
 from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.commands.nicknames.elsewhere import build_among
-from clickgen.dialects.if_rungs.spelling import Spellings
 from clickgen.problems.diagnostics import Diagnostic
+from clickgen.problems.name_slips import Spellings
 from clickgen.problems.report.frames import summary, write_problems
 from clickgen.results import BuildResult, write_all
 from clickgen.table.own_table import own_table_setting

@@ -17,7 +17,7 @@ from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.commands.check.programs import Outcome, Request, add_ignores
 from clickgen.commands.check.programs import run as run_check
 from clickgen.config import Config, code_prefix, find_config, read_config
-from clickgen.dialects.if_rungs.discover import Target
+from clickgen.dialects.discover import Target
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.problems.formats import FORMATS

@@ -6,7 +6,7 @@ import argparse
 
 from clickgen.cli import COULD_NOT_RUN, OK, complain
 from clickgen.commands.explain import explanation, instruction_page, instructions, plain, topics
-from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, bank_hint
+from clickgen.dialects.registry import default
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import did_you_mean
 
@@ -59,12 +59,7 @@ def _page(written: str) -> str:
 
 def _word(name: str) -> str:
     """What a word of another machine is here, in a condition, as an action and in a formula."""
-    lines = []
-    for place, table in (("In a condition", CONDITIONS), ("As an action", ACTIONS), ("In a formula", FORMULAS)):
-        if name in table:
-            lines.append(f"{place}: {table[name].shown}\n")
-    hint = bank_hint(name)
-    return "".join([*lines, f"As a bank: {hint}\n" if hint else ""])
+    return "".join(f"{line}\n" for line in default().explain_word(name))
 
 
 def _overview() -> str:

@@ -13,7 +13,7 @@ from clickgen.api import known_names
 from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
 from clickgen.commands.stubs.stub import MARK, builtins_stub
-from clickgen.dialects.if_rungs.discover import targets
+from clickgen.dialects.discover import targets
 from clickgen.results import KnownNames
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place

@@ -16,11 +16,11 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from clickgen.device.banks import Address
-from clickgen.dialects.if_rungs.spelling import is_slip
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use
 from clickgen.problems.codes import LEFT
 from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.problems.name_slips import is_slip
 from clickgen.table.address_table import AddressTable
 from clickgen.table.record import left_in, placed_in
 from clickgen.table.rows import Row, is_scratch

@@ -83,3 +83,8 @@ def shorten(text: str, limit: int = 40) -> str:
     """Source text on one line, for a message."""
     line = " ".join(text.split())
     return line if len(line) <= limit else line[: limit - 3] + "..."
+
+
+def word_pattern(word: str) -> re.Pattern[str]:
+    """A whole word in any case."""
+    return re.compile(rf"(?<!\w){re.escape(word)}(?!\w)", re.IGNORECASE)

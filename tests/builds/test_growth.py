@@ -15,9 +15,10 @@ from clickgen.commands.check.programs import run as run_check
 from clickgen.config import find_config
 from clickgen.device.banks import Kind
 from clickgen.device.limits import comment_bytes, styled_part
-from clickgen.dialects.if_rungs.discover import is_program, matches
+from clickgen.dialects.if_rungs.look import is_program
 from clickgen.table.blocks import mark_in
 from clickgen.table.rows import initial_fault
+from clickgen.text.patterns import matches
 from clickgen.text.source import Span
 
 END = "    if True:\n        end()\n"

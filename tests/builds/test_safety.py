@@ -10,7 +10,7 @@ from hostile import DOUBLE, GOOD, MENDED, check, outside, place, posix_only
 
 from clickgen.cli import main
 from clickgen.commands.check import secret
-from clickgen.dialects.if_rungs.discover import Target
+from clickgen.dialects.discover import Target
 
 __all__ = ["place"]
 

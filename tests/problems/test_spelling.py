@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from clickgen.dialects.if_rungs.spelling import Spellings, is_slip
+from clickgen.problems.name_slips import Spellings, is_slip
 
 SLIPS = [
     ("Gaurd_Fault", "Guard_Fault"),

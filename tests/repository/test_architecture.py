@@ -21,7 +21,8 @@ FLOORS = (
     "config",
     "logic",
     "formula",
-    "dialects.if_rungs",
+    "dialects.base",
+    "dialects",
     "resolve",
     "facts",
     "rules",
@@ -38,7 +39,6 @@ FLOORS = (
     "results",
     "api",
     "emit.workbook",
-    "dialects.if_rungs.write",
     "commands.check",
     "commands.explain",
     "problems.report",
@@ -47,6 +47,7 @@ FLOORS = (
     "commands.workbook",
     "commands.import_",
     "commands.stubs",
+    "dialects.if_rungs",
     "cli",
     "start",
     "dsl",
@@ -57,7 +58,6 @@ A room is what has no longer name here: ``click.read`` is one, and ``click`` is 
 """
 LINES_MAX = 400
 LONG = {
-    "dialects.if_rungs.discover",
     "dialects.if_rungs.read.conditions",
     "dialects.if_rungs.read.program",
     "dialects.if_rungs.ways_out.meant",
@@ -98,7 +98,7 @@ def test_every_module_is_on_a_floor() -> None:
     empty = {name_of(path) for path in FILES if path.name == "__init__.py"}
     lost = {name for name in map(name_of, FILES) if not room_of(name)}
     # Folders that only hold rooms have nothing of their own.
-    assert lost == {"commands", "dialects"} & empty
+    assert lost == {"commands"} & empty
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))

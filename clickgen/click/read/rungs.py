@@ -15,13 +15,13 @@ from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.reduce import TooEntangled, series, tree_of
 from clickgen.click.read.tokens import NOP_TOKEN, action_of, specs_of
 from clickgen.device.system import ALWAYS_ON
-from clickgen.dialects.if_rungs.read.comments import DIRECTIVE
 from clickgen.instructions.control import FOR, NEXT, NOP
 from clickgen.instructions.raw import RAW
 from clickgen.instructions.spec import Spec
 from clickgen.ir.conditions import Always, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
+from clickgen.problems.silence import DIRECTIVE
 from clickgen.text.source import Span
 
 ENTANGLED = "the contacts are wired in too many ways to be written as a condition"

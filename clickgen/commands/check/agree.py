@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 
 from clickgen.commands.check.cache import Cached
-from clickgen.dialects.if_rungs.discover import Target
+from clickgen.dialects.discover import Target
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.edits import Fix
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from clickgen.commands.check.cache import Cache, Cached, key_of
-from clickgen.dialects.if_rungs.discover import Target
+from clickgen.dialects.discover import Target
 from clickgen.problems.diagnostics import TRACEBACK, Diagnostic
 from clickgen.rules.select import Selection
 from clickgen.text.source import Span

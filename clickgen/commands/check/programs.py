@@ -12,11 +12,13 @@ from clickgen.commands.check.agree import agreed
 from clickgen.commands.check.cache import FOLDER, Cache, Cached
 from clickgen.commands.check.judging import Judge
 from clickgen.config import Config
-from clickgen.dialects.if_rungs.discover import Target, discover, matches, partly_judged, wholly_judged
+from clickgen.dialects.discover import Target, discover, partly_judged, wholly_judged
+from clickgen.dialects.registry import dialect_of
 from clickgen.problems.codes import CODES, LEFT
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.rules.select import Selection
 from clickgen.text.edits import Fix
+from clickgen.text.patterns import matches
 from clickgen.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -112,7 +114,7 @@ def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
 
 def add_ignores(outcome: Outcome) -> Outcome:
     """The outcome with a comment in the source for each finding that a comment can silence."""
-    from clickgen.dialects.if_rungs.suppress import ignoring, silenceable
+    from clickgen.problems.silence import silenceable
 
     before: dict[str, bytes] = {}
     after: dict[str, bytes] = {}
@@ -120,7 +122,7 @@ def add_ignores(outcome: Outcome) -> Outcome:
     for path in outcome.checked:
         data = outcome.workspace.read(path)
         source = _decoded(path, data)
-        fix = ignoring(source, outcome.findings) if source else None
+        fix = dialect_of(path, data).ignoring(source, outcome.findings) if source else None
         if source is not None and fix is not None:
             before[path], after[path] = data, _fixed(data, [fix])[0]
             count += len(silenceable(source, outcome.findings))
@@ -167,7 +169,7 @@ def _heard(
     speaking = {path: data for path in checked if b"clickgen" in (data := workspace.read(path)).lower()}
     if not speaking:
         return findings, []
-    from clickgen.dialects.if_rungs.suppress import Directive, read_directives, report_unused, silenced
+    from clickgen.problems.silence import Directive, report_unused, silenced
 
     problems = Diagnostics()
     directives: list[Directive] = []
@@ -176,7 +178,7 @@ def _heard(
         source = _decoded(path, data)
         if source is not None:
             sources.append(source)
-            directives += read_directives(source, problems)
+            directives += dialect_of(path, data).directives(source, problems)
     # What the settings silence needs no comment either.
     ignored = _Ignored(request.config)
     waiting = [finding for finding in findings if not ignored(finding)]
@@ -184,14 +186,13 @@ def _heard(
     whole = wholly_judged([source.path for source in sources], judged, request.config, workspace)
     for source in sources:
         if source.path in whole:
-            report_unused(source, directives, _judged_codes(request, source.path, judged), problems)
+            without = dialect_of(source.path, source.text).without
+            report_unused(source, directives, _judged_codes(request, source.path, judged), without, problems)
     return left, [finding for finding in problems.found if request.selection.wants(finding.code)]
 
 
 def _decoded(path: str, data: bytes) -> SourceFile | None:
-    from clickgen.dialects.if_rungs.read.parse import decode
-
-    return decode(path, data, Diagnostics())
+    return dialect_of(path, data).decode(path, data, Diagnostics())
 
 
 class _Ignored:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from clickgen.commands.diff.revision import is_in_revision, is_revision, named_revision
 from clickgen.commands.diff.sides import is_program
 from clickgen.config import Config
-from clickgen.dialects.if_rungs.discover import targets
+from clickgen.dialects.discover import targets
 from clickgen.workspace import CouldNotRun
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.project import MAIN, Project, read_project
 from clickgen.click.read.rungs import import_rung
+from clickgen.commands.import_.nicknames import Nicknames, declared_rows, nicknames_of, no_nicknames
 from clickgen.commands.import_.routines import (
     ImportedRoutine,
     RungImport,
@@ -22,11 +23,9 @@ from clickgen.commands.import_.routines import (
     missing_subroutines,
 )
 from clickgen.config import Settings
-from clickgen.dialects.if_rungs.write.declarations import declarations
-from clickgen.dialects.if_rungs.write.files import a_file_each
-from clickgen.dialects.if_rungs.write.nicknames import Nicknames, nicknames_of, no_nicknames
-from clickgen.dialects.if_rungs.write.routine import rung_lines, write_source
-from clickgen.ir.program import Routine
+from clickgen.dialects.registry import default
+from clickgen.instructions.control import END, RETURN
+from clickgen.ir.program import Routine, Rung
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.source import SourceFile, Span
 from clickgen.text.wording import counted
@@ -219,9 +218,11 @@ class _Import:
     def _texts(self, routines: Sequence[Routine]) -> dict[Path, str]:
         names = self.nicknames.names
         if not self.target.is_folder:
-            header = declarations(routines, self.nicknames) if self.target.is_shown else ""
-            return {self.target.program: write_source(routines, names, header)}
-        return {self.target.program.parent / name: text for name, text in a_file_each(routines, names).items()}
+            declared = declared_rows(routines, self.nicknames) if self.target.is_shown else ()
+            return {self.target.program: default().write(routines, names, declared)}
+        return {
+            self.target.program.parent / name: text for name, text in default().write_files(routines, names).items()
+        }
 
     # -- reporting ----------------------------------------------------------------------------------------------------
 
@@ -268,9 +269,10 @@ class _Import:
             self._add("CG707", message, place, "import the whole project, or write the subroutine by hand")
         for routine in self.routines:
             if not is_complete(routine):
-                missing = "end()" if routine.is_main else "return"
+                spell = default().spell
+                missing = spell.call(END if routine.is_main else RETURN)
                 message = f"{routine.name} has no unconditional {missing}: what was imported is a part of a program"
-                self._add("CG707", message, None, f"add if True: {missing} at the end before you build it")
+                self._add("CG707", message, None, f"add {spell.rung('', missing)} at the end before you build it")
 
     def _add(self, code: str, message: str, place: LadderProblem | None, help: str = "") -> None:
         span = Span(place.file, place.row, 1, place.row, 2) if place is not None and place.row else None
@@ -315,12 +317,16 @@ def _settle(redrawn: Redrawn) -> bool:
     except LadderProblem:
         return False
     found = (replace(found[0], comment=piece.rungs[0].comment), *found[1:])
-    if rung_lines(found) == rung_lines(piece.rungs):
+    if _written(found) == _written(piece.rungs):
         return False
     piece.rungs = found
     if len(found) > 1:
         piece.notes += (f"it becomes {counted(len(found), 'rung')}, as a build has to draw it",)
     return True
+
+
+def _written(rungs: tuple[Rung, ...]) -> str:
+    return default().write([Routine("", rungs, Span("", 1, 1, 1, 2), True)], {})
 
 
 def _named(routine: ImportedRoutine, piece: RungImport) -> str:

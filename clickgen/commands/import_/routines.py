@@ -9,7 +9,7 @@ from clickgen.click.read.grid import DrawnRung
 from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.project import DrawnRoutine, Project
 from clickgen.click.read.rungs import import_rung, is_comment_kept, routine_of
-from clickgen.dialects.if_rungs.write.functions import function_name
+from clickgen.dialects.registry import default
 from clickgen.instructions.control import CALL, END, NOP, RETURN
 from clickgen.instructions.raw import NOT_IMPORTED
 from clickgen.instructions.spec import Spec
@@ -66,7 +66,7 @@ def imported_routines(project: Project) -> list[ImportedRoutine]:
     for routine in project.routines:
         # A function must not be called like another subroutine.
         others = {other.name for other in project.routines if other is not routine}
-        function = "main" if routine.is_main else function_name(routine.name, functions | others)
+        function = "main" if routine.is_main else default().function_name(routine.name, functions | others)
         functions.add(function)
         pieces = [_piece(drawn) for drawn in routine.rungs]
         pieces += [RungImport(None, faults=[(problem.code, problem)]) for problem in _between(project, routine)]
@@ -133,7 +133,7 @@ def as_proof(routines: Iterable[ImportedRoutine]) -> list[Routine]:
     missing = missing_subroutines(routines)
     taken = {*missing, *(routine.name for routine in routines), *(routine.function for routine in routines)}
     for name in missing:
-        function = function_name(name, taken - {name})
+        function = default().function_name(name, taken - {name})
         taken.add(function)
         found.append(routine_of(name, ending, False, function))
     return found

@@ -16,7 +16,7 @@ from clickgen.commands.nicknames.prove import Side
 from clickgen.commands.nicknames.tables import Table
 from clickgen.commands.nicknames.uses import FileNames, read_names
 from clickgen.device.banks import CURRENT_VALUE_OF
-from clickgen.dialects.if_rungs.read.parse import decode
+from clickgen.dialects.registry import dialect_of
 from clickgen.facts.uses import addresses_of
 from clickgen.ir.program import BlockDeclaration
 from clickgen.problems.diagnostics import Diagnostics
@@ -117,7 +117,7 @@ def _with_alias(file: FileNames, data: bytes | None, new: str, alias: str, files
     if data is None:
         return edited(file, new, alias, files)
     path = file.source.path
-    source = decode(path, data, Diagnostics())
+    source = dialect_of(path, data).decode(path, data, Diagnostics())
     renamed = read_names(source, Diagnostics()) if source is not None else None
     assert renamed is not None
     return edited(renamed, new, alias, Workspace({os.path.realpath(path): data}))

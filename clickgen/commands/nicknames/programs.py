@@ -10,9 +10,8 @@ from typing import NamedTuple, Protocol
 
 from clickgen.commands.nicknames.uses import FileNames, read_names
 from clickgen.config import CheckSettings, Config, Settings
-from clickgen.dialects.if_rungs.discover import Target, targets
-from clickgen.dialects.if_rungs.read.imports import read_program
-from clickgen.dialects.if_rungs.read.parse import decode
+from clickgen.dialects.discover import Target, targets
+from clickgen.dialects.registry import dialect_of
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.text.source import SourceFile
 from clickgen.workspace import CouldNotRun, Workspace
@@ -32,7 +31,7 @@ class SourceNames(NamedTuple):
 
     source: SourceFile
     names: FileNames | None
-    """None when the file is not Python."""
+    """None when the file cannot be read."""
     problems: tuple[Diagnostic, ...]
 
 
@@ -48,7 +47,7 @@ class Program:
 
     @property
     def names(self) -> list[FileNames]:
-        """The names in each of its files that is Python."""
+        """The names in each of its files that can be read."""
         return [source.names for source in self.sources if source.names is not None]
 
     @property
@@ -106,11 +105,13 @@ def _add(
     if real in found:
         return
     try:
-        source = decode(target.path, files.read(target.path), Diagnostics())
+        data = files.read(target.path)
     except OSError as error:
         fault = "there is no such file" if isinstance(error, FileNotFoundError) else error.strerror or str(error)
         raise CouldNotRun(f"{target.path} cannot be read: {fault}") from None
-    sources = read_program(source, files.read, Diagnostics())[1] if source else ()
+    dialect = dialect_of(target.path, data)
+    source = dialect.decode(target.path, data, Diagnostics())
+    sources = dialect.read(source, files, Diagnostics())[1] if source else ()
     names: list[SourceNames] = []
     for each in sources:
         key = os.path.realpath(each.path)

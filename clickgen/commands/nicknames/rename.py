@@ -14,11 +14,10 @@ from clickgen.commands.nicknames.adopt import Adoption, adopt, adopt_block
 from clickgen.commands.nicknames.programs import Job, Program, programs_around
 from clickgen.commands.nicknames.prove import Side, errors_of, prove_same
 from clickgen.commands.nicknames.tables import Table, read_tables
-from clickgen.commands.nicknames.uses import FileNames, comments_with, read_names, word_pattern
+from clickgen.commands.nicknames.uses import FileNames, read_names
 from clickgen.config import Config, find_config
 from clickgen.device.nicknames import nickname_fault
 from clickgen.device.system import addresses_of_system_name
-from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.ir.operands import Named
 from clickgen.ir.program import Declaration
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics, did_you_mean
@@ -26,7 +25,7 @@ from clickgen.table.record import read_record
 from clickgen.table.rows import is_scratch, looks_like_scratch
 from clickgen.text.edits import Edit, Fix, apply_fixes
 from clickgen.text.source import Span
-from clickgen.text.wording import counted
+from clickgen.text.wording import counted, word_pattern
 from clickgen.workspace import CouldNotRun, Workspace
 
 __all__ = ["Rename", "rename"]
@@ -108,10 +107,16 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
         {Path(files.shown(key)): data for key, data in {**written, **records}.items()},
         {Path(path): data for path, data in files.found.items()},
         {Path(files.shown(key)): len(places[key]) if key in places else marked[key] for key in written},
-        {Path(file.source.path): count for file in sources.values() if (count := comments_with(file.source, old))},
+        _comments(sources.values(), old),
         proven,
         _left(programs, members, old),
     )
+
+
+def _comments(files: Iterable[FileNames], word: str) -> dict[Path, int]:
+    """How many comments of each file hold a word; files without any are left out."""
+    counts = {Path(file.source.path): file.comments_with(word) for file in files}
+    return {path: count for path, count in counts.items() if count}
 
 
 def _adopted(members: Sequence[Program], files: Workspace, adoption: Adoption, wanted: _Wanted) -> Rename:
@@ -124,7 +129,7 @@ def _adopted(members: Sequence[Program], files: Workspace, adoption: Adoption, w
     counts = {path: 1 for path in writes if path.suffix == ".csv"}
     edited = adoption.edited.items()
     counts.update((Path(files.shown(key)), len(file.of(old))) for key, file in edited)
-    comments = {Path(file.source.path): count for _, file in edited if (count := comments_with(file.source, old))}
+    comments = _comments((file for _, file in edited), old)
     return Rename(old, new, writes, unchanged, counts, comments, proven, adoption=adoption)
 
 
@@ -316,7 +321,7 @@ def _edited(file: FileNames, wanted: _Wanted, files: Workspace) -> bytes:
     edits: list[Edit] = [edit for named in wanted.places(file) for edit in file.place(named).edits(new)]
     text, _ = apply_fixes(files.read(file.source.path).decode("utf-8"), [Fix(tuple(edits))])
     data = text.encode("utf-8")
-    source = decode(file.source.path, data, Diagnostics())
+    source = file.dialect.decode(file.source.path, data, Diagnostics())
     again = read_names(source, Diagnostics()) if source else None
     if again is None or _said(again, wanted._replace(old=new)) != _said(file, wanted):
         raise CouldNotRun(f"{old} cannot become {new} in {file.source.path}: the file would be read differently")

@@ -6,12 +6,12 @@ from collections import defaultdict
 from typing import NamedTuple
 
 from clickgen.device.banks import Address
-from clickgen.dialects.if_rungs.spelling import Spellings
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use
 from clickgen.instructions.coils import RESET
 from clickgen.instructions.raw import RAW
 from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.problems.name_slips import Spellings
 from clickgen.rules.rule import Rule, Wrong
 
 CODE = "CG540"

@@ -17,9 +17,10 @@ from clickgen.commands.stubs.stub import MARK, builtins_stub, module_stub
 from clickgen.commands.stubs.text import docstring
 from clickgen.config import Settings
 from clickgen.device.banks import BANKS, Address
-from clickgen.dialects.if_rungs.read import arguments, conditions, modbus, operands, options
+from clickgen.dialects.if_rungs.read import arguments, conditions, modbus, options
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.timers import UNITS
+from clickgen.ir.addresses import BANK_NAMES
 from clickgen.table.rows import Row, default_row
 
 ROOT = Path(__file__).parents[3]
@@ -41,7 +42,7 @@ def words_of(stub: str) -> set[str]:
 
 def test_a_stub_has_the_words_that_the_parser_knows() -> None:
     known = {
-        *operands.BANK_NAMES,
+        *BANK_NAMES,
         *INSTRUCTIONS,
         *conditions.FUNCTIONS,
         *UNITS,

@@ -11,11 +11,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from clickgen.dialects.if_rungs.read.comments import DIRECTIVE
 from clickgen.dialects.if_rungs.read.nodes import statements
 from clickgen.dialects.if_rungs.read.program import read_file
 from clickgen.ir.program import Routine, rungs_in
 from clickgen.problems.diagnostics import Diagnostics
+from clickgen.problems.silence import DIRECTIVE
 from clickgen.text.source import SourceFile
 
 FIXTURES = sorted((Path(__file__).parents[3] / "fixtures").rglob("*.py"))

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from clickgen.device.banks import Address
+from clickgen.device.banks import CURRENT_VALUE_OF, Address
 from clickgen.device.system import find_system_name, system_nicknames
-from clickgen.dialects.if_rungs.write.expressions import Names
+from clickgen.ir.operands import Cell, Immediate
+from clickgen.ir.program import Routine
+from clickgen.ir.walk import rung_operands
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.table.address_table import AddressTable
 from clickgen.table.judge_row import address_nickname_fault, may_share_a_name
@@ -15,6 +18,9 @@ from clickgen.table.read import TableUnreadable, bytes_of_table, read_table
 from clickgen.table.rows import Row, is_scratch
 from clickgen.text.wording import counted
 from clickgen.workspace import CouldNotRun
+
+Names = Mapping[Address, str]
+"""The nicknames to write in place of addresses."""
 
 
 @dataclass(frozen=True)
@@ -96,6 +102,28 @@ def _unusable(table: AddressTable) -> list[Row]:
         if row.nickname and (is_shared or is_scratch(row) or address_nickname_fault(row.address, row.nickname)):
             found.append(row)
     return found
+
+
+def declared_rows(routines: Iterable[Routine], nicknames: Nicknames) -> list[Row]:
+    """Every row of the table with a name that these routines are written with and that only a declaration gives."""
+    used: set[Address] = set()
+    for routine in routines:
+        for operand in (operand for rung in routine.rungs for operand in rung_operands(rung)):
+            cell = operand.target if isinstance(operand, Immediate) else operand
+            if isinstance(cell, Cell):
+                used.add(cell.address)
+                bit = CURRENT_VALUE_OF.get(cell.bank)
+                if bit and cell.address not in nicknames.names:
+                    used.add(Address(bit, cell.address.number))
+    rows = [row for row in nicknames.table.rows if row.address in used and not _is_known(row)]
+    rows = [row for row in rows if row.nickname and nicknames.names.get(row.address) == row.nickname]
+    return sorted(rows, key=lambda row: row.address.sort_key)
+
+
+def _is_known(row: Row) -> bool:
+    """True for a name of CLICK's own that means this address without a declaration."""
+    own = find_system_name(row.nickname)
+    return own is not None and own[1] == row.address
 
 
 def names_of(table: AddressTable) -> Names:

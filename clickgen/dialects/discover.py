@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterable, Iterator, Sequence
-from fnmatch import fnmatch
-from functools import cache, cached_property
+from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple, NoReturn
 
 from clickgen.config import Config
+from clickgen.dialects.base import Look
+from clickgen.dialects.registry import dialect_of, suffixes
+from clickgen.text.patterns import meets, names_below, steps_of
 from clickgen.workspace import CouldNotRun, Workspace
 
 _USUAL_EXCLUDES = ("build", "dist", "venv", "node_modules", "__pycache__", "site-packages")
@@ -113,32 +114,6 @@ def _shown(path: Path) -> str:
 # -- the files --------------------------------------------------------------------------------------------------------
 
 
-class _File:
-    """What a look at a file tells, found out when it is asked for."""
-
-    def __init__(self, path: str, text: str) -> None:
-        self._path = path
-        self._text = text
-
-    @cached_property
-    def _code(self) -> str:
-        return _code_of(self._text)
-
-    @cached_property
-    def is_program(self) -> bool:
-        return _is_program(self._code)
-
-    @cached_property
-    def has_main(self) -> bool:
-        # A text in quotes may show a main.
-        return bool(_MAIN.search(self._text) and _MAIN.search(self._code))
-
-    @cached_property
-    def imports(self) -> tuple[str, ...]:
-        """The files beside it that it imports, by their real paths; not all of them need be there."""
-        return tuple(_siblings(self._text, self._path))
-
-
 class _Repository:
     """The files around the programs, each read once."""
 
@@ -146,7 +121,7 @@ class _Repository:
         self._config = config
         self._patterns = patterns
         self._workspace = files
-        self._files: dict[str, _File] = {}
+        self._files: dict[str, Look] = {}
         self._programs: dict[str, list[str]] = {}
         self._parts: dict[str, set[str]] = {}
 
@@ -196,7 +171,7 @@ class _Repository:
             )
             for name in sorted(files):
                 path = os.path.normpath(os.path.join(root, name))
-                if name.endswith(".py") and self._is_wanted(path):
+                if name.endswith(suffixes()) and self._is_wanted(path):
                     yield path
 
     def _is_wanted(self, path: str) -> bool:
@@ -207,8 +182,8 @@ class _Repository:
         if not self._patterns:
             return False
         root = str(self._config.root)
-        names = _names_below(path, root)
-        return any(_meets(names, _steps(pattern, root)) for pattern in self._patterns)
+        names = names_below(path, root)
+        return any(meets(names, steps_of(pattern, root)) for pattern in self._patterns)
 
     def _is_ours(self, path: str) -> bool:
         return self._look(path).is_program or self._real(path) in self._named
@@ -242,7 +217,9 @@ class _Repository:
         """The programs that could import a file: those configured and those beside it."""
         folder = os.path.dirname(path)
         if folder not in self._programs:
-            beside = (os.path.normpath(os.path.join(folder, name)) for name in _names(folder) if name.endswith(".py"))
+            beside = (
+                os.path.normpath(os.path.join(folder, name)) for name in _names(folder) if name.endswith(suffixes())
+            )
             programs = {self._real(file): file for file in beside if self._is_program_with_main(file)}
             self._programs[folder] = [*({**programs, **self._configured}).values()]
         return self._programs[folder]
@@ -273,11 +250,12 @@ class _Repository:
 
     # -- reading ------------------------------------------------------------------------------------------------------
 
-    def _look(self, path: str) -> _File:
+    def _look(self, path: str) -> Look:
         """What a file is. Raises CouldNotRun when it cannot be read: it could be a program."""
         real = self._real(path)
         if real not in self._files:
-            self._files[real] = _File(path, self._text(path))
+            text = self._text(path)
+            self._files[real] = dialect_of(path, text).look(path, text)
         return self._files[real]
 
     def _real(self, path: str) -> str:
@@ -301,168 +279,3 @@ def _names(folder: str) -> list[str]:
         return sorted(os.listdir(folder or "."))
     except OSError:
         return []
-
-
-# -- patterns ---------------------------------------------------------------------------------------------------------
-
-
-def matches(pattern: str, path: str | os.PathLike[str], root: str | os.PathLike[str]) -> bool:
-    """True when a pattern of the settings in ``root`` names the path or a folder above it, as in ``.gitignore``.
-
-    ``*`` stays in one name and ``**`` is any number of folders. A pattern without a slash meets a name anywhere; one
-    with a slash, also in front, begins at ``root``.
-    """
-    return _meets(_names_below(path, root), _steps(pattern, os.fspath(root)))
-
-
-def _names_below(path: str | os.PathLike[str], root: str | os.PathLike[str]) -> tuple[str, ...]:
-    """The names that lead from ``root`` to the path; all of its names when it is elsewhere."""
-    absolute, above = Path(os.path.abspath(path)), Path(os.path.abspath(root))
-    return absolute.relative_to(above).parts if absolute.is_relative_to(above) else absolute.parts[1:]
-
-
-@cache
-def _steps(pattern: str, root: str) -> tuple[str, ...]:
-    """A pattern as the names that follow each other; ``**`` for any number of them."""
-    below = pattern.removeprefix(f"{Path(os.path.abspath(root)).as_posix()}/")
-    is_anchored = below != pattern or "/" in pattern.rstrip("/")
-    names = tuple(name for name in below.split("/") if name not in ("", "."))
-    return names if is_anchored or not names else ("**", *names)
-
-
-def _meets(names: tuple[str, ...], steps: tuple[str, ...]) -> bool:
-    """True when the steps lead to the path or to a folder above it. A pattern without a name leads nowhere.
-
-    Each name is compared with the steps that can be reached there, each once: no pattern makes it try more.
-    """
-    while len(steps) > 1 and steps[-1] == "**":
-        steps = steps[:-1]
-    reached = {0} if steps else set()
-    for name in names:
-        reached = {beyond for step in reached for beyond in _beyond(steps, step, name)}
-        if len(steps) in reached:
-            return True
-    return False
-
-
-def _beyond(steps: tuple[str, ...], step: int, name: str) -> Iterator[int]:
-    """The steps that can follow when a name has come to ``step``; ``**`` takes any number of names."""
-    while steps[step] == "**":
-        yield step
-        step += 1
-        if step == len(steps):
-            yield step
-            return
-    if fnmatch(name, steps[step]):
-        yield step + 1
-
-
-# -- which files are programs -----------------------------------------------------------------------------------------
-
-# fmt: off
-BANK_WORDS = frozenset((
-    "x", "y", "c", "t", "ct", "sc", "ds", "dd", "dh", "df", "xd", "yd", "td", "ctd", "sd", "txt",
-))
-CALL_WORDS = frozenset((
-    "calc", "call", "copy", "copy_block", "copy_fill", "copy_pack", "copy_unpack", "ctd", "ctu", "ctud", "end",
-    "event_drum", "math_hex", "next_loop", "nickname", "not_imported", "out", "raw", "receive", "reset", "rtof", "rton",
-    "search", "send", "set", "shift", "time_drum", "tof", "ton",
-))
-# fmt: on
-_OWN_WORDS = BANK_WORDS | CALL_WORDS | {"sub"}
-_BUILTINS = {"set"}
-"""What every Python program may call."""
-
-_ESCAPED = re.compile(r"\\[^\n]")
-_TEXTS = re.compile(
-    r"""(?=["'#<=>|])(?:"""
-    r'"""[^"]*+(?:"(?!"")[^"]*+)*+"""'
-    r"|'''[^']*+(?:'(?!'')[^']*+)*+'''"
-    r'|"[^"\n]*+"'
-    r"|'[^'\n]*+'"
-    r"|#[^\n]*"
-    r"|^(?:<{7}|={7}|>{7}|\|{7})(?: [^\n]*)?$)",
-    re.MULTILINE | re.DOTALL,
-)
-"""Everything that is not code: texts in quotes, comments, the marks of a merge. See ``_code_of``."""
-
-
-def _code_of(text: str) -> str:
-    """The code in a text. An escaped quote ends no text; without those, no look for an end is ever repeated."""
-    return _TEXTS.sub("", _ESCAPED.sub("__", text) if "\\" in text else text)
-
-
-_NAME = re.compile(r"([A-Za-z_@.]\w*)([\w.]*)[ \t]*([\[(]?)")
-"""A name, what hangs on it with dots, and the bracket behind. One behind a dot or an @ is no name of its own."""
-_MAKING = re.compile(r"(?:def|class|import)[ \t]+(\w+)")
-
-# What few files need is compiled when they do: a repeated check is over before all of it would be.
-_SUB = r"(?m)^@sub[ \t]*(?:\([\s,]*\)[ \t]*)?$"
-"""Also ``@sub("Auto Mode")``, of which the text is gone."""
-_ROUTINE = r"(?m)^(?:(?:async[ \t]+)?def[ \t]+main\b|@sub\b|nickname\b|\w+[ \t]*\(\s*\w+[.\[])"
-_EDITOR = r"(?m)^from[ \t]+clickgen\.dsl[ \t]+import\b"
-_STAR = r"import[ \t]*\*"
-_FIRST_INDENT = r"(?m)^([ \t]+)\S"
-_RUNG = rf"(?:if|for|pass|{'|'.join(sorted(CALL_WORDS))})\b|[)\]}}]"
-
-
-def is_program(text: str) -> bool:
-    """True for a text that looks like clickgen's, valid or broken. Other Python is left alone.
-
-    Python has to make a name before it uses it; clickgen has its banks and instructions without that. So a file is
-    clickgen's when it uses one of them, ``c.Auto``, ``y[1]`` or ``out(...)``, and nowhere makes a name like it. That
-    holds however broken the rest is.
-    """
-    return _is_program(_code_of(text))
-
-
-def _is_program(code: str) -> bool:
-    """``is_program`` of a text without what is in quotes."""
-    if "clickgen.dsl" in code and re.search(_EDITOR, code):
-        return True
-    has_routine = "\ndef main(" in code or re.search(_ROUTINE, code) is not None
-    is_plain = has_routine and not ("*" in code and re.search(_STAR, code))
-    return (is_plain or _is_made_of_rungs(code)) and _uses_own_words(code)
-
-
-def _uses_own_words(code: str) -> bool:
-    used: set[str] = set()
-    made: set[str] = _BUILTINS.union(_MAKING.findall(code))
-    for word, rest, bracket in set(_NAME.findall(code)):
-        if word in _OWN_WORDS:
-            is_own = word in BANK_WORDS and _is_cell(rest[1:], bracket) if rest else _is_own(word, bracket)
-            (used if is_own else made).add(word)
-    return bool(used - made) or ("sub" not in made and re.search(_SUB, code) is not None)
-
-
-def _is_cell(rest: str, bracket: str) -> bool:
-    """True for what stands behind the dot of ``c.Name``, also with a modifier behind it; not for a method."""
-    nickname, dot, modifier = rest.partition(".")
-    return modifier.startswith(("immediate", "as_")) if dot else bool(nickname) and not bracket
-
-
-def _is_own(word: str, bracket: str) -> bool:
-    return (bracket == "[" and word in BANK_WORDS) or (bracket == "(" and word in CALL_WORDS)
-
-
-def _is_made_of_rungs(code: str) -> bool:
-    """True when most statements are a rung's. It decides where there is no main or @sub, or an ``import *``."""
-    indent = re.search(_FIRST_INDENT, code)
-    inner: list[str] = re.findall(rf"^{indent[1]}(?=\S)(.*)", code, re.MULTILINE) if indent else []
-    return len(inner) < 2 * sum(re.match(_RUNG, line) is not None for line in inner)
-
-
-# -- what stands in a file --------------------------------------------------------------------------------------------
-
-_MAIN = re.compile(r"^(?:async[ \t]+)?def[ \t]+main\b", re.MULTILINE)
-_IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+(?:\.[ \t]*)?(\w+)[ \t]+import\b|import[ \t]+([\w., \t]+))", re.MULTILINE)
-
-
-def _siblings(text: str, path: str) -> Iterator[str]:
-    """The files that a file's imports stand for, by their real paths."""
-    folder = os.path.dirname(path)
-    for source, listed in _IMPORT.findall(text):
-        for name in (source, *listed.split(",")):
-            module = name.split()[0] if name.strip() else ""
-            if module and "." not in module:
-                yield os.path.realpath(os.path.join(folder, f"{module}.py"))

@@ -15,9 +15,10 @@ from clickgen.commands.check.cache import Cache, Cached, _mark, key_of
 from clickgen.commands.check.secret import user_secret
 from clickgen.config import Config, ConfigError, find_config
 from clickgen.device.banks import BANKS
-from clickgen.dialects.if_rungs import discover as module
-from clickgen.dialects.if_rungs.discover import Target, discover, is_program, matches, targets, wholly_judged
+from clickgen.dialects.discover import Target, discover, targets, wholly_judged
+from clickgen.dialects.if_rungs.look import BANK_WORDS, CALL_WORDS, is_program
 from clickgen.instructions import INSTRUCTIONS
+from clickgen.text.patterns import matches
 from clickgen.workspace import CouldNotRun, Workspace
 
 END = "    if True:\n        end()\n"
@@ -199,8 +200,8 @@ def test_every_program_of_this_project_is_one() -> None:
 
 
 def test_no_word_of_the_language_is_missing() -> None:
-    assert {name.lower() for name in BANKS} == module.BANK_WORDS
-    assert {*INSTRUCTIONS, "nickname"} == module.CALL_WORDS
+    assert {name.lower() for name in BANKS} == BANK_WORDS
+    assert {*INSTRUCTIONS, "nickname"} == CALL_WORDS
 
 
 @pytest.mark.parametrize("name", ["a merge", "a constant", "a stray end", "one line, no end", "and, no end"])
