@@ -33,7 +33,7 @@ def build(
     program or the table cannot be read.
     """
     state = run(path, settings or Settings(nicknames, nicknames is not None, frozen), workspace, STAGES)
-    problems, table = state.problems.in_order(), (state.table_path, state.table, state.table_before)
+    problems, table = state.problems.in_order(), (state.table_path, state.table, state.table_before, state.dialect)
     if state.problems.has_errors or state.resolved is None:
         nothing = BuiltProgram(state.shown, (), ())
         return BuildResult(state.path, state.sources, problems, {}, nothing, (), state.facts, *table, state.left)

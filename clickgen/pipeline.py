@@ -118,7 +118,9 @@ def _read_table(state: Build) -> None:
 def _resolve(state: Build) -> None:
     if state.program is not None:
         settings = state.settings
-        state.resolved = resolve(state.program, state.table, settings.frozen, state.problems, settings.reserved)
+        state.resolved = resolve(
+            state.program, state.table, settings.frozen, state.problems, state.dialect, settings.reserved
+        )
         name_program(Asked.of(state.shown, settings.nicknames).words, state.problems)
         if settings.nicknames is None:
             tell_of_own_table(state.path, state.table_path, state.problems)
@@ -136,7 +138,7 @@ def _check(state: Build) -> None:
     placed = placed_still(state.record, state.table) | {row.address for row in state.resolved.allocated}
     sources = {source.path: source for source in state.sources}
     blocks = tuple(state.resolved.blocks.values())
-    state.facts = Facts(state.resolved.program, sources, state.rows, placed, blocks)
+    state.facts = Facts(state.resolved.program, state.dialect.spell, sources, state.rows, placed, blocks)
     for rule in RULES:
         rule(state.facts, state.problems)
     if any(placed.spec is RAW for placed in state.facts.actions):

@@ -8,6 +8,7 @@ from functools import cached_property
 from pathlib import Path
 
 from clickgen.device.banks import Address
+from clickgen.dialects.base import Dialect
 from clickgen.emit.built import BuiltProgram
 from clickgen.emit.delivery import Delivery, TableChange, deliver
 from clickgen.facts.facts import Facts
@@ -45,6 +46,8 @@ class BuildResult:
     """As it should be after the build."""
     table_before: bytes | None
     """The file as it was read; None where there was none."""
+    dialect: Dialect
+    """The one that the program is written in."""
     left: tuple[Left, ...] = ()
     """The names that left the program while others came."""
 

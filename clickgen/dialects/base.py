@@ -55,6 +55,10 @@ class Spelling(ABC):
         """A nickname seen through a bank."""
 
     @abstractmethod
+    def in_quotes(self, bank: str, name: str) -> str:
+        """``name`` in the form that takes any name, be it a plain word or not."""
+
+    @abstractmethod
     def range(self, bank: str, first: int, last: int) -> str:
         """Consecutive addresses, both ends included; ``first`` above ``last`` runs backwards."""
 
@@ -131,6 +135,10 @@ class Spelling(ABC):
         """
 
     @abstractmethod
+    def setting(self, name: str, value: str = "") -> str:
+        """A setting of a declaration, or an argument by its name; without a value its word alone."""
+
+    @abstractmethod
     def ignore(self, code: str) -> str:
         """The comment that silences a finding."""
 
@@ -188,9 +196,6 @@ class Place(NamedTuple):
     """Where a name is written: the stretches that hold its characters; more than one where a text is in pieces."""
 
     stretches: tuple[Span, ...]
-    is_plain: bool
-    """True where only a plain word can be written."""
-    in_formula: bool
 
     def edits(self, name: str) -> tuple[Edit, ...]:
         """Another name in its place: in the first stretch, the others become empty."""
@@ -205,6 +210,10 @@ class NamePlaces(ABC):
     @abstractmethod
     def place(self, named: Named) -> Place:
         """Where one of the names of the file has its characters."""
+
+    @abstractmethod
+    def takes(self, named: Named, name: str) -> bool:
+        """True where another name can be written in the place of one."""
 
 
 class Dialect(ABC):
@@ -289,8 +298,8 @@ class Dialect(ABC):
         """The way out for a text in quotes where an address is expected, likely one of this bank."""
 
     @abstractmethod
-    def word_hint(self, word: str) -> str:
-        """What a word of another machine is as a condition; "" for a word that nobody knows."""
+    def system_point_hint(self, word: str) -> str:
+        """Which of CLICK's own points a word of another machine means; "" for any other word."""
 
     @abstractmethod
     def explain_word(self, word: str) -> list[str]:

@@ -9,6 +9,7 @@ from itertools import product
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.system import ALWAYS_ON, system_name_of
+from clickgen.dialects.base import Spelling
 from clickgen.facts.uses import Uses, addresses_of
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import CALL, END, NEXT, RETURN
@@ -81,6 +82,8 @@ class Facts:
     """
 
     program: Program
+    spell: Spelling
+    """How the program's dialect writes what messages show."""
     sources: Mapping[str, SourceFile] = field(default_factory=dict)
     rows: Mapping[Address, Row] = field(default_factory=dict)
     placed: frozenset[Address] = frozenset()

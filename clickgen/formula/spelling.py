@@ -19,7 +19,10 @@ class BracketAddresses:
         return f"{address.bank.lower()}[{number}]"
 
     def name(self, bank: str, name: str) -> str:
-        return f"{bank.lower()}.{name}" if name.isidentifier() else f'{bank.lower()}["{name}"]'
+        return f"{bank.lower()}.{name}" if name.isidentifier() else self.in_quotes(bank, name)
+
+    def in_quotes(self, bank: str, name: str) -> str:
+        return f'{bank.lower()}["{name}"]'
 
     def range(self, bank: str, first: int, last: int) -> str:
         ends = f"{first}:{last + 1}" if first <= last else f"{first}:{last - 1}:-1"

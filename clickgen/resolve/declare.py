@@ -9,6 +9,7 @@ from typing import NamedTuple
 from clickgen.device.banks import BANKS, FLOAT_MAX, INTEGER_RANGES, UPPER_BYTE_BANKS, Address, Kind
 from clickgen.device.nicknames import comment_fault, nickname_fault_at
 from clickgen.device.system import addresses_of_system_name
+from clickgen.dialects.base import Spelling
 from clickgen.ir.operands import CharCode, Constant, Operand
 from clickgen.ir.program import Declaration
 from clickgen.problems.diagnostics import Diagnostics, Label
@@ -41,17 +42,20 @@ class Declared:
     """Every declared address, that of a wrong declaration included: nothing is allocated there."""
 
 
-def declare(declarations: tuple[Declaration, ...], table: AddressTable, problems: Diagnostics) -> Declared:
+def declare(
+    declarations: tuple[Declaration, ...], table: AddressTable, spell: Spelling, problems: Diagnostics
+) -> Declared:
     """Judge the declarations against each other, the table and CLICK's rules."""
-    reader = _Declarations(table, problems)
+    reader = _Declarations(table, spell, problems)
     reader.warn_of_words()
     reader.read(declarations)
     return reader.declared
 
 
 class _Declarations:
-    def __init__(self, table: AddressTable, problems: Diagnostics) -> None:
+    def __init__(self, table: AddressTable, spell: Spelling, problems: Diagnostics) -> None:
         self.table = table
+        self.spell = spell
         self.problems = problems
         self.declared = Declared()
 
@@ -71,7 +75,7 @@ class _Declarations:
                 self._conflict(declaration, f"{address} is declared as {earlier.named.name} already", earlier)
                 continue
             if self._declaration_is_sound(declaration):
-                self.declared.meanings[lower] = Meaning(address, "nickname(...)", declaration.span)
+                self.declared.meanings[lower] = Meaning(address, self.spell.declaration(), declaration.span)
                 self._warn_of_word(address, named.name, declaration.span)
                 row = self._declared_row(declaration)
                 stands = self.table.by_address.get(address)
@@ -92,7 +96,8 @@ class _Declarations:
                 "CG211",
                 span,
                 f"{name} is the nickname of {address}: ClickNick drops XD0u and misreads other XD and YD rows",
-                f"write {address.bank.lower()}[...] and give it no nickname, or check it in CLICK after the import",
+                f"write {self.spell.pointer(address.bank, '...')} and give it no nickname, or check it in CLICK "
+                "after the import",
             )
 
     def _conflict(self, declaration: Declaration, message: str, earlier: Declaration) -> None:
@@ -112,8 +117,8 @@ class _Declarations:
             add(
                 "CG205",
                 declaration.span,
-                f"{named.bank.lower()}.{named.name} cannot be {address}",
-                f"write {bank.dsl}.{named.name}, or an address in {named.bank}",
+                f"{self.spell.name(named.bank, named.name)} cannot be {address}",
+                f"write {self.spell.name(bank.name, named.name)}, or an address in {named.bank}",
             )
             return False
         if looks_like_scratch(named.name):

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import comment_fault, nickname_fault
+from clickgen.dialects.base import Spelling
 from clickgen.ir.program import BlockDeclaration
 from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.resolve.declare import Declared, initial_of, rename_command
@@ -22,15 +23,19 @@ _OVERLAPS_MAX = 8
 
 
 def declare_blocks(
-    declarations: Iterable[BlockDeclaration], table: AddressTable, declared: Declared, problems: Diagnostics
+    declarations: Iterable[BlockDeclaration],
+    table: AddressTable,
+    declared: Declared,
+    spell: Spelling,
+    problems: Diagnostics,
 ) -> dict[str, Block]:
     """Every block, those that the table marks among them, by lowercase name; rows go to ``declared``."""
     marks = read_marks(table)
-    reader = _Blocks(table, marks, declared, problems)
+    reader = _Blocks(table, marks, declared, spell, problems)
     for declaration in declarations:
         reader.read(declaration)
     reader.hand_over()
-    _warn_of_marks(marks, reader.named, table, problems)
+    _warn_of_marks(marks, reader.named, table, spell, problems)
     _warn_of_overlaps({**marks.blocks, **reader.own}.values(), problems)
     return reader.blocks
 
@@ -44,8 +49,11 @@ class _Fault(NamedTuple):
 
 
 class _Blocks:
-    def __init__(self, table: AddressTable, marks: Marks, declared: Declared, problems: Diagnostics) -> None:
+    def __init__(
+        self, table: AddressTable, marks: Marks, declared: Declared, spell: Spelling, problems: Diagnostics
+    ) -> None:
         self.table = table
+        self.spell = spell
         self.declared = declared
         self.problems = problems
         self.marks = marks
@@ -65,7 +73,7 @@ class _Blocks:
 
     def read(self, declaration: BlockDeclaration) -> None:
         named, range = declaration.named, declaration.range
-        block = Block(named.name, range.bank, range.first, range.last, "nickname(...)", declaration.span)
+        block = Block(named.name, range.bank, range.first, range.last, self.spell.declaration(), declaration.span)
         lower = named.name.lower()
         self.declared.addresses += block.addresses()
         self.named.add(lower)
@@ -112,8 +120,8 @@ class _Blocks:
     def _fault(self, declaration: BlockDeclaration, block: Block) -> _Fault | None:
         named, lower = declaration.named, block.name.lower()
         if named.bank != block.bank:
-            dotted = f"{named.bank.lower()}.{block.name}"
-            return _Fault(f"{dotted} cannot be {block}", f"write {block.bank.lower()}.{block.name}")
+            written = self.spell.name(named.bank, block.name)
+            return _Fault(f"{written} cannot be {block}", f"write {self.spell.name(block.bank, block.name)}")
         if BANKS[block.bank].settings_fixed:
             return _Fault(f"{block.bank} has no blocks: CLICK takes no comments there", "write the range itself")
         other = self.own.get(lower) or self._met(block)
@@ -127,7 +135,7 @@ class _Blocks:
         meaning = self.declared.meanings.get(lower)
         row = self.table.by_nickname.get(lower)
         if meaning is not None or row is not None:
-            place = self.table.place(row) if row else "another nickname(...)"
+            place = self.table.place(row) if row else f"another {self.spell.declaration()}"
             return _Fault(f"{block.name} is the nickname of one address in {place}", "give the block another name")
         return self._mark_in_the_way(block)
 
@@ -222,7 +230,9 @@ def _label(block: Block) -> tuple[Label, ...]:
 # -- marks in the table that do not fit -------------------------------------------------------------------------------
 
 
-def _warn_of_marks(marks: Marks, declared: set[str], table: AddressTable, problems: Diagnostics) -> None:
+def _warn_of_marks(
+    marks: Marks, declared: set[str], table: AddressTable, spell: Spelling, problems: Diagnostics
+) -> None:
     """Marks that make no block, and blocks that cannot be meant so. Those of a declared name its declaration judges."""
     for row, mark in marks.halves:
         if mark.name.lower() not in declared:
@@ -236,12 +246,12 @@ def _warn_of_marks(marks: Marks, declared: set[str], table: AddressTable, proble
     for lower, block in marks.blocks.items():
         if lower in table.by_nickname:
             row = table.by_nickname[lower]
-            dotted = f"{block.bank.lower()}.{block.name}"
+            dotted = spell.name(block.bank, block.name)
             problems.add(
                 "CG429",
                 table.span(row),
                 f"{row.nickname} is the nickname of {row.address} and the name of the block {block}, which "
-                f"{block.said_by} marks: {dotted} alone is {row.address}, and {dotted}[0] is "
+                f"{block.said_by} marks: {dotted} alone is {row.address}, and {spell.member(dotted, 0)} is "
                 f"{Address(block.bank, block.first)}",
                 "give one of the two another name: the nickname, or the block in both of its marks",
                 _label(block),

@@ -14,6 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from clickgen.dialects.if_rungs.read.imports import read_program
+from clickgen.dialects.registry import default
 from clickgen.ir.conditions import All, Compare, Condition
 from clickgen.ir.program import Program
 from clickgen.logic.conditions import always_holds, are_exclusive, can_hold, decided, implies
@@ -40,7 +41,7 @@ def unresolved(text: str) -> Condition:
 def read(text: str) -> Condition:
     """The condition of ``if text:``, names resolved."""
     problems = Diagnostics()
-    resolved = resolve(program(text), AddressTable.empty(""), False, problems).program
+    resolved = resolve(program(text), AddressTable.empty(""), False, problems, default()).program
     assert not problems.has_errors, problems.found
     return resolved.routines[0].rungs[0].condition
 

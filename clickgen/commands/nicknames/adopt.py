@@ -144,9 +144,10 @@ def _refuse_other_bank(row: Row, new: str, files: Iterable[FileNames]) -> None:
     for file in files:
         for named in file.of(new):
             if _bank(named.bank) != row.address.bank:
+                spell = file.dialect.spell
                 raise CouldNotRun(
-                    f"{row.nickname} is {row.address}, and {named.span} says {named.bank.lower()}.{new}: an address "
-                    f"stays in its bank, so write {row.address.bank.lower()}.{new} there"
+                    f"{row.nickname} is {row.address}, and {named.span} says {spell.name(named.bank, new)}: an address "
+                    f"stays in its bank, so write {spell.name(row.address.bank, new)} there"
                 )
 
 

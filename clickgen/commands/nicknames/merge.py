@@ -28,7 +28,7 @@ from clickgen.commands.nicknames.changes import (
 )
 from clickgen.commands.nicknames.uses import ProgramsSay
 from clickgen.device.banks import Address
-from clickgen.ir.program import BlockDeclaration, Declaration
+from clickgen.ir.program import Declaration
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.resolve.declare import initial_of
 from clickgen.table.address_table import AddressTable
@@ -193,17 +193,21 @@ class Merge:
             assert change.before is not None
             fixed = [what for what in differing(change.before, after) if here and _says_otherwise(here, what, after)]
             fields = " and ".join(fixed)
-            return f"{_declared(here)} gives {after.address} its {fields}: change it there" if here and fixed else ""
+            return (
+                f"{self.says.place_of(here)} gives {after.address} its {fields}: change it there"
+                if here and fixed
+                else ""
+            )
         name = after.nickname.lower()
         there, block = self.says.declared.get(name), self.says.blocks.get(name)
         if there is not None and there.cell.address != after.address:
-            return f"{after.nickname} is {there.cell.address} by {_declared(there)}"
+            return f"{after.nickname} is {there.cell.address} by {self.says.place_of(there)}"
         if block is not None:
-            return f"{after.nickname} is a block by {_declared(block)}"
+            return f"{after.nickname} is a block by {self.says.place_of(block)}"
         # A rename in the programs reaches a declaration too.
         is_followed = change.before is not None and change.before.nickname.lower() == _lower(here)
         if name and here is not None and _lower(here) != name and not (change.kind == RENAMED and is_followed):
-            return f"{after.address} is {here.named.name} by {_declared(here)}"
+            return f"{after.address} is {here.named.name} by {self.says.place_of(here)}"
         return ""
 
     def _in_the_way(self, change: Change) -> Iterator[Row]:
@@ -250,10 +254,6 @@ def _by_number(change: Change, says: ProgramsSay) -> tuple[str, ...]:
     after = change.after
     gets_a_name = after is not None and after.nickname and change.kind in (ADDED, MOVED)
     return tuple(says.by_number(after.address)) if after is not None and gets_a_name else ()
-
-
-def _declared(declaration: Declaration | BlockDeclaration) -> str:
-    return f"nickname(...) at {declaration.span.path}:{declaration.span.line}"
 
 
 def _lower(declaration: Declaration | None) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import keyword
 import os
 import shlex
 from collections.abc import Iterable, Mapping, Sequence
@@ -253,17 +252,12 @@ def _check_sources(files: Iterable[FileNames], wanted: _Wanted) -> None:
             again = f"where it already means {old}, write {old} there again: then this renames every place"
             raise _taken(new, f"{taken[0].span} uses it", again)
         for named in wanted.places(file):
-            place = file.place(named)
-            if place.is_plain and not _is_plain(new, place.in_formula):
-                way = f'{named.bank.lower()}["{named.name}"]'
+            if not file.takes(named, new):
+                way = file.dialect.spell.in_quotes(named.bank, named.name)
                 raise CouldNotRun(
                     f"{new!r} cannot stand behind a dot, as {named.name} does at {named.span}: choose a plain word, or "
                     f"write {way} there first"
                 )
-
-
-def _is_plain(name: str, in_formula: bool) -> bool:
-    return name.isidentifier() and (in_formula or not keyword.iskeyword(name))
 
 
 def _refuse_strangers(others: Iterable[Program], edited: Mapping[str, FileNames], old: str) -> None:

@@ -51,6 +51,10 @@ class FileNames:
         """How many comments of the file hold this word, in any case."""
         return self.dialect.comments_with(self.source, word)
 
+    def takes(self, named: Named, name: str) -> bool:
+        """True where another name can be written in the place of one."""
+        return self._places.takes(named, name)
+
     @cached_property
     def _places(self) -> NamePlaces:
         return self.dialect.places(self.source, self.formulas)
@@ -116,15 +120,22 @@ class ProgramsSay:
         self.declared_at: dict[Address, Declaration] = {}
         self.blocks: dict[str, BlockDeclaration] = {}
         """The declared blocks by their lowercase names."""
+        self._dialects: dict[str, Dialect] = {}
         self._by_number: dict[Address, dict[str, None]] = {}
         for file in {id(file): file for file in files}.values():
             self._add(file)
+
+    def place_of(self, declaration: Declaration | BlockDeclaration) -> str:
+        """A declaration with its place: ``nickname(...) at prog.py:12``."""
+        span = declaration.span
+        return f"{self._dialects[span.path].spell.declaration()} at {span.path}:{span.line}"
 
     def by_number(self, address: Address) -> list[str]:
         """Where an address is used by its number, alone or in a range: ``prog.py:12``."""
         return list(self._by_number.get(address, ()))
 
     def _add(self, file: FileNames) -> None:
+        self._dialects[file.source.path] = file.dialect
         for declaration in file.declarations:
             name = declaration.named.name.lower()
             if isinstance(declaration, BlockDeclaration):

@@ -115,13 +115,14 @@ def _seen_as(bank: str, address: Address | None) -> Address | None:
 def blocks_of(result: BuildResult) -> list[Block]:
     """The blocks of the program and those of the table; one that both have stands twice, first as it is declared."""
     program = result.facts.program if result.facts else None
+    spell = result.dialect.spell
     declared = [
         Block(
             each.named.name,
             each.range.bank,
             each.range.first,
             each.range.last,
-            f"declared by nickname(...) in {each.span}",
+            f"declared by {spell.declaration()} in {each.span}",
             each.span,
         )
         for each in (program.blocks if program else ())
@@ -224,7 +225,7 @@ def _origin(
     program = result.facts.program if result.facts else None
     for declaration in program.declarations if program else ():
         if declaration.cell.address == address:
-            yield f"declared by nickname(...) in {declaration.span}"
+            yield f"declared by {result.dialect.spell.declaration()} in {declaration.span}"
     stands = result.address_table.by_address.get(address)
     if row in result.new_rows and row is not None:
         yield from _choice(row, result, blocks, reserved)

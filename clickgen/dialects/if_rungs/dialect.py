@@ -109,11 +109,12 @@ class IfRungs(Dialect):
 
         return text_hint(text, bank.lower())
 
-    def word_hint(self, word: str) -> str:
+    def system_point_hint(self, word: str) -> str:
         from clickgen.dialects.if_rungs.trade import CONDITIONS, advice
 
         found = advice(word, CONDITIONS)
-        return "" if found is None else found.shown
+        is_point = found is not None and found.code and found.code[0].startswith(("sc", "nc(sc"))
+        return found.shown if found is not None and is_point else ""
 
     def explain_word(self, word: str) -> list[str]:
         from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, bank_hint

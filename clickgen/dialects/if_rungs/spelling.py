@@ -72,6 +72,9 @@ class IfRungsSpelling(BracketAddresses, Spelling):
         given = [*texts, *(f"{name}={text}" for name, text in settings.items())]
         return f"nickname({', '.join(given) if given else '...'})"
 
+    def setting(self, name: str, value: str = "") -> str:
+        return f"{name}={value}"
+
     def ignore(self, code: str) -> str:
         return f"# clickgen: ignore[{code}]"
 

@@ -6,6 +6,7 @@ import re
 from bisect import bisect_left
 from collections.abc import Sequence
 from functools import cached_property
+from keyword import iskeyword
 
 import libcst as cst
 
@@ -31,8 +32,15 @@ class FilePlaces(NamePlaces):
         self.source = source
         self.formulas = formulas
 
+    def takes(self, named: Named, name: str) -> bool:
+        _, is_plain, in_formula = self._found(named)
+        return not is_plain or (name.isidentifier() and (in_formula or not iskeyword(name)))
+
     def place(self, named: Named) -> Place:
-        """Where one of ``named`` or ``blocks`` has its name."""
+        return Place(self._found(named)[0])
+
+    def _found(self, named: Named) -> tuple[tuple[Span, ...], bool, bool]:
+        """Where a name is, whether only a plain word can be written there, and whether that is in a formula."""
         node = self._node(named.span)
         if isinstance(node, cst.Subscript) and named.part is not None:
             # ds.Recipe[3] and ds["Door alarms"][0:4]: the name stands before the index.
@@ -42,15 +50,15 @@ class FilePlaces(NamePlaces):
             match = _IN_FORMULA.match(text.value, start)
             assert match is not None
             group = next(group for group, name in match.groupdict().items() if name is not None)
-            return Place(_stretches(text, *match.span(group)), group == "plain", True)
+            return _stretches(text, *match.span(group)), group == "plain", True
         index = index_of(node) if isinstance(node, cst.Subscript) else None
         if isinstance(index, Node) and text_value(index) is not None:
             text = self._context.embedded(index)
-            return Place(_stretches(text, 0, len(text.value)), False, False)
+            return _stretches(text, 0, len(text.value)), False, False
         _, _, _, line, end, _ = self._context.span(node)
         word = _LAST_WORD.search(self.source.line(line)[: end - 1])
         assert word is not None
-        return Place((self.source.span(line, word.start() + 1, line, end),), True, False)
+        return (self.source.span(line, word.start() + 1, line, end),), True, False
 
     @cached_property
     def _layout(self) -> Layout:
