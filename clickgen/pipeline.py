@@ -129,7 +129,9 @@ def _resolve(state: Build) -> None:
 def _judge_fixes(state: Build) -> None:
     if state.program is not None and state.resolved is not None:
         is_part = state.settings.is_part
-        judge_proposals(state.program.proposals, state.resolved, state.sources, state.problems, is_part)
+        judge_proposals(
+            state.program.proposals, state.resolved, state.sources, state.dialect.spell, state.problems, is_part
+        )
 
 
 def _check(state: Build) -> None:
@@ -164,7 +166,7 @@ def _try_fixes(state: Build) -> None:
             return Seen(trial.problems.found, trial.resolved is not None and trial.resolved.is_declared)
 
         texts = {source.path: state.files.reads[source.path] or b"" for source in state.sources}
-        state.problems.found = tried(state.problems.found, texts, look)
+        state.problems.found = tried(state.problems.found, texts, look, state.dialect.idle)
 
 
 def _lint(state: Build) -> None:

@@ -162,6 +162,20 @@ class Spelling(ABC):
     def quoted(self, text: str) -> str:
         """A text constant."""
 
+    @abstractmethod
+    def hexadecimal(self, value: int) -> str:
+        """A hexadecimal constant of 16 bits."""
+
+    def no_opposite(self, shown: str, is_negated: bool = False) -> str:
+        """The way out for what has no opposite; ``is_negated`` where a ``not`` asks for it, not an else."""
+        from clickgen.instructions.coils import OUT
+
+        nothing, then = "nothing", "test the bit"
+        if is_negated:
+            nothing, then = "nothing in the language", f"write {self.off('...')} of that bit"
+        out = self.call(OUT, "...")
+        return f"{nothing} is the opposite of {shown}: put it on a bit with {out} in a rung before, and {then}"
+
     @property
     @abstractmethod
     def immediate(self) -> str:
@@ -290,6 +304,10 @@ class Dialect(ABC):
     @abstractmethod
     def function_name(self, name: str, taken: Collection[str]) -> str:
         """The function for a subroutine of this name: its own where the dialect has no other use for it."""
+
+    @abstractmethod
+    def idle(self, line: str) -> str:
+        """A line that does nothing, in the place of one that cannot be read; "" where there is none."""
 
     # -- help ---------------------------------------------------------------------------------------------------------
 

@@ -139,7 +139,8 @@ class Facts:
     def with_test(self, placed: Placed, test: str) -> str:
         """An action's rung with one more test in series, for a way out: ``all(c.Run, ds.Rows > 0)``."""
         condition = placed.rung.condition
-        return test if isinstance(condition, Always) else f"all({shorten(self.text(condition.span))}, {test})"
+        is_free = isinstance(condition, Always)
+        return test if is_free else self.spell.every(shorten(self.text(condition.span)), test)
 
     @cached_property
     def uses(self) -> Uses:

@@ -52,7 +52,7 @@ def place_of(facts: Facts, formula: FormulaText, node: Node) -> Span:
 
 def shown_register(facts: Facts, cell: Cell) -> str:
     """A register as the language writes it."""
-    return facts.text(cell.span) or f"{cell.bank.lower()}[{cell.address.number}]"
+    return facts.text(cell.span) or facts.spell.cell(cell.address)
 
 
 def holds_only_zero(facts: Facts, placed: Placed, cell: Cell) -> str:

@@ -27,6 +27,10 @@ _OF_THE_ROUTINE = ("CG401", "CG403", "CG404", "CG408", "CG409")
 _NAME = re.compile(r"\b[a-z]{1,3}(?:\.[A-Za-z_]|\[[\"'])")
 
 
+Idle = Callable[[str], str]
+"""A line that does nothing in the place of one that cannot be read; "" where there is none."""
+
+
 class Seen(NamedTuple):
     """What is found in a program. ``is_declared`` is False where not everything that declares names could be read."""
 
@@ -38,13 +42,13 @@ Look = Callable[[Mapping[str, bytes]], Seen]
 """Reads the program with other contents of some files, by their paths as problems name them."""
 
 
-def tried(problems: Sequence[Diagnostic], texts: Mapping[str, bytes], look: Look) -> list[Diagnostic]:
+def tried(problems: Sequence[Diagnostic], texts: Mapping[str, bytes], look: Look, idle: Idle) -> list[Diagnostic]:
     """The problems, and of the fixes of errors only those that mend their statement.
 
     A fix that writes an action with a name is not safe where a declaration could not be read: it may name a block.
     """
     with_fix = [one for one in problems if one.is_error and one.fix is not None and _file_of(one) in texts]
-    trials = _Trials(texts, look)
+    trials = _Trials(texts, look, idle)
     verdicts: dict[Diagnostic, _Verdict] = {}
     for is_safe in (True, False):
         group = [one for one in with_fix if one.fix is not None and one.fix.is_safe is is_safe]
@@ -82,8 +86,9 @@ def _help(problem: Diagnostic, verdict: _Verdict) -> str:
 
 
 class _Trials:
-    def __init__(self, texts: Mapping[str, bytes], look: Look) -> None:
+    def __init__(self, texts: Mapping[str, bytes], look: Look, idle: Idle) -> None:
         self._texts = texts
+        self._idle = idle
         self._look = look
         self._left = _TRIALS_MAX
 
@@ -148,7 +153,7 @@ class _Trials:
             }
             put_aside = False
             for path, one in unread.items():
-                if files[path].is_mended(one) or broken >= _BROKEN_MAX or not files[path].put_aside(one):
+                if files[path].is_mended(one) or broken >= _BROKEN_MAX or not files[path].put_aside(one, self._idle):
                     is_whole[path] = False
                 else:
                     broken += 1
@@ -203,20 +208,17 @@ class _File:
             place.lines = _moved(place.lines, edits)
         self.data = text.encode("utf-8")
 
-    def put_aside(self, problem: Diagnostic) -> bool:
-        """Put a rung that does nothing in the place of a line that Python cannot read; False where it may declare."""
+    def put_aside(self, problem: Diagnostic, idle: Idle) -> bool:
+        """Put what does nothing in the place of a line that cannot be read; False where there is nothing."""
         assert problem.span is not None
         lines = self.data.decode("utf-8").splitlines(keepends=True)
         number = problem.span.line - 1
         if not 0 <= number < len(lines):
             return False
-        line = lines[number]
-        code = line.strip()
-        indent = line[: len(line) - len(line.lstrip())]
-        instead = "if True:" if code.partition("#")[0].rstrip().endswith(":") else "pass"
-        if not indent or code == instead:
+        instead = idle(lines[number])
+        if not instead:
             return False
-        lines[number] = f"{indent}{instead}\n"
+        lines[number] = instead
         self.data = "".join(lines).encode("utf-8")
         return True
 

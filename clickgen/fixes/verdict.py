@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from clickgen.dialects.base import Spelling
 from clickgen.fixes.hazards import Hazards
 from clickgen.fixes.proof import stand_alone
 from clickgen.ir.conditions import Compare, Contact
@@ -19,7 +20,6 @@ from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.resolve.resolve import Resolved
 from clickgen.text.edits import Fix
 from clickgen.text.source import SourceFile, Span
-from clickgen.text.wording import no_opposite
 
 _CONDITIONS = ("CG104", "CG105", "CG106", "CG107")
 """Errors in conditions: the instructions beside them are read."""
@@ -30,6 +30,7 @@ def judge_proposals(
     written: Iterable[Proposal],
     resolved: Resolved,
     sources: Iterable[SourceFile],
+    spell: Spelling,
     problems: Diagnostics,
     is_part: bool = False,
 ) -> None:
@@ -40,7 +41,7 @@ def judge_proposals(
     """
     pairs = {(one.code, one.span): (one, known) for one, known in zip(written, resolved.proposals, strict=True)}
     if pairs:
-        judge = _Judge(resolved, {source.path: source for source in sources}, problems, is_part)
+        judge = _Judge(resolved, {source.path: source for source in sources}, spell, problems, is_part)
         problems.found = [
             judge.judged(problem, *pairs[problem.code, problem.span])
             if problem.span and (problem.code, problem.span) in pairs
@@ -51,8 +52,14 @@ def judge_proposals(
 
 class _Judge:
     def __init__(
-        self, resolved: Resolved, sources: Mapping[str, SourceFile], problems: Diagnostics, is_part: bool
+        self,
+        resolved: Resolved,
+        sources: Mapping[str, SourceFile],
+        spell: Spelling,
+        problems: Diagnostics,
+        is_part: bool,
     ) -> None:
+        self._spell = spell
         self._sources = sources
         self._chosen = resolved.chosen
         self._is_declared = resolved.is_declared and not is_part
@@ -65,7 +72,7 @@ class _Judge:
         for said, leaf in zip(written.turned, resolved.turned, strict=True):
             shown = self._text(said.span)
             if _is_block(said, leaf):
-                return problem._replace(help=no_opposite(shown, is_negated), fix=None)
+                return problem._replace(help=self._spell.no_opposite(shown, is_negated), fix=None)
             if self._may_be_block(leaf):
                 why = f"{shown} may be a block, and nothing is the opposite of one"
                 return problem._replace(help=f"{why}: {_OTHERS_FIRST}", fix=None)

@@ -26,10 +26,6 @@ class Edge(Enum):
         return "rising" if self is Edge.RISE else "falling"
 
 
-EDGE_FUNCTIONS = {Edge.RISE: "re", Edge.FALL: "fe"}
-"""How the language writes a contact on an edge."""
-
-
 @dataclass(frozen=True, slots=True)
 class Contact:
     """A contact on a bit. ``edge`` is None for a level."""

@@ -16,14 +16,6 @@ def quoted(text: str) -> str:
     return shown if '"' in text else f'"{shown[1:-1]}"'
 
 
-def no_opposite(shown: str, is_negated: bool = False) -> str:
-    """The way out for what has no opposite; ``is_negated`` where a ``not`` asks for it, not an else."""
-    nothing, then = "nothing", "test the bit"
-    if is_negated:
-        nothing, then = "nothing in the language", "write nc(...) of that bit"
-    return f"{nothing} is the opposite of {shown}: put it on a bit with out(...) in a rung before, and {then}"
-
-
 _WRITTEN = {"\n": "\\n", "\r": "\\r", "\t": "\\t"}
 _LOG_COMMAND = re.compile(r"#(#(?:vso)?\[)")
 """What runners of GitHub and Azure Pipelines take for a command anywhere in a line of a log."""

@@ -102,6 +102,13 @@ class IfRungs(Dialect):
 
         return function_name(name, taken)
 
+    def idle(self, line: str) -> str:
+        code = line.strip()
+        indent = line[: len(line) - len(line.lstrip())]
+        instead = "if True:" if code.partition("#")[0].rstrip().endswith(":") else "pass"
+        # Without an indent it may declare something.
+        return f"{indent}{instead}\n" if indent and code != instead else ""
+
     # -- help ---------------------------------------------------------------------------------------------------------
 
     def address_hint(self, text: str, bank: str = "C") -> str:

@@ -92,3 +92,6 @@ class IfRungsSpelling(BracketAddresses, Spelling):
 
     def quoted(self, text: str) -> str:
         return quoted(text)
+
+    def hexadecimal(self, value: int) -> str:
+        return f"0x{value:04X}"

@@ -261,7 +261,8 @@ def _check_constant(facts: Facts, placed: Placed, param: Param, constant: Consta
         def copied(number: str) -> str:
             return f"{placed.spec.name}({number}, {shown})" if shown else number
 
-        problems.add("CG302", constant.span, fault, fitting(constant, kind_of(other), _text(facts, constant), copied))
+        way = fitting(constant, kind_of(other), _text(facts, constant), facts.spell, copied)
+        problems.add("CG302", constant.span, fault, way)
 
 
 def _check_oneshot(action: Action, refused: set[Span], problems: Diagnostics) -> None:

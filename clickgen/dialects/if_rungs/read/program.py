@@ -36,6 +36,7 @@ from clickgen.dialects.if_rungs.read.parse import parse_tree
 from clickgen.dialects.if_rungs.read.pieces import Broken
 from clickgen.dialects.if_rungs.read.places import has_parameters
 from clickgen.dialects.if_rungs.read.statements import Refused, Statement, read_in_pieces, read_statements
+from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
 from clickgen.dialects.if_rungs.trade import ARGUMENTS
 from clickgen.dialects.if_rungs.ways_out.hints import flat_address, own, replaced
 from clickgen.dialects.if_rungs.ways_out.misplaced import WayOut, way_out
@@ -48,7 +49,7 @@ from clickgen.ir.proposals import Proposal
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics, did_you_mean
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span
-from clickgen.text.wording import no_opposite, quoted, shorten
+from clickgen.text.wording import quoted, shorten
 
 _DSL_MODULE = "clickgen.dsl"
 _LIBRARIES = frozenset(("clickgen", "pyrung", "pyclickplc", "clickplc", "laddercodec"))
@@ -280,7 +281,9 @@ def _read_if(context: Context, node: cst.If, is_branch: bool) -> tuple[Condition
         proposal, place = propose(context, "CG104", span, arms, is_branch, is_read)
         help = "write a rung of its own with the opposite condition: nc(...) of a bit, or the opposite comparison"
         if place is not None:
-            help = no_opposite(shorten(context.source.line(place.line)[place.col - 1 :][: place.end_col - place.col]))
+            help = IfRungsSpelling().no_opposite(
+                shorten(context.source.line(place.line)[place.col - 1 :][: place.end_col - place.col])
+            )
         context.problems.add("CG104", span, f"a rung has no {word}", help)
         context.proposals.append(proposal)
     return condition, items

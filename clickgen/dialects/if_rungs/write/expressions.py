@@ -11,11 +11,14 @@ from clickgen.dialects.if_rungs.write.layout import Atom, Brackets, Comparison, 
 from clickgen.formula import print_source
 from clickgen.instructions.data import SEARCH
 from clickgen.instructions.spec import Param, ParamKind
-from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition
+from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Edge
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget, Target, TcpTarget
 from clickgen.ir.operands import Cell, CharCode, Hex, Immediate, Integer, Named, Operand, Pointer, Range, Real, Text
 from clickgen.ir.program import Action, FormulaText, KeptToken, Operands, Options, Pattern, Word
 from clickgen.ir.walk import Rewriter
+
+EDGE_FUNCTIONS = {Edge.RISE: "re", Edge.FALL: "fe"}
+"""How the language writes a contact on an edge."""
 
 Names = Mapping[Address, str]
 """The nicknames to write in place of addresses."""
