@@ -238,7 +238,7 @@ def test_an_internal_error_is_told_without_a_traceback(
     def broken(*_: object) -> None:
         raise ZeroDivisionError("no such luck")
 
-    monkeypatch.setattr("clickgen.pipeline.read_program", broken)
+    monkeypatch.setattr("clickgen.pipeline.dialect_of", broken)
     assert main(["build", "prog.py"]) == 2
     said = capsys.readouterr().err
     assert "internal error: ZeroDivisionError: no such luck" in said
