@@ -18,7 +18,7 @@ from clickgen.instructions import communication
 from clickgen.instructions.control import CALL
 from clickgen.instructions.raw import RAW
 from clickgen.instructions.spec import COPY_FLAGS
-from clickgen.ir.conditions import Condition
+from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Integer, Operand, Pointer, Range
 from clickgen.ir.program import Action, KeptToken, Routine, actions_in, rungs_in
 from clickgen.ir.reach import touches
@@ -82,7 +82,7 @@ def reads(condition: Condition) -> Cells:
 
 
 def has_edge(condition: Condition) -> bool:
-    return any(getattr(leaf, "edge", "") for leaf in leaves(condition))
+    return any(isinstance(leaf, Contact) and leaf.edge for leaf in leaves(condition))
 
 
 def is_volatile(condition: Condition, received: Cells | None = None) -> bool:

@@ -6,10 +6,13 @@ import pkgutil
 from enum import Enum
 from functools import cache
 from importlib import import_module
+from typing import TYPE_CHECKING
 
 from clickgen.problems.codes import CODES
 from clickgen.problems.declared import Code, page_of, pages
-from clickgen.rules.rule import Rule
+
+if TYPE_CHECKING:
+    from clickgen.rules.rule import Rule
 
 
 class Folder(Enum):

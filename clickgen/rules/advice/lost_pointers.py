@@ -12,7 +12,7 @@ from clickgen.facts.uses import addresses_of
 from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
 from clickgen.instructions.copies import COPY, COPY_FILL
 from clickgen.instructions.raw import RAW
-from clickgen.ir.conditions import All, Any, Compare, Condition, Contact
+from clickgen.ir.conditions import All, Any, Compare, Condition, Contact, Edge
 from clickgen.ir.operands import Cell, Immediate, Integer, Operand, Pointer, form_of
 from clickgen.ir.program import Routine
 from clickgen.ir.reach import touches
@@ -234,7 +234,7 @@ def _is_left_alone(use: _Use, register: _Register) -> bool:
 
 
 def _edges_agree(conditions: Iterable[Condition]) -> bool:
-    edges: dict[Address, str] = {}
+    edges: dict[Address, Edge | None] = {}
     contacts = (leaf for condition in conditions for leaf in leaves(condition) if isinstance(leaf, Contact))
     return all(
         edges.setdefault(address, contact.edge) == contact.edge
