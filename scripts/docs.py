@@ -1,4 +1,4 @@
-"""Write the parts of the documentation that come from the code: instruction pages, problem pages and some tables.
+"""Write what comes from the code: the table of codes, instruction pages, problem pages and some tables of pages.
 
 The tests fail while one of them is stale, missing or left over.
 """
@@ -20,13 +20,16 @@ from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, Advice
 from clickgen.instructions import FAMILIES, control
 from clickgen.instructions.spec import Spec
-from clickgen.problems.codes import CODES, Severity
+from clickgen.problems.codes import Severity
+from clickgen.problems.declared import Code
+from clickgen.rules import registry
 
 ROOT = Path(__file__).parents[1]
 LANGUAGE = ROOT / "docs" / "language.md"
 WORDS = ROOT / "docs" / "words-of-other-machines.md"
 INSTRUCTIONS = ROOT / "docs" / "instructions"
 PROBLEMS = ROOT / "docs" / "problems"
+TABLE = ROOT / "clickgen" / "problems" / "table.py"
 MATCHER = ROOT / ".github" / "clickgen-problem-matcher.json"
 MADE_FOLDERS = (INSTRUCTIONS, PROBLEMS)
 """Folders that hold nothing else."""
@@ -39,11 +42,28 @@ def made() -> dict[Path, str]:
     pages = {INSTRUCTIONS / f"{spec.name}.md": instruction_page(spec) for _, specs in families() for spec in specs}
     pages[INSTRUCTIONS / "README.md"] = index()
     pages[MATCHER] = problem_matcher()
-    pages |= {PROBLEMS / f"{code}.md": _with_origin(explanation(code)) for code in CODES}
+    pages[TABLE] = code_table()
+    pages |= problem_pages()
     for page in (LANGUAGE, WORDS, PROBLEMS / "README.md"):
         text = page.read_text("utf-8")
         pages[page] = _PART.sub(lambda match: f"{match[1]}\n{PARTS[match[2]]()}\n\n{match[3]}", text)
     return pages
+
+
+def codes() -> list[Code]:
+    """Every code as its rule or its page declares it: the table of codes is made from these, and may be stale."""
+    return [code for code, _ in registry.declarations().values()]
+
+
+def problem_pages() -> dict[Path, str]:
+    return {PROBLEMS / f"{code.name}.md": _with_origin(explanation(code)) for code in codes()}
+
+
+def code_table() -> str:
+    doc = (
+        "Every code: severity, on or off, the rule that declares it, title. scripts/docs.py makes this from the rules."
+    )
+    return f'"""{doc}"""\n\nTABLE = """\\\n{registry.table()}\n"""\n'
 
 
 def problem_matcher() -> str:
@@ -52,8 +72,8 @@ def problem_matcher() -> str:
     words[Severity.INFO] = ("notes", "notice")
     matchers = []
     for severity, (owner, word) in words.items():
-        codes = "|".join(code for code, entry in CODES.items() if entry.severity is severity)
-        pattern = rf"^(?:(.+?):(\d+):(\d+): )?({codes})(?: \[\*\])? (\S.*)$"
+        names = "|".join(code.name for code in codes() if code.severity is severity)
+        pattern = rf"^(?:(.+?):(\d+):(\d+): )?({names})(?: \[\*\])? (\S.*)$"
         places = {"file": 1, "line": 2, "column": 3, "code": 4, "message": 5}
         matchers.append({"owner": f"clickgen-{owner}", "severity": word, "pattern": [{"regexp": pattern, **places}]})
     return json.dumps({"problemMatcher": matchers}, indent=2) + "\n"
@@ -150,9 +170,9 @@ def codes_table() -> str:
     parts = []
     for group, title in _GROUPS.items():
         rows = [
-            (f"[{name}]({name}.md)", f"{code.severity.value}{'' if code.is_on else ', off'}", code.title)
-            for name, code in CODES.items()
-            if name.startswith(group)
+            (f"[{code.name}]({code.name}.md)", f"{code.severity.value}{'' if code.is_on else ', off'}", code.title)
+            for code in codes()
+            if code.name.startswith(group)
         ]
         parts += [f"## {title}", table(("Code", "Severity", "Title"), *rows)]
     return "\n\n".join(parts)

@@ -9,6 +9,7 @@ from clickgen.commands.explain import explanation, instruction_page, instruction
 from clickgen.dialects.registry import default
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import did_you_mean
+from clickgen.rules.registry import declared
 
 DESCRIPTION = "What a code means and what to do; an instruction; a part of the language; a word of another machine."
 EXAMPLES = """\
@@ -45,7 +46,7 @@ def _page(written: str) -> str:
     """The page of a code, an instruction, a topic or a word of the trade; "" where there is none."""
     name = written.lower().removesuffix("()")
     if written.upper() in CODES:
-        return plain(explanation(written.upper()))
+        return plain(explanation(declared(written.upper())))
     if name in instructions():
         return plain(instruction_page(name))
     pages = topics()

@@ -1,4 +1,4 @@
-"""What a code means, as Markdown: of a rule about logic from the rule, of any other from its own file.
+"""What a code means, as Markdown, made of what declares it: a rule, or a page of ``problems/explanations``.
 
 And, from the pages of the documentation, an instruction and a part of the language.
 """
@@ -9,33 +9,23 @@ import re
 import textwrap
 from pathlib import Path
 
-from clickgen.problems.codes import CODES, Severity
-
-_FOLDER = Path(__file__).parents[1] / "problems" / "explanations"
-_WORDS = {Severity.ERROR: "Error", Severity.WARNING: "Warning", Severity.INFO: "Note"}
+from clickgen.problems.codes import Severity
+from clickgen.problems.declared import WORDS, Code
 
 
-def explanation(code: str) -> str:
-    """The page of a code: title, severity, why it matters, examples. Raises KeyError for a code that is none."""
-    entry = CODES[code]
-    word = _WORDS[entry.severity] + ("" if entry.is_on else ", off by default")
-    path = _FOLDER / f"{code}.md"
-    body = path.read_text("utf-8") if path.is_file() else _of_rule(code)
-    return f"# {code}: {entry.title}\n\n**{word}.** {body.strip()}\n"
-
-
-def _of_rule(code: str) -> str:
-    from clickgen.rules.advice import RULES
-
-    rule = next(rule for rule in RULES if rule.code == code)
-    parts = [rule.why.strip()]
-    for number, example in enumerate(rule.wrong):
-        parts += ["" if number else "Found in the lines that `# <-` marks:", _block(example.text)]
+def explanation(code: Code) -> str:
+    """The page of a code: title, severity, why it matters, examples."""
+    word = WORDS[code.severity] + ("" if code.is_on else ", off by default")
+    parts = [f"# {code.name}: {code.title}", f"**{word}.** {code.why.strip()}"]
+    for number, example in enumerate(code.wrong):
+        parts += [] if number else ["Found in the lines that `# <-` marks:"]
+        parts.append(_block(example.text))
         if example.fixed:
             parts += ["`--fix` makes of it:", _block(example.fixed)]
-    parts.append("Not found:")
-    parts += [_block(example) for example in rule.right]
-    return "\n\n".join(part for part in parts if part)
+    if code.right:
+        parts.append("The way out:" if code.wrong and code.severity is Severity.ERROR else "Not found:")
+    parts += [_block(example) for example in code.right]
+    return "\n\n".join(parts) + "\n"
 
 
 def _block(text: str) -> str:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple, NoReturn
@@ -279,3 +280,30 @@ def _names(folder: str) -> list[str]:
         return sorted(os.listdir(folder or "."))
     except OSError:
         return []
+
+
+# -- the programs of a file that has no main --------------------------------------------------------------------------
+
+ReadBytes = Callable[[str], bytes]
+"""The bytes of a file by its path as shown; raises OSError."""
+
+_SIBLINGS_MAX = 200
+"""So many files of a folder are looked through for a message."""
+
+
+def importers(path: str, read_bytes: ReadBytes) -> list[str]:
+    """The programs beside a file that it is a part of: they have a main, and import it, or import what does."""
+    folder, own = os.path.split(path)
+    looks: dict[str, Look] = {}
+    for name in [name for name in _names(folder) if name.endswith(suffixes())][:_SIBLINGS_MAX]:
+        other = os.path.join(folder, name)
+        with suppress(OSError):
+            if name != own and os.path.isfile(other):
+                text = read_bytes(other).decode("utf-8-sig", "replace").replace("\r\n", "\n")
+                looks[name] = dialect_of(other, text).look(other, text)
+    imported = {name: {os.path.basename(file) for file in look.imports} for name, look in looks.items()}
+    known = waiting = {own}
+    while waiting:
+        waiting = {name for name, files in imported.items() if not files.isdisjoint(waiting)} - known
+        known = known | waiting
+    return [os.path.join(folder, name) for name in sorted(known - {own}) if looks[name].has_main]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
@@ -89,6 +89,10 @@ class Facts:
     placed: frozenset[Address] = frozenset()
     """The addresses that clickgen chose for a name, in this build or before."""
     blocks: Collection[Block] = ()
+    scratch_rows: Callable[[], Collection[Row]] = tuple
+    """The rows of the scratch cells; none before the program is lowered."""
+    importers: Callable[[], Sequence[str]] = tuple
+    """The programs beside this one that import its file."""
 
     def shown(self, address: Address) -> str:
         """An address with its nickname, for a message: ``C5 (Motor)``."""

@@ -9,16 +9,7 @@ from clickgen.dialects.base import Spelling
 from clickgen.instructions.copies import COPY
 from clickgen.instructions.spec import Spec
 from clickgen.ir.operands import CharCode, Hex, Integer, Operand, Real, Text, form_of
-from clickgen.problems.diagnostics import Diagnostics
 from clickgen.resolve.constants import kind_of
-from clickgen.text.source import Span
-
-_REFUSALS = ("CG301", "CG304", "CG307", "CG308")
-
-
-def refused_operands(problems: Diagnostics) -> set[Span | None]:
-    """The places of operands that their instruction does not take: nothing more is to be said of them."""
-    return {problem.span for problem in problems.found if problem.code in _REFUSALS}
 
 
 def value_class(operand: Operand) -> str:

@@ -62,9 +62,6 @@ class Diagnostics:
     ) -> None:
         self.found.append(Diagnostic(code, message, span, help, labels, fix))
 
-    def drop(self, code: str) -> None:
-        self.found = [problem for problem in self.found if problem.code != code]
-
     @property
     def has_errors(self) -> bool:
         return any(problem.is_error for problem in self.found)

@@ -19,7 +19,7 @@ import golden
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from test_lint import program_of
+from test_examples import program_of
 from test_spec_example import SPECIFICATION
 
 from clickgen.api import check

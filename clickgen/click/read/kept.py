@@ -6,7 +6,7 @@ import re
 import struct
 import unicodedata
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from clickgen.click.draw.grid import COLUMNS, MAX_ROWS
 from clickgen.click.draw.tokens import action_token
@@ -21,12 +21,8 @@ from clickgen.instructions.raw import RAW, rows_of
 from clickgen.instructions.timers import RTOF
 from clickgen.ir.kept import kept_token
 from clickgen.ir.operands import Cell
-from clickgen.ir.program import Action, KeptToken
-from clickgen.problems.diagnostics import Diagnostics
+from clickgen.ir.program import Action
 from clickgen.text.source import Span
-
-if TYPE_CHECKING:
-    from clickgen.facts.facts import Facts
 
 _FORMULA = "math"
 _MODES = {"decimal": CALC, "hex": MATH_HEX}
@@ -52,15 +48,6 @@ def raw_of(token: str, span: Span) -> Action | None:
     if fault_of(token) is not None:
         return None
     return Action(RAW, {"token": kept_token(embedded(token, span), span)}, span)
-
-
-def check(facts: Facts, problems: Diagnostics) -> None:
-    """Every token that the program keeps is one that can be kept."""
-    for placed in facts.actions:
-        token = placed.action.args.get("token")
-        fault = fault_of(token.text) if isinstance(token, KeptToken) else None
-        if token is not None and fault is not None:
-            problems.add("CG317", token.span, f"the ladder token cannot be kept: {fault.message}", fault.help)
 
 
 @lru_cache(maxsize=4096)

@@ -18,6 +18,7 @@ from clickgen.problems.codes import CODES, Severity
 from clickgen.problems.diagnostics import Diagnostic, Label
 from clickgen.problems.report import Report, message_of, shown_path
 from clickgen.problems.report.fingerprints import fingerprints
+from clickgen.rules.registry import declared
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
@@ -71,7 +72,7 @@ def _driver() -> Tree:
 
 def _rule(code: str) -> Tree:
     entry = CODES[code]
-    page = _without_links(explanation(code))
+    page = _without_links(explanation(declared(code)))
     rule: Tree = {
         "id": code,
         "shortDescription": {"text": entry.title},
@@ -97,7 +98,10 @@ def _first_words(page: str) -> str:
     return text if len(text) <= _DESCRIPTION_MAX else text[: _DESCRIPTION_MAX - 1] + "\N{HORIZONTAL ELLIPSIS}"
 
 
-_INDEX = {code: index for index, code in enumerate(CODES)}
+def _index(code: str) -> int:
+    """The place of a code in the list of rules."""
+    return list(CODES).index(code)
+
 
 # -- results ----------------------------------------------------------------------------------------------------------
 
@@ -105,7 +109,7 @@ _INDEX = {code: index for index, code in enumerate(CODES)}
 def _result(report: Report, finding: Diagnostic, mark: str) -> Tree:
     result: Tree = {
         "ruleId": finding.code,
-        "ruleIndex": _INDEX[finding.code],
+        "ruleIndex": _index(finding.code),
         "level": LEVELS[report.severity(finding)],
         "message": {"text": "\n".join(_message(finding))},
         # No primaryLocationLineHash: GitHub's upload-sarif computes it from the source, and complains about any other

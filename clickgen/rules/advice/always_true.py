@@ -8,16 +8,15 @@ from itertools import combinations
 from clickgen.facts.facts import Facts
 from clickgen.ir.conditions import All, Any, Compare, Condition
 from clickgen.logic.conditions import MANY, always_holds, decided, may_meet, value_of
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG508"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for condition in facts.conditions:
         for part in _always(condition):
-            problems.add(CODE, part.span, _fault(facts, part), _help(condition, part))
+            yield finding(CODE, part.span, _fault(facts, part), _help(condition, part))
 
 
 def _always(part: Condition) -> Iterator[Compare | Any]:
@@ -46,9 +45,10 @@ def _help(condition: Condition, part: Compare | Any) -> str:
     return f"{correct}; if it is meant, {'write True' if part is condition else 'leave it out'}"
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a condition is always true",
     """
 A test that is always true lets through what it seems to hold back. The classic is "neither 1 nor 2" written with
 `any(...)`: of two different numbers the register always differs from one. Write `all(ds.Mode != 1, ds.Mode != 2)`.
@@ -106,3 +106,5 @@ if any(re(x.Switch), nc(x.Switch)):
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -15,15 +15,14 @@ from clickgen.ir.conditions import All, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import implies, looked_at
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 # click-facts [scan.power-up]
 CODE = "CG557"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     said: set[Address] = set()
     for placed in facts.actions:
         lost: dict[Address, Span] = {}
@@ -33,17 +32,17 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 said.add(bit)
                 lost[bit] = span
         if lost:
-            _report(facts, problems, lost)
+            yield from _report(facts, lost)
 
 
-def _report(facts: Facts, problems: Diagnostics, lost: Mapping[Address, Span]) -> None:
+def _report(facts: Facts, lost: Mapping[Address, Span]) -> Findings:
     """One finding for all that one instruction clears."""
     first, span = next(iter(lost.items()))
     name, bank = facts.nickname(first) or "Total", first.bank.lower()
     written = f"{bank}.{name}" if name.isidentifier() else f'{bank}["{name}"]'
     one = len(lost) == 1
     are, they, them = ("is", "it", "it") if one else ("are", "they", "them")
-    problems.add(
+    yield finding(
         CODE,
         span,
         f"{facts.listed([*lost])} {are} retentive and cleared here in the first scan: what {they} kept is lost at "
@@ -91,9 +90,10 @@ def _is_meant(facts: Facts, address: Address) -> bool:
     return bool(declared and declared.retentive) or in_block
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a value that is to be kept is cleared in the first scan",
     """
 A counter is retentive in CLICK unless the table says No: it goes on counting after a power failure. With the first
 scan in its reset that is undone, and a batch or an hour meter begins anew after every short dip of the supply. The same
@@ -175,3 +175,5 @@ if all(c.Alarm, ds.Step == 3):
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -14,8 +14,7 @@ from clickgen.ir.operands import Cell, Integer, Real
 from clickgen.ir.program import FormulaText
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import HOLDS
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [system.clock, system.clock-set]
 CODE = "CG552"
@@ -24,10 +23,10 @@ _COPIES_MAX = 8
 """A register that gets its value through more copies than this is not looked into."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     parts: _Parts = {}
     for compare in facts.comparisons:
-        _check_comparison(facts, compare, parts, problems)
+        yield from _check_comparison(facts, compare, parts)
     for placed in facts.actions:
         for touch in touches(placed.action):
             if touch.is_written:
@@ -43,14 +42,14 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                     if value is not None and not part.low <= value <= part.high:
                         span = put.span if isinstance(put, Integer | Real) else touch.operand.span
                         fault = f"{facts.shown(address)} takes the {part.name}, {_range(part)}, and not {value:g}"
-                        problems.add(CODE, span, fault, f"write a number from {part.low} to {part.high}")
+                        yield finding(CODE, span, fault, f"write a number from {part.low} to {part.high}")
 
 
 _Parts = dict[Address, Part | None]
 """What is known of the registers that were asked for."""
 
 
-def _check_comparison(facts: Facts, compare: Compare, parts: _Parts, problems: Diagnostics) -> None:
+def _check_comparison(facts: Facts, compare: Compare, parts: _Parts) -> Findings:
     left, op, right = compare.left, compare.op, compare.right
     if not isinstance(left, Cell):
         left, op, right = right, MIRRORED[op], left
@@ -67,7 +66,7 @@ def _check_comparison(facts: Facts, compare: Compare, parts: _Parts, problems: D
     outcome = _outcome(part, op, right.value)
     if outcome is not None:
         shown = facts.shown(left.address)
-        problems.add(
+        yield finding(
             CODE,
             compare.span,
             f"{facts.described(compare)} is {'always' if outcome else 'never'} true: {shown} is the {part.name}, "
@@ -107,9 +106,10 @@ def _range(part: Part) -> str:
     return f"{part.low} to {part.high}" + (f" ({part.note})" if part.note else "")
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "the clock has no such value",
     """
 The registers of the clock hold hours from 0 to 23, minutes and seconds from 0 to 59, months from 1 to 12, days from 1
 to 31, and weekdays from 1, which is Sunday, to 7. A comparison with another number is never true, or always, so that a
@@ -167,3 +167,5 @@ if ds.Hour == 30:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -15,8 +15,8 @@ from clickgen.instructions.coils import OUT, RESET, SET
 from clickgen.ir.operands import Cell, Immediate, form_of
 from clickgen.ir.walk import condition_operands
 from clickgen.logic.conditions import are_exclusive, implies, looked_at
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG543"
 
@@ -45,7 +45,7 @@ class _Loss(NamedTuple):
     """True for a reset that works for as long as its rung is on."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     coils: dict[Address, list[tuple[Placed, int]]] = defaultdict(list)
     idle = never_run(facts)
     for at, placed in enumerate(facts.actions):
@@ -71,7 +71,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                     losses[(action,) if latch.is_range else (action, id(coil.action))].append(loss)
                     break
     for group in losses.values():
-        _report(facts, problems, group)
+        yield from _report(facts, group)
 
 
 class _Judge:
@@ -161,7 +161,7 @@ def _target(placed: Placed) -> object:
     return operand.target if isinstance(operand, Immediate) else operand
 
 
-def _report(facts: Facts, problems: Diagnostics, losses: list[_Loss]) -> None:
+def _report(facts: Facts, losses: list[_Loss]) -> Findings:
     _, coil, latch, is_later, is_held = losses[0]
     bits = list(dict.fromkeys(loss.bit for loss in losses))
     others = len({id(loss.coil.action) for loss in losses}) - 1
@@ -179,12 +179,13 @@ def _report(facts: Facts, problems: Diagnostics, losses: list[_Loss]) -> None:
         fault = f"{word} does not hold {name}: out in {place} writes {it} again in every scan, {state}"
     else:
         fault = f"this out writes {name} in every scan, so {word} in {place} does not hold {it}, {state}"
-    problems.add(CODE, here.action.span, fault, help, (Label(there.action.span, f"{there.spec.name} is here"),))
+    yield finding(CODE, here.action.span, fault, help, (Label(there.action.span, f"{there.spec.name} is here"),))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "out and set or reset drive one bit",
     """
 `out` writes its bit in every scan in which its rung is looked at: on when the rung is on, off when it is off. `set` and
 `reset` write only while their rung is on, and leave the bit as it is otherwise. On one bit the two do not mix: what was
@@ -348,3 +349,5 @@ def auto():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -19,8 +19,8 @@ from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, actions_in
 from clickgen.ir.walk import leaves
 from clickgen.logic.conditions import are_exclusive, terms_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG546"
 
@@ -31,7 +31,7 @@ _READY = frozenset(Address("SC", number) for number in (90, 100, 102))
 _OWN_FLAGS = ("sending", "receiving", "success", "error")
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     on_port: dict[object, list[Placed]] = defaultdict(list)
     idle = never_run(facts)
     for placed in facts.actions:
@@ -41,7 +41,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         before = on_port[port][:_MANY]
         other = next((one for one in before if _may_meet(facts, one, placed)), None)
         if other is not None:
-            _report(problems, placed, other)
+            yield from _report(placed, other)
         on_port[port].append(placed)
 
 
@@ -101,11 +101,11 @@ def _resets(writer: Placed) -> bool:
     return any(action.spec is RESET for action in actions_in(writer.rung.items))
 
 
-def _report(problems: Diagnostics, placed: Placed, other: Placed) -> None:
+def _report(placed: Placed, other: Placed) -> Findings:
     here, there = placed.action, other.action
     target = here.args["target"]
     port = f"port {target.com_port}" if isinstance(target, RtuTarget) else f"the connection to {_ip(here)}"
-    problems.add(
+    yield finding(
         CODE,
         here.span,
         f"this {here.spec.name} and the {there.spec.name} in {there.span.seen_from(here.span)} may both be on, and "
@@ -121,9 +121,10 @@ def _ip(action: Action) -> str:
     return target.ip if isinstance(target, TcpTarget) else ""
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "two messages may want one port at the same time",
     """
 A message takes many scans: the other device has to answer. While one is under way on a port, another one on that port
 is not sent, or one of the two fails, and it depends on chance which. It works on the bench with one device and fails on
@@ -215,3 +216,5 @@ if any(c.ScaleDone, c.ScaleLost):
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

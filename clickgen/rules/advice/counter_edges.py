@@ -6,19 +6,18 @@ from __future__ import annotations
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.pulses import Pulses
 from clickgen.instructions import counters
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG513"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     pulses = Pulses(facts)
     for placed in facts.actions:
         if placed.spec in counters.SPECS:
             for place, span in _levels(pulses, placed):
-                problems.add(
+                yield finding(
                     CODE,
                     span,
                     f"{place} of this {placed.spec.name} is a level, not an edge: sources disagree whether CLICK then "
@@ -36,9 +35,10 @@ def _levels(pulses: Pulses, placed: Placed) -> list[tuple[str, Span]]:
     return found
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a counter counts without an edge",
     """
 The vendor's help says that a counter counts once for each time its rung turns on; other sources, simulators among
 them, count in every scan while it is on. With an edge on the counted bit both say the same, and a person who reads the
@@ -85,5 +85,6 @@ if t.Minute:
     ctu(ct.Minutes, setpoint=480, reset=lambda: c.NewShift)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -9,8 +9,8 @@ from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.idle import never_run
 from clickgen.facts.uses import addresses_of
 from clickgen.instructions.coils import OUT
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [coil.two-outs]
 CODE = "CG501"
@@ -19,7 +19,7 @@ _COILS_MAX = 100
 """A coil is compared with so many coils of the same bit before it."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     driven: dict[Address, list[Placed]] = defaultdict(list)
     idle = never_run(facts)
     for placed in facts.actions:
@@ -30,7 +30,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             before = driven[address][:_COILS_MAX]
             earlier = next((one for one in before if not facts.run_apart(one.routine, placed.routine)), None)
             if earlier is not None:
-                problems.add(
+                yield finding(
                     CODE,
                     placed.action.span,
                     f"{facts.shown(address)} is driven by out in {earlier.action.span.seen_from(placed.action.span)} "
@@ -43,9 +43,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             driven[address].append(placed)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "an output coil is driven in two places",
     """
 `out` writes its bit in every scan in which its rung is looked at: on when the rung is true and off when it is false.
 With two of them the later rung decides alone, and the earlier one does nothing but flicker: a classic reason why a
@@ -114,5 +115,6 @@ def manual():
         return
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

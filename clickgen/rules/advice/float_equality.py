@@ -12,8 +12,7 @@ from clickgen.ir.conditions import Compare
 from clickgen.ir.formula_nodes import Binary, Call, Node, Number, Operand, Pi, Sum, walk
 from clickgen.ir.operands import Cell, Integer, Pointer, Real, Single
 from clickgen.ir.program import FormulaText
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [value.floats]
 CODE = "CG520"
@@ -21,7 +20,7 @@ CODE = "CG520"
 _WHOLE = (Kind.INT16, Kind.INT32, Kind.HEX)
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     compares = [compare for compare in facts.comparisons if compare.op in ("==", "!=") and _has_float(compare)]
     by_pointer = [placed for placed in facts.actions if _goes_by_pointer(placed)] if compares else []
     for compare in compares:
@@ -29,7 +28,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         register = next((one for one, other in sides if _is_inexact(facts, by_pointer, one, other)), None)
         if isinstance(register, Cell) and not any(_meets_surely(facts, *pair) for pair in sides):
             name = facts.shown(register.address)
-            problems.add(
+            yield finding(
                 CODE,
                 compare.span,
                 f"{name} is a floating-point number: a measured or calculated value is seldom exactly equal to another",
@@ -115,9 +114,10 @@ def _stays_whole(node: Node) -> bool:
     return not isinstance(node, Pi | Call) and not (isinstance(node, Binary) and node.op not in ("+", "-", "*"))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "floating-point values are compared for equality",
     """
 A floating-point register holds about seven digits, and a measured or calculated value is almost never exactly the
 number that is asked for: `df.Level == 2.5` may stay off for ever at 2.4999998, and `!=` is then always on. Ask for a
@@ -178,5 +178,6 @@ if ds.Percent == 50:
     set(c.Half)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -17,8 +17,8 @@ from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import are_exclusive, can_hold, implies
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [scan.skipped]
 CODE = "CG545"
@@ -29,7 +29,7 @@ _LABELS_MAX = 5
 _Frozen = list[tuple[Placed, Address]]
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     watch = Watch(facts)
     for routine in facts.program.subroutines:
         if routine.name not in watch.sometimes:
@@ -41,7 +41,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             stay, left, on = ("stays", "it", "it was") if len(_bits(outputs)) == 1 else ("stay", "them", "they were")
             fault = f"while {routine.name} is not called, {named} {stay} as the last call left {left}, on if {on} on"
             help = "drive outputs in a rung that every scan looks at, or reset them where the subroutine is not called"
-            _report(facts, problems, routine, outputs, fault, help)
+            yield from _report(facts, routine, outputs, fault, help)
         if timers:
             named = facts.listed(_bits(timers))
             stand, go = ("stands", "goes") if len(_bits(timers)) == 1 else ("stand", "go")
@@ -49,13 +49,13 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 f"while {routine.name} is not called, {named} {stand} still, and {go} on from there with the next call"
             )
             help = "put the timer into a rung that every scan looks at, with the condition of the call in its own"
-            _report(facts, problems, routine, timers, fault, help)
+            yield from _report(facts, routine, timers, fault, help)
         if lasting:
             named = facts.listed(_bits(lasting))
             count, reset = ("counts", "resets") if len(_bits(lasting)) == 1 else ("count", "reset")
             fault = f"while {routine.name} is not called, {named} neither {count} nor {reset}"
             help = "put the timer into a rung that every scan looks at, with the condition of the call in its own"
-            _report(facts, problems, routine, lasting, fault, help)
+            yield from _report(facts, routine, lasting, fault, help)
 
 
 def _bits(frozen: _Frozen) -> list[Address]:
@@ -117,16 +117,17 @@ def _timers_of(facts: Facts, routine: Routine, specs: tuple[Spec, ...]) -> Itera
             yield placed, timer
 
 
-def _report(facts: Facts, problems: Diagnostics, routine: Routine, frozen: _Frozen, fault: str, help: str) -> None:
+def _report(facts: Facts, routine: Routine, frozen: _Frozen, fault: str, help: str) -> Findings:
     first, *others = dict.fromkeys(placed.action.span for placed, _ in frozen)
     call = facts.calls[routine.name][0].action.span
     labels = [Label(call, "called under a condition"), *(Label(span, "this one too") for span in others[:_LABELS_MAX])]
-    problems.add(CODE, first, fault, help, tuple(labels))
+    yield finding(CODE, first, fault, help, tuple(labels))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "an output or timer may freeze in a subroutine that does not always run",
     """
 Rungs of a subroutine that is not called are not looked at. An `out` there writes nothing then, not even off: its bit
 stays as the last call left it, and the motor runs on after the mode was switched. The outputs of a drum do the same. A
@@ -344,3 +345,5 @@ def night():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

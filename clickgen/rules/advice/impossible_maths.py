@@ -14,8 +14,7 @@ from clickgen.ir.conditions import Compare, Condition
 from clickgen.ir.formula_nodes import Binary, Call, Node, walk
 from clickgen.ir.operands import Cell, Integer, Real
 from clickgen.logic.conditions import are_exclusive, can_hold
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [math.no-value]
 CODE = "CG553"
@@ -52,7 +51,7 @@ _DOMAINS: Mapping[str, _Domain] = {
 }
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for calculation in calculations(facts):
         for node in walk(calculation.formula.formula):
             if isinstance(node, Call) and node.name in _DOMAINS:
@@ -67,7 +66,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 destination = calculation.destination
                 name = facts.shown(destination.address) if destination else "the destination"
                 said = f"{fault}: nobody knows what CLICK puts into {name}"
-                problems.add(CODE, place_of(facts, calculation.formula, place), said, help)
+                yield finding(CODE, place_of(facts, calculation.formula, place), said, help)
 
 
 def _function(facts: Facts, calculation: Calculation, name: str, argument: Node) -> tuple[str, str]:
@@ -109,9 +108,10 @@ def _power(base: float | None, exponent: float | None) -> tuple[str, str]:
     return "", ""
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a formula has no result",
     """
 The square root of a negative number, the logarithm of 0 or less, and the arc sine or arc cosine of more than 1 have no
 value. CLICK does not say what it stores then, so a controlled variable may jump to anything. A fault that looks like
@@ -155,3 +155,5 @@ if df.Ratio > 0:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

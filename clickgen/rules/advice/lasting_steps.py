@@ -13,8 +13,8 @@ from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import Cell, Hex, Integer
 from clickgen.ir.walk import leaves
 from clickgen.logic.conditions import terms_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG556"
@@ -36,7 +36,7 @@ class _Writer(NamedTuple):
         return not self.is_start and self.asked.may_be(step) and left_in(self.placed, address, step) != step
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     compared = {
         side.address: None
         for compare in facts.comparisons
@@ -47,10 +47,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
     for address in compared:
         placed = facts.writers(address)
         if len(placed) <= _STEPS_MAX and not facts.uses.is_pointed(address.bank, is_written=True):
-            _check(facts, address, placed, problems)
+            yield from _check(facts, address, placed)
 
 
-def _check(facts: Facts, address: Address, placed: Sequence[Placed], problems: Diagnostics) -> None:
+def _check(facts: Facts, address: Address, placed: Sequence[Placed]) -> Findings:
     writers = [_Writer(one, Asked(facts, one, address), runs_at_start_only(facts, one)) for one in placed]
     steps, known = _steps(facts, address, writers)
     if len(known) > _STEPS_MAX or not _is_sequence(address, writers, known):
@@ -66,7 +66,7 @@ def _check(facts: Facts, address: Address, placed: Sequence[Placed], problems: D
         name = facts.text(cell) if cell else str(address)
         labels = tuple(Label(writer.placed.action.span, "this ends any step") for writer in ways)
         but = f", but for line {ways[0].placed.action.span.line}, which ends any step" if ways else ""
-        problems.add(
+        yield finding(
             CODE,
             span,
             f"step {step} of {shown} is never left: no rung that asks for it writes another number{but}",
@@ -141,9 +141,10 @@ def _cell(facts: Facts, address: Address) -> Span | None:
     return None
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a step is never left",
     """
 A sequence whose step register gets a number that no transition asks for stands still there, and the machine with it,
 until somebody presses stop. It is mostly a transition that was never written, or one that compares with a wrong number.
@@ -229,3 +230,5 @@ if ds.Ready == 0:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -11,14 +11,13 @@ from clickgen.instructions.control import FOR
 from clickgen.ir.conditions import MIRRORED, All, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Integer
 from clickgen.logic.conditions import are_exclusive, implies, looked_at, terms_of
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [control.for-count]
 CODE = "CG528"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for placed in facts.actions:
         count = placed.action.args.get("count")
         if placed.spec is not FOR or not isinstance(count, Cell):
@@ -28,7 +27,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             continue
         reason = _why_not_positive(facts, placed, count.address)
         if reason:
-            problems.add(
+            yield finding(
                 CODE,
                 count.span,
                 f"{facts.shown(count.address)} may be 0 or less: {reason}, and what CLICK does then, no source says",
@@ -143,9 +142,10 @@ def _runs_between(facts: Facts, other: Placed, writer: Placed, loop: Placed) -> 
     )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a loop's count may be 0 or less",
     """
 A loop runs as often as its register says. What CLICK does when the register is 0 or negative, its vendor does not say:
 the loop may be skipped, run once, or run until the watchdog stops the PLC. An empty list, a recipe that nobody has
@@ -231,3 +231,5 @@ if c.Again:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

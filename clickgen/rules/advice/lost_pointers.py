@@ -18,8 +18,8 @@ from clickgen.ir.program import Routine
 from clickgen.ir.reach import touches
 from clickgen.ir.walk import condition_operands, leaves
 from clickgen.logic.conditions import are_exclusive, implies, terms_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG518"
 
@@ -28,7 +28,7 @@ _WRITERS_MAX = 8
 """Of more instructions that write a register only the nearest are looked at."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     through = {id(use.action) for use in facts.uses.every if isinstance(use.operand, Pointer)}
     # Where pointers write DS registers, any of them may write the pointer's own.
     if not through or facts.uses.is_pointed("DS", True):
@@ -45,7 +45,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                     use = _Use(placed, place, since, pointer, pointer.register)
                     found = _find(facts, use, registers.of(pointer.register.address))
                     if found:
-                        _report(facts, problems, use, *found)
+                        yield from _report(facts, use, *found)
 
 
 class _Use(NamedTuple):
@@ -108,12 +108,12 @@ class _Register(NamedTuple):
     """The contacts and comparisons that look at the register."""
 
 
-def _report(facts: Facts, problems: Diagnostics, use: _Use, writer: _Writer, is_sure: bool) -> None:
+def _report(facts: Facts, use: _Use, writer: _Writer, is_sure: bool) -> Findings:
     span, bank, number = use.pointer.span, BANKS[use.pointer.bank], writer.number
     there = writer.placed.action.span.seen_from(span)
     said = f"is {number} after {there}" if is_sure else f"may still be {number} from {there}"
     # What CLICK does then: click-facts [copy.wild-pointer]
-    problems.add(
+    yield finding(
         CODE,
         span,
         f"{facts.shown(use.register.address)} {said}, and there is no {bank.name}{number}: "
@@ -261,9 +261,10 @@ def _is_possible(condition: Condition, others: Sequence[Condition] = ()) -> bool
     return not implies(condition, Any(tuple(others), condition.span))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a pointer may lead to no address",
     """
 A pointer whose register holds 0, or a number beyond the bank, leads nowhere: CLICK skips the copy, sets SC44 and goes
 on with the old value. Nothing on the panel says why a recipe did not load.
@@ -337,3 +338,5 @@ if c.Show:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -9,8 +9,8 @@ from clickgen.ir.conditions import Any, Contact, Edge
 from clickgen.ir.operands import Cell
 from clickgen.ir.walk import leaves
 from clickgen.logic.conditions import implies
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [scan.edges]
 CODE = "CG514"
@@ -19,7 +19,7 @@ _CLOCKS = frozenset(Address("SC", number) for number in range(3, 10))
 """CLICK's clocks: a tick that nobody saw is not missed (click-facts [system.clocks])."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     sometimes = {
         routine.name: condition for routine in facts.program.subroutines if (condition := facts.sometimes(routine))
     }
@@ -34,7 +34,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             continue
         call = facts.calls[name][0].action.span
         went = "on" if edge is Edge.RISE else "off"
-        problems.add(
+        yield finding(
             CODE,
             contacts[0].span,
             f"{name} does not run in every scan: when {facts.shown(address)} goes {went} in between, this edge "
@@ -60,9 +60,10 @@ def _changes_without(facts: Facts, address: Address, name: str, sometimes: dict[
     )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "an edge may be missed in a subroutine that does not always run",
     """
 An edge contact compares a bit with what it was when CLICK last looked at this contact. In a subroutine that is not
 called, nobody looks. A button that is pressed and released meanwhile is missed; one that is pressed and held makes its
@@ -202,3 +203,5 @@ def lamps():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -10,9 +10,9 @@ from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use
 from clickgen.instructions.coils import RESET
 from clickgen.instructions.raw import RAW
-from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.problems.diagnostics import Label
 from clickgen.problems.name_slips import Spellings
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG540"
 
@@ -32,7 +32,7 @@ class _Name(NamedTuple):
     is_declared: bool
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     by_bank: dict[str, dict[str, _Name]] = defaultdict(dict)
     for address in facts.uses.addresses:
         nickname = facts.nickname(address)
@@ -48,7 +48,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             for other in (names[near] for near in spellings.near(one.name)):
                 if _is_suspect(bank, one, other):
                     said.update((one.name, other.name))
-                    _report(facts, problems, one, other)
+                    yield from _report(facts, one, other)
                     break
 
 
@@ -75,7 +75,7 @@ def _is_suspect(bank: str, one: _Name, other: _Name) -> bool:
     return bool(one.writes) and not one.reads and bool(other.reads)
 
 
-def _report(facts: Facts, problems: Diagnostics, one: _Name, other: _Name) -> None:
+def _report(facts: Facts, one: _Name, other: _Name) -> Findings:
     is_read = bool(one.reads)
     use = one.reads[0] if is_read else one.writes[0]
     there = next(iter((other.writes if is_read else other.reads) or [*other.writes, *other.reads]))
@@ -83,7 +83,7 @@ def _report(facts: Facts, problems: Diagnostics, one: _Name, other: _Name) -> No
     what = "never written" if is_read else "never read"
     if one.address.bank == "X":
         what = "not declared"
-    problems.add(
+    yield finding(
         CODE,
         use.operand.span,
         f"{facts.shown(one.address)} is {what}, and {facts.shown(other.address)} in "
@@ -98,9 +98,10 @@ def _written(bank: str, name: str) -> str:
     return f"{bank}.{name}" if name.isidentifier() else f'{bank}["{name}"]'
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a name looks like a misspelling of another",
     """
 clickgen gives every new name an address. A misspelled name is a new name, so it builds: the contact on it waits for
 ever for a bit that nobody sets, and the guard that was to stop the machine does not.
@@ -195,3 +196,5 @@ def main():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -8,8 +8,8 @@ from itertools import combinations
 from clickgen.facts.facts import Facts, Site
 from clickgen.ir.conditions import All, Any, Compare, Condition
 from clickgen.logic.conditions import MANY, are_exclusive, can_hold, decided, looked_at, may_meet, terms_of, value_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG507"
 
@@ -17,7 +17,7 @@ _NAMED_MAX = 4
 """So many terms that exclude each other a message names."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for site in facts.sites:
         if may_meet((*site.above, site.condition)):
             # A branch of a dead rung is found with the rung.
@@ -27,7 +27,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         else:
             found = _never_alone(site.condition, False)
         for part, beside, is_leg in found:
-            _report(facts, problems, site, part, beside, is_leg)
+            yield from _report(facts, site, part, beside, is_leg)
 
 
 _PARTS_MAX = 1_000
@@ -95,9 +95,7 @@ def _never_alone(part: Condition, is_leg: bool) -> Iterator[_Found]:
         yield part, (), is_leg
 
 
-def _report(
-    facts: Facts, problems: Diagnostics, site: Site, part: Condition, beside: tuple[Condition, ...], is_leg: bool
-) -> None:
+def _report(facts: Facts, site: Site, part: Condition, beside: tuple[Condition, ...], is_leg: bool) -> Findings:
     help = "correct one of them; for one or the other write any(...)"
     labels: tuple[Label, ...] = ()
     if isinstance(part, Compare) and decided(part) is False:
@@ -112,7 +110,7 @@ def _report(
         above = terms_of(*site.above)
         if any(term is one for term in outer for one in above):
             help = "correct one of them, or give the branch a rung of its own"
-    problems.add(CODE, part.span, f"{fault}, so {_consequence(site, is_leg)}", help, labels)
+    yield finding(CODE, part.span, f"{fault}, so {_consequence(site, is_leg)}", help, labels)
 
 
 def _at_odds(own: tuple[Condition, ...], beside: tuple[Condition, ...]) -> list[Condition]:
@@ -145,9 +143,10 @@ def _consequence(site: Site, is_leg: bool) -> str:
     return f"the {'branch' if site.above else 'rung'} never comes on"
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a condition can never be true",
     """
 What hangs on a condition that is never true does not run, whatever the machine does, and in CLICK the rung just never
 turns blue. It is mostly `all(...)` where `any(...)` was meant, a comparison turned the wrong way, or a copied line in
@@ -218,3 +217,5 @@ if all(x.Door.immediate, nc(x.Door)):
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

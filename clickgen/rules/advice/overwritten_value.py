@@ -21,8 +21,8 @@ from clickgen.ir.operands import Cell, Constant, Operand, Pointer, Range, form_o
 from clickgen.ir.program import Action, FormulaText
 from clickgen.ir.walk import condition_operands, leaves
 from clickgen.logic.conditions import can_hold, implies, terms_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG510"
 
@@ -41,7 +41,7 @@ _RANGES_MAX = 8
 """A write further back is not looked for."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     looked_at: dict[int, list[Operand]] = defaultdict(list)
     touched: dict[int, list[Use]] = defaultdict(list)
     changes = Changes(facts)
@@ -50,15 +50,15 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             looked_at[id(use.rung)].append(use.operand)
         else:
             touched[id(use.action)].append(use)
-    walk = _Walk(facts, problems, changes)
+    walk = _Walk(facts, changes)
     routine, rung = None, None
     for placed in facts.actions:
         if placed.routine is not routine:
-            walk, routine = _Walk(facts, problems, changes), placed.routine
+            walk, routine = _Walk(facts, changes), placed.routine
         if placed.rung is not rung:
             rung = placed.rung
             walk.enter(looked_at[id(rung)])
-        walk.run(placed, touched[id(placed.action)])
+        yield from walk.run(placed, touched[id(placed.action)])
 
 
 class _Write(NamedTuple):
@@ -73,9 +73,8 @@ class _Write(NamedTuple):
 class _Walk:
     """One routine from its first rung to its last, with the values that nothing has read so far."""
 
-    def __init__(self, facts: Facts, problems: Diagnostics, changes: Changes) -> None:
+    def __init__(self, facts: Facts, changes: Changes) -> None:
         self._facts = facts
-        self._problems = problems
         self._changes = changes
         self._flags = frozenset(flag for flag in _FLAGS if facts.uses.reads(flag))
         """The flags that the program looks at anywhere."""
@@ -92,7 +91,7 @@ class _Walk:
         for operand in looked_at:
             self._read(operand)
 
-    def run(self, placed: Placed, touched: list[Use]) -> None:
+    def run(self, placed: Placed, touched: list[Use]) -> Findings:
         if placed.spec.name in _BARRIERS or placed.loop:
             self._forget()
             self._left.add(id(placed.rung))
@@ -102,7 +101,7 @@ class _Walk:
                 self._read(use.operand)
         for use in touched:
             if use.is_written:
-                self._write(placed, use.operand)
+                yield from self._write(placed, use.operand)
 
     # -- reading ------------------------------------------------------------------------------------------------------
 
@@ -134,7 +133,7 @@ class _Walk:
 
     # -- writing ------------------------------------------------------------------------------------------------------
 
-    def _write(self, placed: Placed, operand: Operand) -> None:
+    def _write(self, placed: Placed, operand: Operand) -> Findings:
         self._changed[-1] += extents_written(operand)
         if isinstance(operand, Pointer):
             return
@@ -143,7 +142,7 @@ class _Walk:
             if bank not in _BANKS:
                 continue
             if is_copied and _replaces(placed.action):
-                self._judge(placed, bank, first, last)
+                yield from self._judge(placed, bank, first, last)
             self._drop(bank, first, last)
             if not is_copied or _becomes_text(placed.action):
                 continue
@@ -153,7 +152,7 @@ class _Walk:
             else:
                 self._ranges[bank] = [*self._ranges[bank][1 - _RANGES_MAX :], write]
 
-    def _judge(self, placed: Placed, bank: str, first: int, last: int) -> None:
+    def _judge(self, placed: Placed, bank: str, first: int, last: int) -> Findings:
         lost = self._cells_in(bank, first, last)
         lost += [write for write in self._ranges.get(bank, ()) if first <= write.first and write.last <= last]
         for write in lost:
@@ -162,7 +161,7 @@ class _Walk:
             here, there = write.placed.action.span, placed.action.span
             ends = [Address(bank, number) for number in sorted({write.first, write.last})]
             shown = " to ".join(map(self._facts.shown, ends))
-            self._problems.add(
+            yield finding(
                 CODE,
                 here,
                 f"the value for {shown} is overwritten in {there.seen_from(here)} before anything reads it: "
@@ -240,9 +239,10 @@ def _may_raise_flags(action: Action) -> bool:
     return not isinstance(source, Constant)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a value is overwritten before anything reads it",
     """
 Two instructions write the same address, and whenever the first one runs, the second one runs behind it, in the same
 rung or a few rungs further down, before anything has looked at the value. The first one does nothing. Mostly a line
@@ -313,3 +313,5 @@ if c.Start:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

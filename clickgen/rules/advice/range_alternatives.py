@@ -8,8 +8,7 @@ from clickgen.device.banks import BANKS
 from clickgen.facts.facts import Facts
 from clickgen.ir.conditions import All, Any, Condition, Contact
 from clickgen.ir.operands import Immediate, Range
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
 
 CODE = "CG526"
@@ -18,7 +17,7 @@ _BITS_MAX = 16
 """The fix writes out no longer range than this."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for condition in facts.conditions:
         for contact in _alternatives(condition, False):
             bits = _bits(facts, contact)
@@ -30,7 +29,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 # A comment between the brackets would be lost.
                 is_plain = len(bits) <= _BITS_MAX and "\n" not in text
                 fix = Fix((Edit(contact.span, ", ".join(bits)),), is_safe=False) if is_plain else None
-                problems.add(
+                yield finding(
                     CODE,
                     contact.span,
                     f"{text} in any(...) means that {every} bits are {state}",
@@ -66,9 +65,10 @@ def _members(text: str, bits: Range) -> list[str]:
     return [f"{BANKS[bits.bank].dsl}[{address.number}]" for address in bits.addresses()]
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a range in any(...) means all of its bits",
     """
 A range as a contact means every bit of it in series: `c[1:5]` is on when C1, C2, C3 and C4 all are, and `nc(c[1:5])`
 when all of them are off. Inside `any(...)` it reads as if one bit were enough, as in Python, and a horn that should
@@ -116,5 +116,6 @@ if all(c[1:5], nc(c[11:15])):
     out(y.Pump)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -6,8 +6,7 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of, extents_of
 from clickgen.ir.operands import form_of
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG504"
 
@@ -15,7 +14,7 @@ _BANKS = ("Y", "C", "DS", "DD", "DH", "DF", "TXT")
 """Inputs and system points come from outside; timers and counters without their instruction are CG521's."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     judged: set[tuple[str, int, int]] = set()
     said: set[Address] = set()
     for use in facts.uses.every:
@@ -32,7 +31,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             continue
         said.update(addresses)
         one = len(addresses) == 1
-        problems.add(
+        yield finding(
             CODE,
             use.operand.span,
             f"{facts.listed(addresses)} {'is' if one else 'are'} read here and nothing in the program writes "
@@ -42,9 +41,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.INFO,
+    "an address is read and never written",
     """
 Nothing in the program gives this address a value. Either a panel or another device does, or its name is misspelled and
 the program works with 0 for ever. A declaration with an initial value or a retentive setting tells that it is meant.
@@ -92,4 +92,7 @@ if ds[105] == 5:
     out(y.Lamp)
 """,
     ),
+    is_on=False,
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -11,8 +11,8 @@ from clickgen.instructions.drums import EVENT_DRUM, TIME_DRUM
 from clickgen.ir.conditions import Contact
 from clickgen.ir.program import Routine
 from clickgen.ir.walk import leaves
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG527"
@@ -20,14 +20,14 @@ CODE = "CG527"
 _BOXES = (*timers.SPECS, *counters.SPECS, EVENT_DRUM, TIME_DRUM, SHIFT)
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for routine in facts.program.subroutines:
         again = _second_run(facts, facts.calls.get(routine.name, ()))
         held = _once(facts, routine) if again else None
         if again and held:
             call, other = again
             span, what = held
-            problems.add(
+            yield finding(
                 CODE,
                 call.action.span,
                 f"{routine.name} may run more than once in a scan, and {what}",
@@ -65,9 +65,10 @@ def _once(facts: Facts, routine: Routine) -> tuple[Span, str] | None:
     return None
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a subroutine with timers or edges may run twice in a scan",
     """
 A subroutine keeps one memory, however often it is called. When two calls run in one scan, or a call stands in a loop, a
 timer in it may add the time of the scan twice, a counter may count twice, and an edge or a one-shot is there for the
@@ -152,3 +153,5 @@ def note():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

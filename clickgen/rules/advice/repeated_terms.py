@@ -21,19 +21,20 @@ from clickgen.logic.conditions import (
     shape,
     terms_of,
 )
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Diagnostic, Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
 CODE = "CG509"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
-    judge = _Judge(facts, problems)
+def find(facts: Facts) -> Findings:
+    judge = _Judge(facts)
     for site in facts.sites:
         if may_meet((*site.above, site.condition)):
             judge.series(site.condition, terms_of(*site.above))
+    yield from judge.found
 
 
 _Pair = tuple[Condition, Condition]
@@ -41,9 +42,9 @@ _Pair = tuple[Condition, Condition]
 
 
 class _Judge:
-    def __init__(self, facts: Facts, problems: Diagnostics) -> None:
+    def __init__(self, facts: Facts) -> None:
         self._facts = facts
-        self._problems = problems
+        self.found: list[Diagnostic] = []
 
     def series(self, part: Condition, beside: tuple[Condition, ...]) -> None:
         """Terms that all must hold, beside others that hold too."""
@@ -87,20 +88,22 @@ class _Judge:
             wiring = "parallel" if isinstance(part, Any) else "series"
             named = dict.fromkeys(self._facts.described(term) for term, _ in again)
             verb = "stand" if len(named) > 1 else "stands"
-            self._problems.add(
-                CODE,
-                again[0][0].span,
-                f"{' and '.join(named)} {verb} twice in {wiring}: the second time changes nothing",
-                "leave it out, or name the address that was meant",
-                tuple(Label(first.span, "the first time") for _, first in again),
-                _removal(self._facts, part, again),
+            self.found.append(
+                finding(
+                    CODE,
+                    again[0][0].span,
+                    f"{' and '.join(named)} {verb} twice in {wiring}: the second time changes nothing",
+                    "leave it out, or name the address that was meant",
+                    tuple(Label(first.span, "the first time") for _, first in again),
+                    _removal(self._facts, part, again),
+                )
             )
         return list(seen.values())
 
     def _report(self, term: Condition, cause: Condition, reason: str) -> None:
         fault = f"{self._facts.described(term)} changes nothing: {reason}"
         help = "leave it out, or correct what is not meant so"
-        self._problems.add(CODE, term.span, fault, help, (Label(cause.span, "this one"),))
+        self.found.append(finding(CODE, term.span, fault, help, (Label(cause.span, "this one"),)))
 
 
 def _alternatives(part: Any) -> tuple[Condition, ...]:
@@ -216,9 +219,10 @@ def _cut(part: Condition, start: _Point, end: _Point) -> Span:
     return Span(part.span.path, *start, *end)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a condition repeats a term",
     """
 A second contact on the same bit in one series changes nothing, so it is mostly a copied term in which the address was
 not changed: the guard of the other door that nobody checks. The same goes for two equal alternatives, for a branch that
@@ -306,5 +310,6 @@ if all(c.Run, re(c.Run)):
     set(c.Started)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

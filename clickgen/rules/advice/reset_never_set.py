@@ -13,8 +13,7 @@ from clickgen.ir.operands import Cell
 from clickgen.ir.reach import touches
 from clickgen.ir.walk import condition_operands
 from clickgen.logic.conditions import implies
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG503"
 
@@ -22,7 +21,7 @@ _WRITERS_MAX = 2000
 """Beyond so many instructions the way back from a reset is not followed."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     resets = [(placed, addresses_of(placed.action.args["address"])) for placed in facts.actions if placed.spec is RESET]
     never_on = {bit for bit in {bit for _, bits in resets for bit in bits} if _stays_off(facts, bit)}
     answers = _Answers(facts)
@@ -37,7 +36,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             continue
         said.update(bits)
         one = len(bits) == 1
-        problems.add(
+        yield finding(
             CODE,
             placed.action.span,
             f"{facts.listed(bits)} {'is' if one else 'are'} reset here and never set: "
@@ -112,9 +111,10 @@ def _read_by(placed: Placed) -> set[Address]:
     }
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a bit is reset and never set",
     """
 A `reset` of a bit that no rung ever turns on does nothing, and every contact on that bit waits forever. Most often
 the name is a little wrong here or where the bit is set, or the rung that sets it is gone.
@@ -195,3 +195,5 @@ def main():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

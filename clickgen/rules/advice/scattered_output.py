@@ -13,8 +13,8 @@ from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.logic.conditions import are_exclusive, implies
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG522"
@@ -30,7 +30,7 @@ _Drivers = list[Placed]
 """All that one routine does to one output."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for number in BANKS["Y"].numbers():
         output = Address("Y", number)
         drivers: dict[str, _Drivers] = {}
@@ -40,16 +40,16 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 continue
             drivers.setdefault(placed.routine.name, []).append(placed)
         if len(drivers) > 1:
-            _judge(facts, problems, output, list(drivers.values()))
+            yield from _judge(facts, output, list(drivers.values()))
 
 
-def _judge(facts: Facts, problems: Diagnostics, output: Address, drivers: list[_Drivers]) -> None:
+def _judge(facts: Facts, output: Address, drivers: list[_Drivers]) -> Findings:
     working = [[placed for placed in own if not _is_start_up(facts, placed)] for own in drivers]
     pairs = islice(combinations(filter(None, working), 2), _PAIRS_MAX)
     meeting = [pair for pair in pairs if _meet(facts, *pair)]
     together = [own for own in working if any(own is one for pair in meeting for one in pair)]
     if together:
-        _report(facts, problems, output, together)
+        yield from _report(facts, output, together)
 
 
 def _is_start_up(facts: Facts, placed: Placed) -> bool:
@@ -100,11 +100,11 @@ def _ways(facts: Facts, placed: Placed) -> list[list[Condition]]:
     return [[*facts.ways_to(call), *own] for call in facts.calls.get(placed.routine.name, ())]
 
 
-def _report(facts: Facts, problems: Diagnostics, output: Address, together: list[_Drivers]) -> None:
+def _report(facts: Facts, output: Address, together: list[_Drivers]) -> Findings:
     second = together[1][0]
     names = [drivers[0].routine.name for drivers in together]
     others = [drivers[0] for drivers in together if drivers[0] is not second]
-    problems.add(
+    yield finding(
         CODE,
         second.action.span,
         f"{facts.shown(output)} is driven in {', '.join(names[:-1])} and {names[-1]}: the routine that runs last in a "
@@ -114,9 +114,10 @@ def _report(facts: Facts, problems: Diagnostics, output: Address, together: list
     )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "an output is driven from several routines",
     """
 Several routines write this output, and in one scan more than one of them may run. The last one decides, so the output
 flickers or does not come although the rung in front of you is on; and nobody finds from one place why it is on.
@@ -220,3 +221,5 @@ def filling():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

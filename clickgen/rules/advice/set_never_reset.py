@@ -6,13 +6,12 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import STARTING, Facts
 from clickgen.facts.uses import addresses_of
 from clickgen.instructions.coils import SET
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG502"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     seen: set[Address] = set()
     for placed in facts.actions:
         # What the first scan sets is meant to stay on.
@@ -29,7 +28,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             is_for_good = all(map(facts.is_retentive, held))
             until = "for good" if is_for_good else "until the PLC restarts"
             meant = "where a panel turns it off" + ("" if is_for_good else ", or where only a restart is to end it")
-            problems.add(
+            yield finding(
                 CODE,
                 placed.action.span,
                 f"{facts.listed(held)} {'is' if one else 'are'} set here and never reset: once on, "
@@ -45,9 +44,10 @@ def _stays_on(facts: Facts, bit: Address) -> bool:
     return all(placed.spec is SET for placed in facts.writers(bit))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a bit is set and never reset",
     """
 `set` turns a bit on and nobody turns it off again: the machine runs on although its stop button is pressed, or an alarm
 can never be acknowledged. Look for a `reset` that was forgotten, or that stands on a bit with a similar name.
@@ -106,3 +106,5 @@ if x.Restart:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -9,8 +9,7 @@ from clickgen.facts.facts import Facts, Placed
 from clickgen.instructions.copies import COPY_PACK, COPY_UNPACK
 from clickgen.instructions.spec import BITS
 from clickgen.ir.operands import Range
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
@@ -20,7 +19,7 @@ CODE = "CG519"
 _SHORT = (15, 31)
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for placed in facts.actions:
         bits = _short_bits(placed)
         if bits is None:
@@ -29,7 +28,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         if not BANKS[bits.bank].has(behind.number) or _has_neighbour(facts, bits):
             continue
         first = Address(bits.bank, bits.first)
-        problems.add(
+        yield finding(
             CODE,
             bits.span,
             f"these are {len(bits)} bits, {first} to {Address(bits.bank, bits.last)}: the end of a slice is not "
@@ -67,9 +66,10 @@ def _fix(facts: Facts, bits: Range) -> Fix | None:
     return Fix((Edit(place, str(bits.last + 2)),), is_safe=False)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a slice looks one address short",
     """
 The end of a slice is not included: `c[1:16]` is C1 to C15, fifteen bits. Whoever packs a status word means sixteen, and
 the highest bit of the word then stays 0 without a word from CLICK.
@@ -115,5 +115,6 @@ if True:
     copy_pack(x[2:17], dh.AllButFirst)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -19,8 +19,8 @@ from clickgen.ir.operands import Immediate, Operand
 from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
 from clickgen.ir.walk import condition_operands, leaves
 from clickgen.logic.conditions import are_exclusive
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG542"
 
@@ -42,11 +42,11 @@ class _Look(NamedTuple):
     what: str
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     writes = _Writes(facts)
     for routine in facts.program.routines:
         for rung in _rungs_with_several(routine.rungs):
-            _judge(facts, problems, writes, rung)
+            yield from _judge(facts, writes, rung)
 
 
 def _rungs_with_several(rungs: tuple[Rung, ...]) -> Iterator[Rung]:
@@ -59,14 +59,14 @@ def _rungs_with_several(rungs: tuple[Rung, ...]) -> Iterator[Rung]:
                 yield from _rungs_with_several(item.body or ())
 
 
-def _judge(facts: Facts, problems: Diagnostics, writes: _Writes, rung: Rung) -> None:
+def _judge(facts: Facts, writes: _Writes, rung: Rung) -> Findings:
     written = _Written()
     for step in _steps(rung.items, (rung.condition,)):
         if isinstance(step, _Look):
             for leaf in leaves(step.condition):
                 write = next((one for one in written.near(leaf) if _is_stale(step, leaf, one)), None)
                 if write is not None:
-                    _report(facts, problems, step, leaf, write)
+                    yield from _report(facts, step, leaf, write)
         else:
             action, path = step
             extents = writes.of(action)
@@ -171,11 +171,11 @@ class _Writes:
                 yield from self._changes.surely(placed.action)
 
 
-def _report(facts: Facts, problems: Diagnostics, look: _Look, leaf: Contact | Compare, write: _Write) -> None:
+def _report(facts: Facts, look: _Look, leaf: Contact | Compare, write: _Write) -> Findings:
     operand = next(one for one in condition_operands(leaf) if meets(write.extents, one))
     name = facts.listed(addresses_of(operand))
     place = write.action.span.seen_from(leaf.span)
-    problems.add(
+    yield finding(
         CODE,
         leaf.span,
         f"this {look.what} sees {name} as it was before the {write.action.spec.name} in {place}: CLICK looks at all "
@@ -187,9 +187,10 @@ def _report(facts: Facts, problems: Diagnostics, look: _Look, leaf: Contact | Co
     )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a branch looks at what its own rung writes",
     """
 CLICK looks at all conditions of a rung, those of its branches and of the inputs of its boxes too, before the first
 action of the rung runs. A branch below an action sees what was there before that action: where the rung stays on, it
@@ -275,5 +276,6 @@ if y.Motor:
         out(y.Ready)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -6,8 +6,7 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
 from clickgen.instructions.copies import COPY
 from clickgen.ir.operands import Cell, Integer
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG523"
@@ -15,7 +14,7 @@ CODE = "CG523"
 _PLACES_MIN = 3
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     places: dict[Address, dict[int, list[Span]]] = {}
     pairs = [
         pair for one in facts.comparisons if one.op == "==" for pair in ((one.left, one.right), (one.right, one.left))
@@ -28,7 +27,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         often = {number: spans for number, spans in numbers.items() if len(spans) >= _PLACES_MIN}
         if often:
             listed = ", ".join(map(str, sorted(often)))
-            problems.add(
+            yield finding(
                 CODE,
                 min(span for spans in often.values() for span in spans),
                 f"{facts.shown(address)} is compared with or set to {listed} in {_PLACES_MIN} or more places each",
@@ -36,9 +35,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.INFO,
+    "a state number is repeated",
     """
 A state that is written as a number in many places has to be changed in all of them, and a reader has to know what 30
 means. One rung that turns the number into a bit with a name, `if ds.Step == 30: out(c.Filling)`, says both once.
@@ -73,5 +73,7 @@ if ds.Step == 0:
     out(y.Lamp)
 """,
     ),
-    holds_in_parts=True,
+    is_on=False,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

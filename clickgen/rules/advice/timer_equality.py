@@ -12,8 +12,7 @@ from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Integer, Single
 from clickgen.ir.program import Routine
 from clickgen.ir.walk import leaves
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
@@ -23,12 +22,12 @@ _RESTS = (0, timers.PRESET_MAX)
 """The values at which a timer stands still: at rest, and where it counts no further (click-facts [timer.on-delay])."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
-    _check_timers(facts, problems)
-    _check_counters(facts, problems)
+def find(facts: Facts) -> Findings:
+    yield from _check_timers(facts)
+    yield from _check_counters(facts)
 
 
-def _check_counters(facts: Facts, problems: Diagnostics) -> None:
+def _check_counters(facts: Facts) -> Findings:
     """A counter that counts on while the subroutine that asks for one of its values is not called."""
     for site in facts.sites:
         if site.routine.is_main:
@@ -36,7 +35,7 @@ def _check_counters(facts: Facts, problems: Diagnostics) -> None:
         for leaf in leaves(site.condition):
             counter = _counter_in(leaf)
             if counter and facts.sometimes(site.routine) and _counts_elsewhere(facts, counter.address, site.routine):
-                problems.add(
+                yield finding(
                     CODE,
                     leaf.span,
                     f"{facts.shown(counter.address)} counts on while {site.routine.name} is not called: the value may "
@@ -59,7 +58,7 @@ def _counts_elsewhere(facts: Facts, value: Address, routine: Routine) -> bool:
     return bool(writers) and all(writer.routine is not routine for writer in writers)
 
 
-def _check_timers(facts: Facts, problems: Diagnostics) -> None:
+def _check_timers(facts: Facts) -> Findings:
     compares = [compare for compare in facts.comparisons if compare.op in ("==", "!=") and _has_timer(compare)]
     if not compares:
         return
@@ -67,18 +66,18 @@ def _check_timers(facts: Facts, problems: Diagnostics) -> None:
     for compare in compares:
         for side, other in ((compare.left, compare.right), (compare.right, compare.left)):
             if isinstance(side, Cell) and side.address in running and not _meets(facts, side.address, other):
-                _report(facts, problems, compare, side)
+                yield from _report(facts, compare, side)
                 break
 
 
-def _report(facts: Facts, problems: Diagnostics, compare: Compare, timer: Cell) -> None:
+def _report(facts: Facts, compare: Compare, timer: Cell) -> Findings:
     leaps = f"{facts.shown(timer.address)} counts milliseconds, several in each scan, and leaps over values"
     if compare.op == "==":
         fix = _fix(facts, compare, is_left=timer is compare.left)
-        problems.add(CODE, compare.span, f"{leaps}: it may never be equal", "compare with >=", fix=fix)
+        yield finding(CODE, compare.span, f"{leaps}: it may never be equal", "compare with >=", fix=fix)
     else:
         # < and > are both something else than what is written, so neither is offered as a fix.
-        problems.add(CODE, compare.span, f"{leaps}: it is nearly always different", "compare with < or >")
+        yield finding(CODE, compare.span, f"{leaps}: it is nearly always different", "compare with < or >")
 
 
 def _has_timer(compare: Compare) -> bool:
@@ -112,9 +111,10 @@ def _fix(facts: Facts, compare: Compare, is_left: bool) -> Fix | None:
     return Fix((Edit(gap, text.replace(compare.op, ">=" if is_left else "<=")),), is_safe=False)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a running value is compared for equality",
     """
 The current value of a timer in milliseconds grows by the length of a scan: 0, 7, 15, 22. It passes most values without
 ever being equal to them, so a step that waits for `td.Cycle == 500` comes on some days and not on others. Ask `>=`
@@ -203,5 +203,6 @@ if ctd.Parts == 6:
     out(y.Divider)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -25,8 +25,8 @@ from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Operand, Real, S
 from clickgen.ir.program import Rung
 from clickgen.ir.walk import condition_operands
 from clickgen.logic.conditions import are_exclusive, implies, terms_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Diagnostic, Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 # click-facts [scan.conditions]
@@ -82,19 +82,21 @@ class _Slot(NamedTuple):
     changed: list[tuple[int, list[Extent]]]
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
-    shared = _Shared(facts, problems)
+def find(facts: Facts) -> Findings:
+    shared = _Shared(facts)
     for steps in scans(facts):
         walk = _Walk(shared)
         for step in steps:
             walk.run(step)
+    yield from shared.found
 
 
 class _Shared:
     """What the walks through a program look up."""
 
-    def __init__(self, facts: Facts, problems: Diagnostics) -> None:
-        self.facts, self.problems = facts, problems
+    def __init__(self, facts: Facts) -> None:
+        self.facts = facts
+        self.found: list[Diagnostic] = []
         self.changes, self.pulses = Changes(facts), Pulses(facts)
         self.said: set[int] = set()
         """The rungs that were spoken of."""
@@ -241,15 +243,15 @@ class _Walk:
         here, name = rung.head, self._facts.shown(address)
         is_back = implies(first.placed.condition, _holds(address, second, here))
         what = "goes back at once" if is_back else "goes through both"
-        self._shared.problems.add(
-            CODE,
-            here,
+        fault = (
             f"this rung acts in the same scan as {there.seen_from(here)}: that has just {_done(first, name)}, and this "
-            f"one {_does(second)}, so {name} {what}",
-            "make them two branches of one rung, below the condition that they share: CLICK looks at both before "
-            "either acts",
-            (Label(there, "changed here first"),),
+            f"one {_does(second)}, so {name} {what}"
         )
+        help = (
+            "make them two branches of one rung, below the condition that they share: CLICK looks at both before "
+            "either acts"
+        )
+        self._shared.found.append(finding(CODE, here, fault, help, (Label(there, "changed here first"),)))
 
 
 def _looks(condition: Condition, address: Address) -> bool:
@@ -315,9 +317,10 @@ def _does(write: _Write) -> str:
     return f"puts {getattr(write.value, 'value', '')} there"
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a rung undoes in the same scan what a rung before it did",
     """
 A rung sees what the rungs above it have written in the same scan, and an edge is there for all of them. Two rungs that
 are to take turns, one that turns a bit on when it is off and one that turns it off when it is on, both run in one scan:
@@ -479,3 +482,5 @@ if all(ds.Step == 2, x.Open):
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -6,8 +6,8 @@ from clickgen.facts.facts import Facts
 from clickgen.facts.idle import Missed, unreached
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import END, NOP, RETURN
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [scan.skipped]
 CODE = "CG516"
@@ -16,23 +16,23 @@ _IDLE = (END, RETURN, NOP)
 """What is not missed: a routine may end twice, and end in a note."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for routine in facts.program.routines:
         said: set[int] = set()
         for missed in unreached(routine.rungs):
             if missed.action.spec in _IDLE or id(missed.left) in said:
                 continue
             said.add(id(missed.left))
-            _report(problems, missed)
+            yield from _report(missed)
 
 
-def _report(problems: Diagnostics, missed: Missed) -> None:
+def _report(missed: Missed) -> Findings:
     left, place = missed.left, missed.action.span if missed.is_rung_reached else missed.rung.head
     word = "end()" if left.spec is END else "return"
     line = left.span.seen_from(place)
     if missed.is_looked_at:
         what = "this never turns anything on" if missed.action.spec is OUT else "this never runs"
-        problems.add(
+        yield finding(
             CODE,
             place,
             f"{what}: whenever its rung is on, the {word} of {line} leaves before it",
@@ -41,7 +41,7 @@ def _report(problems: Diagnostics, missed: Missed) -> None:
         )
         return
     what = "this is" if missed.is_rung_reached else "this rung is"
-    problems.add(
+    yield finding(
         CODE,
         place,
         f"{what} never reached: the {word} of {line} always leaves before it",
@@ -50,9 +50,10 @@ def _report(problems: Diagnostics, missed: Missed) -> None:
     )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a rung is never reached",
     """
 An `end()` in main, or a `return` in a subroutine, that stands under no condition, or under the contact that is always
 on, ends the routine in every scan. What stands behind it is in the CLICK and never runs: its outputs stay as they were,
@@ -159,5 +160,6 @@ if x.Start:
     out(y.Motor)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -9,14 +9,14 @@ from clickgen.instructions.raw import RAW
 from clickgen.ir.operands import Cell, Pointer
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import can_hold, implies
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [copy.wild-pointer, scan.power-up]
 CODE = "CG554"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     moved: dict[Address, tuple[Placed, ...]] = {}
     said: set[Address] = set()
     places = facts.places
@@ -47,10 +47,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             ]
             if moved[address] and _may_find_zero(facts, placed, address, before):
                 said.add(address)
-                _report(facts, problems, pointer, pointer.register, moved[address])
+                yield from _report(facts, pointer, pointer.register, moved[address])
 
 
-def _report(facts: Facts, problems: Diagnostics, pointer: Pointer, register: Cell, moved: tuple[Placed, ...]) -> None:
+def _report(facts: Facts, pointer: Pointer, register: Cell, moved: tuple[Placed, ...]) -> Findings:
     name, shown, bank = facts.text(register.span), facts.shown(register.address), pointer.bank
     moves = {left_in(mover, register.address, 0) or 0 for mover in moved}
     if moves == {0}:
@@ -63,7 +63,7 @@ def _report(facts: Facts, problems: Diagnostics, pointer: Pointer, register: Cel
             "skips this"
         )
         label = "nothing but this gives it another number"
-    problems.add(
+    yield finding(
         CODE,
         pointer.span,
         f"{fault} and sets SC44 (_Address_Error)",
@@ -105,9 +105,10 @@ def _may_find_zero(facts: Facts, use: Placed, address: Address, before: list[Pla
     return True
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a pointer is still 0 when it is used",
     """
 A register that nothing has written holds 0 on a new PLC. As a pointer it leads nowhere: CLICK skips the copy and sets
 SC44, so that the first entry of a log is lost, and nobody knows why there is one less.
@@ -201,3 +202,5 @@ def main():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

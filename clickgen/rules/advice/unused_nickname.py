@@ -6,8 +6,7 @@ import re
 
 from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Address
 from clickgen.facts.facts import Facts
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG506"
 
@@ -16,7 +15,7 @@ _SPARE = re.compile(r"spare|reserve|unused|not_used", re.IGNORECASE)
 """Nicknames that say themselves that nothing uses them."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     whole: dict[str, bool] = {}
     for declaration in facts.program.declarations:
         path, name = declaration.span.path, declaration.named.name
@@ -25,7 +24,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         # An initial value is for whatever uses the address beside the program.
         is_set = declaration.initial is not None or declaration.retentive is not None
         if whole[path] and not is_set and not _SPARE.search(name) and not _is_used(facts, declaration.cell.address):
-            problems.add(
+            yield finding(
                 CODE,
                 declaration.named.span,
                 f"{facts.shown(declaration.cell.address)} is declared here and the program does not use it",
@@ -50,9 +49,10 @@ def _is_used(facts: Facts, address: Address) -> bool:
     return any(facts.uses.at(twin) for twin in twins) or any(pointed)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.INFO,
+    "a declared nickname is never used",
     """
 The program gives an address a name and then uses the address nowhere, by name, by number, or in a range. Often a wire
 was moved or a name changed, and the old line stayed; who reads the list later looks for what it does.
@@ -95,3 +95,5 @@ def main():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

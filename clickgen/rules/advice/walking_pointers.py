@@ -14,8 +14,8 @@ from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Integer, Pointer
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import implies
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 # click-facts [copy.pointers]
@@ -29,7 +29,7 @@ class _Reach(NamedTuple):
     is_open: bool
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     walks: dict[Address, Walk | None] = {}
     for placed in facts.actions:
         if placed.spec is RAW:
@@ -46,7 +46,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             if walk and reach:
                 hit = _hit(facts, address, pointer.bank, reach)
                 if hit:
-                    _report(facts, problems, pointer, walk, reach, hit)
+                    yield from _report(facts, pointer, walk, reach, hit)
 
 
 def _hit(facts: Facts, address: Address, bank: str, reach: _Reach) -> list[Address]:
@@ -64,9 +64,7 @@ def _hit(facts: Facts, address: Address, bank: str, reach: _Reach) -> list[Addre
     return sorted(hit, key=lambda one: one.sort_key)
 
 
-def _report(
-    facts: Facts, problems: Diagnostics, pointer: Pointer, walk: Walk, reach: _Reach, hit: list[Address]
-) -> None:
+def _report(facts: Facts, pointer: Pointer, walk: Walk, reach: _Reach, hit: list[Address]) -> Findings:
     assert isinstance(pointer.register, Cell)
     name, bank = facts.text(pointer.register.span), pointer.bank
     shown = facts.shown(pointer.register.address)
@@ -78,7 +76,7 @@ def _report(
         says = f"{shown} can be {', '.join(map(str, sorted(set(reach.numbers))))}"
     one = len(hit) == 1
     labels = (Label(walk.steps[0].placed.action.span, "counted on here"),) if walk.steps else ()
-    problems.add(
+    yield finding(
         CODE,
         pointer.span,
         f"{says}, so this can write over {facts.listed(hit)}, which {'is' if one else 'are'} not of the table",
@@ -213,9 +211,10 @@ def _at_most(address: Address, limit: int, span: Span) -> Compare:
     return Compare("<=", Cell(address, span), Integer(limit, span), span)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a pointer can walk over cells of other names",
     """
 A pointer does not know where a table ends, nor what clickgen put into its bank. A log that counts `ds.Row` on from 1
 writes DS1, DS2, DS3. That is where clickgen has placed setpoints and the pointer itself, unless the table was given a
@@ -359,3 +358,5 @@ if ds.Line > ds.Lines:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -8,8 +8,7 @@ from clickgen.facts.uses import addresses_of, extents_of
 from clickgen.instructions.data import SEARCH
 from clickgen.instructions.drums import EVENT_DRUM, TIME_DRUM
 from clickgen.ir.operands import form_of
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG505"
 
@@ -17,7 +16,7 @@ _BANKS = ("C", "DS", "DD", "DH", "DF", "TXT")
 """Outputs and system points act by themselves; a timer's or counter's value belongs to its instruction."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     judged: set[tuple[str, int, int]] = set()
     said = _by_the_way(facts)
     for use in facts.uses.every:
@@ -32,7 +31,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             continue
         said.update(addresses)
         one = len(addresses) == 1
-        problems.add(
+        yield finding(
             CODE,
             use.operand.span,
             f"{facts.listed(addresses)} {'is' if one else 'are'} written here and nothing in the program reads "
@@ -59,9 +58,10 @@ def _by_the_way(facts: Facts) -> set[Address]:
     return found
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.INFO,
+    "an address is written and never read",
     """
 The program writes an address that it never looks at. It may be for a panel; otherwise it is a leftover, or the name is
 misspelled where it should be read.
@@ -109,4 +109,7 @@ if c.Found:
     send(ModbusTcpTarget(ip="192.168.1.10"), "DH1", dh.Code)
 """,
     ),
+    is_on=False,
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -7,13 +7,12 @@ from clickgen.facts.formulas import Calculation, calculations, holds_only_zero, 
 from clickgen.formula.values import register_of, value_of
 from clickgen.ir.formula_nodes import Binary, Group, Node, Unary, walk
 from clickgen.ir.operands import Cell
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG517"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for calculation in calculations(facts):
         for node in walk(calculation.formula.formula):
             if isinstance(node, Binary) and node.op in ("/", "MOD"):
@@ -22,7 +21,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                     destination = calculation.destination
                     name = facts.shown(destination.address) if destination else "the destination"
                     fault = f"{_happens(node.op)} {name}{reason}"
-                    problems.add(CODE, place_of(facts, calculation.formula, node.right), fault, help)
+                    yield finding(CODE, place_of(facts, calculation.formula, node.right), fault, help)
 
 
 def _zero(facts: Facts, calculation: Calculation, divisor: Node) -> tuple[str, str]:
@@ -55,9 +54,10 @@ def _happens(op: str) -> str:
     return "division by 0: CLICK sets SC40 (_Division_Error) and puts 0 into"
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a formula divides by zero",
     """
 CLICK does not stop at a division by zero: it stores 0, sets the system bit SC40 and goes on, so that a speed or a
 setpoint is suddenly 0. What `MOD 0` gives is not documented.
@@ -95,3 +95,5 @@ if True:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -6,8 +6,8 @@ from clickgen.facts.facts import Facts, Placed
 from clickgen.instructions import drums, timers
 from clickgen.ir.operands import Cell, Integer, Single
 from clickgen.ir.program import Operands, Pattern
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG512"
 
@@ -19,7 +19,7 @@ _HAPPENS = {
 }
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for placed in facts.actions:
         setpoint = placed.action.args.get("setpoint")
         if placed.spec in timers.SPECS and isinstance(setpoint, Integer) and setpoint.value == 0:
@@ -30,10 +30,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 fault = f"the setpoint of {facts.shown(timer.address)} is 0: {_HAPPENS[placed.spec.name]}"
                 value = f"td[{timer.address.number}]"
                 help = f"give it a time; to measure a time, compare its current value {value} and leave the bit alone"
-                problems.add(CODE, setpoint.span, fault, help, (Label(reads[0].operand.span, "its bit is used here"),))
+                yield finding(CODE, setpoint.span, fault, help, (Label(reads[0].operand.span, "its bit is used here"),))
         elif placed.spec is drums.TIME_DRUM:
             for step, preset in _empty_steps(placed):
-                problems.add(
+                yield finding(
                     CODE,
                     preset.span,
                     f"step {step} of this drum lasts 0: its outputs are not on for longer than a scan",
@@ -53,9 +53,10 @@ def _empty_steps(placed: Placed) -> list[tuple[int, Single]]:
     ]
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a timer's setpoint is 0",
     """
 A timer with the setpoint 0 delays nothing: whoever reads `t.Delay` believes that something waits. It is mostly a number
 that was to be filled in later. Where the time is set on a panel, name the register: `setpoint=ds.Delay`; a register may
@@ -131,5 +132,6 @@ if re(x.Part):
     ctud(ct.Stock, setpoint=0).down(re(x.Taken)).reset(c.Clear)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

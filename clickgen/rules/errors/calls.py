@@ -5,18 +5,19 @@ from __future__ import annotations
 from clickgen.facts.facts import Facts
 from clickgen.instructions.control import CALL
 from clickgen.ir.program import Program, Routine, Word
-from clickgen.problems.diagnostics import Diagnostics, Suggestions
+from clickgen.problems.diagnostics import Suggestions
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.wording import quoted
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     called = _Called(facts.program)
     for placed in facts.actions:
         word = placed.action.args.get("subroutine")
         if placed.spec is not CALL or not isinstance(word, Word):
             continue
         if not placed.routine.is_main:
-            problems.add(
+            yield finding(
                 "CG406",
                 placed.action.span,
                 f"{placed.routine.name} is a subroutine and cannot call another",
@@ -26,9 +27,9 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             continue
         # What is a function's name until now is that of none.
         if word.value == "main":
-            problems.add("CG405", word.span, "main is not a subroutine", "a subroutine stands under @sub")
+            yield finding("CG405", word.span, "main is not a subroutine", "a subroutine stands under @sub")
         elif not called.is_misimported(word):
-            problems.add("CG405", word.span, *called.fault(word))
+            yield finding("CG405", word.span, *called.fault(word))
 
 
 class _Called:
@@ -82,3 +83,115 @@ class _Called:
         hint = self._near(name, sorted(self.names))
         is_plain = name.isascii() and name.isidentifier()
         return hint or (f"add @sub def {name}():" if is_plain else f"add a subroutine under @sub({quoted(name)})")
+
+
+CODES = (
+    Code(
+        "CG405",
+        Severity.ERROR,
+        "no such subroutine",
+        """
+No `@sub` routine in the program has this name. If the routine is in another file, import it.
+
+Write the function's name without quotes, or the subroutine's name in CLICK in quotes. With `@sub("Auto Mode")` these
+differ.
+""",
+        wrong=(
+            Wrong(
+                """
+if x[1]:
+    call(alarms)  # <-
+""",
+            ),
+            Wrong(
+                """
+@sub("Auto Mode")
+def auto_mode():
+    if True:
+        return
+
+
+def main():
+    if True:
+        call("auto_mode")  # <-
+        end()
+""",
+            ),
+        ),
+        right=(
+            """
+@sub("Auto Mode")
+def auto_mode():
+    if True:
+        return
+
+
+def main():
+    if c.Start:
+        call(auto_mode)
+        call("Auto Mode")
+    if True:
+        end()
+""",
+        ),
+    ),
+    Code(
+        "CG406",
+        Severity.ERROR,
+        "a subroutine calls a subroutine",
+        """
+Only main can call a subroutine. Let this subroutine set a bit, and let main call the other one on that
+bit.
+""",
+        wrong=(
+            Wrong(
+                """
+@sub
+def inner():
+    if True:
+        return
+
+
+@sub
+def outer():
+    if True:
+        call(inner)  # <-
+        return
+
+
+def main():
+    if True:
+        call(outer)
+        end()
+""",
+            ),
+        ),
+        right=(
+            """
+@sub
+def inner():
+    if True:
+        return
+
+
+@sub
+def outer():
+    if True:
+        set(c.InnerWanted)
+    if True:
+        return
+
+
+def main():
+    if True:
+        call(outer)
+    if c.InnerWanted:
+        call(inner)
+    if True:
+        end()
+""",
+        ),
+    ),
+)
+
+RULE = Rule(find, CODES, holds_in_parts=True)

@@ -9,10 +9,10 @@ from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use, addresses_of
 from clickgen.formula.spelling import SPELL
 from clickgen.ir.operands import Named, Operand, Pointer, form_of
-from clickgen.problems.diagnostics import Diagnostics
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     left = {point for point in facts.placed if point.bank in ("X", "Y") and point not in facts.declared}
     for use in filter(_is_disturbing, facts.uses.every if left else ()):
         met = sorted(left & _points(use.operand, left))
@@ -21,7 +21,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             point = met[0]
             named = SPELL.reference(Named(point.bank, facts.nickname(point), use.operand.span))
             verb, noun = "writes" if use.is_written else "reads", "address" if len(met) == 1 else "addresses"
-            problems.add(
+            yield finding(
                 "CG432",
                 use.operand.span,
                 f"this {verb} {facts.listed(met)} too, whose {noun} clickgen chose: is it wired there?",
@@ -37,3 +37,40 @@ def _points(word: Operand, among: Collection[Address]) -> set[Address]:
     if isinstance(word, Pointer):
         return {point for point in among if point.bank == WORD_TWINS[word.bank]}
     return {point for address in addresses_of(word) for point in points_of(address)}
+
+
+ABOUT = Code(
+    "CG432",
+    Severity.WARNING,
+    "a word holds an input or output that clickgen chose",
+    """
+YD0 holds the outputs Y001 to Y016: an instruction that writes the word switches all of them. One of
+these outputs has a name whose address clickgen chose, because nothing said where it is wired. The same happens with
+an input inside an XD word that the program reads. Assign the name to its terminal with `nickname(...)` in the
+program, and the warning goes away.
+""",
+    wrong=(
+        Wrong(
+            """
+if x[1]:
+    copy(dh.Pattern, yd[0])  # <-
+    out(y.Lamp)
+""",
+        ),
+    ),
+    right=(
+        """
+nickname(y.Lamp, y[1])
+
+
+def main():
+    if x[1]:
+        copy(dh.Pattern, yd[0])
+        out(y.Lamp)
+    if True:
+        end()
+""",
+    ),
+)
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -8,25 +8,25 @@ from __future__ import annotations
 from clickgen.facts.facts import Facts, Placed
 from clickgen.instructions.control import END, NEXT, RETURN
 from clickgen.ir.program import Routine
-from clickgen.problems.diagnostics import Diagnostics
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     ended: set[int] = set()
     closed = {id(placed.loop) for placed in facts.actions if placed.spec is NEXT}
     for placed in facts.actions:
         routine = placed.routine
         if placed.spec is END:
             if not routine.is_main:
-                problems.add(
+                yield finding(
                     "CG410", placed.action.span, "end() belongs in main; a subroutine ends in return", "write return"
                 )
             elif placed.is_unconditional and _is_reached(placed, closed):
                 ended.add(id(routine))
         elif placed.spec is RETURN:
             if routine.is_main:
-                problems.add(
+                yield finding(
                     "CG411", placed.action.span, "return belongs in a subroutine; main ends in end()", "write end()"
                 )
             elif placed.is_unconditional and _is_reached(placed, closed) and placed.rung is routine.rungs[-1]:
@@ -37,9 +37,9 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         if routine.is_main:
             help = "add at its end: if True: end()"
             fix = _added(facts, routine, "end()")
-            problems.add("CG403", routine.span, "main has no unconditional end()", help, fix=fix)
+            yield finding("CG403", routine.span, "main has no unconditional end()", help, fix=fix)
         else:
-            problems.add(
+            yield finding(
                 "CG404",
                 routine.span,
                 f"{routine.name} does not end in an unconditional return",
@@ -68,3 +68,162 @@ def _added(facts: Facts, routine: Routine, action: str) -> Fix | None:
     col = len(source.line(last.end_line)) + 1
     place = source.span(last.end_line, col, last.end_line, col)
     return Fix((Edit(place, f"\n{blank}{indent}if True:\n{indent * 2}{action}"),))
+
+
+CODES = (
+    Code(
+        "CG403",
+        Severity.ERROR,
+        "main has no unconditional end()",
+        """
+The main program needs an `end()` without a condition (CLICK error C0201). Put it at the end.
+""",
+        wrong=(
+            Wrong(
+                """
+def main():  # <-
+    if c.Run:
+        end()
+""",
+                """
+def main():  # <-
+    if c.Run:
+        end()
+    if True:
+        end()
+""",
+            ),
+        ),
+        right=(
+            """
+def main():
+    if c.Run:
+        out(y[1])
+    if True:
+        end()
+""",
+        ),
+    ),
+    Code(
+        "CG404",
+        Severity.ERROR,
+        "a subroutine does not end in an unconditional return",
+        """
+The last rung of a subroutine must be an unconditional `return` (CLICK error C0105).
+""",
+        wrong=(
+            Wrong(
+                """
+@sub
+def alarms():  # <-
+    if c.Run:
+        return
+
+
+def main():
+    if True:
+        call(alarms)
+        end()
+""",
+                """
+@sub
+def alarms():  # <-
+    if c.Run:
+        return
+    if True:
+        return
+
+
+def main():
+    if True:
+        call(alarms)
+        end()
+""",
+            ),
+        ),
+        right=(
+            """
+@sub
+def alarms():
+    if c.Run:
+        return
+    if True:
+        return
+
+
+def main():
+    if True:
+        call(alarms)
+    if True:
+        end()
+""",
+        ),
+    ),
+    Code(
+        "CG410",
+        Severity.ERROR,
+        "end() belongs in main",
+        """
+Use `return` to go back from a subroutine.
+""",
+        wrong=(
+            Wrong(
+                """
+@sub
+def alarms():
+    if c.Run:
+        end()  # <-
+    if True:
+        return
+
+
+def main():
+    if True:
+        call(alarms)
+        end()
+""",
+            ),
+        ),
+        right=(
+            """
+@sub
+def alarms():
+    if c.Run:
+        return
+    if True:
+        return
+
+
+def main():
+    if True:
+        call(alarms)
+    if True:
+        end()
+""",
+        ),
+    ),
+    Code(
+        "CG411",
+        Severity.ERROR,
+        "return belongs in a subroutine",
+        """
+Use `end()` to end the scan in main.
+""",
+        wrong=(
+            Wrong(
+                """
+if x[1]:
+    return  # <-
+""",
+            ),
+        ),
+        right=(
+            """
+if x[1]:
+    end()
+""",
+        ),
+    ),
+)
+
+RULE = Rule(find, CODES, holds_in_parts=True)
