@@ -143,7 +143,7 @@ def _lay_out(state: Build) -> None:
     blocks = tuple(state.resolved.blocks.values())
     state.facts = Facts(
         state.resolved.program,
-        state.dialect.spell,
+        state.dialect,
         sources,
         state.rows,
         placed,

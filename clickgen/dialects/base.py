@@ -74,6 +74,20 @@ class Spelling(ABC):
     def pointer(self, bank: str, register: str) -> str:
         """The cell of a bank whose number is in a register that is written so."""
 
+    # -- addresses that a person wrote --------------------------------------------------------------------------------
+
+    @abstractmethod
+    def is_address(self, text: str) -> bool:
+        """True for a text that looks like an address."""
+
+    @abstractmethod
+    def is_name(self, text: str) -> bool:
+        """True for a name seen through its bank, without an index."""
+
+    @abstractmethod
+    def address_hint(self, text: str, bank: str = "C") -> str:
+        """The way out for a text in quotes where an address is expected, likely one of this bank."""
+
     # -- what the IR has ----------------------------------------------------------------------------------------------
 
     @abstractmethod
@@ -89,6 +103,11 @@ class Spelling(ABC):
         """An instruction on one line."""
 
     # -- conditions out of texts --------------------------------------------------------------------------------------
+
+    @property
+    @abstractmethod
+    def always(self) -> str:
+        """The condition that always holds."""
 
     @abstractmethod
     def off(self, bit: str) -> str:
@@ -124,8 +143,24 @@ class Spelling(ABC):
         """A rung on one line; "" is no condition, and without actions only its head is written."""
 
     @abstractmethod
+    def example(self, spec: Spec) -> str:
+        """An example of an instruction."""
+
+    @abstractmethod
+    def rung_at(self, indent: str, action: str) -> str:
+        """The lines of a rung without a condition, as they are written below a rung with this indent."""
+
+    @abstractmethod
+    def goes_on(self, line: str) -> bool:
+        """True for a line after which the next one would be read as its rest."""
+
+    @abstractmethod
     def pin(self, name: str, condition: str) -> str:
         """An input of a box, with the condition that it waits for."""
+
+    @abstractmethod
+    def chained(self, name: str, condition: str, **named: str) -> str:
+        """The same as it is written after its box; "" where it cannot be."""
 
     @abstractmethod
     def declaration(self, *texts: str, **settings: str) -> str:
@@ -265,6 +300,10 @@ class Dialect(ABC):
         """The routines, declarations and imports of one file in the order of its text; None where it cannot be read."""
 
     @abstractmethod
+    def routines_in(self, source: SourceFile) -> list[str]:
+        """The functions that a file has, also those that no program uses."""
+
+    @abstractmethod
     def places(self, source: SourceFile, formulas: Sequence[FormulaText]) -> NamePlaces:
         """Where the names of a file are, which has these formulas."""
 
@@ -310,10 +349,6 @@ class Dialect(ABC):
         """A line that does nothing, in the place of one that cannot be read; "" where there is none."""
 
     # -- help ---------------------------------------------------------------------------------------------------------
-
-    @abstractmethod
-    def address_hint(self, text: str, bank: str = "C") -> str:
-        """The way out for a text in quotes where an address is expected, likely one of this bank."""
 
     @abstractmethod
     def system_point_hint(self, word: str) -> str:

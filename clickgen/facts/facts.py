@@ -9,7 +9,7 @@ from itertools import product
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.system import ALWAYS_ON, system_name_of
-from clickgen.dialects.base import Spelling
+from clickgen.dialects.base import Dialect, Spelling
 from clickgen.facts.uses import Uses, addresses_of
 from clickgen.instructions.coils import OUT
 from clickgen.instructions.control import CALL, END, NEXT, RETURN
@@ -82,8 +82,7 @@ class Facts:
     """
 
     program: Program
-    spell: Spelling
-    """How the program's dialect writes what messages show."""
+    dialect: Dialect
     sources: Mapping[str, SourceFile] = field(default_factory=dict)
     rows: Mapping[Address, Row] = field(default_factory=dict)
     placed: frozenset[Address] = frozenset()
@@ -93,6 +92,11 @@ class Facts:
     """The rows of the scratch cells; none before the program is lowered."""
     importers: Callable[[], Sequence[str]] = tuple
     """The programs beside this one that import its file."""
+
+    @property
+    def spell(self) -> Spelling:
+        """How the program's dialect writes what messages show."""
+        return self.dialect.spell
 
     def shown(self, address: Address) -> str:
         """An address with its nickname, for a message: ``C5 (Motor)``."""

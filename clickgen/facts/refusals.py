@@ -7,6 +7,7 @@ from enum import Enum, auto
 
 from clickgen.device.banks import BANKS, READ_ONLY, Address, Kind
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
+from clickgen.dialects.base import Spelling
 from clickgen.instructions.spec import Access, Param, Slot
 from clickgen.ir.formula_nodes import Operand as FormulaOperand
 from clickgen.ir.formula_nodes import references
@@ -96,11 +97,11 @@ def holds_no_number(bank: str) -> bool:
     return BANKS[bank].kind in (Kind.BIT, Kind.TEXT)
 
 
-def shown_target(target: object) -> str:
+def shown_target(spell: Spelling, target: object) -> str:
     """A target for a message."""
     if isinstance(target, Cell):
         return str(target.address)
     if isinstance(target, Named):
-        return f"{target.bank.lower()}.{target.name}"
+        return spell.name(target.bank, target.name)
     bank = form_of(target)
     return f"{'an' if bank[0] == 'X' else 'a'} {bank} address"

@@ -59,14 +59,14 @@ CG316 error   on  errors.drums the lists of a drum do not fit together
 CG317 error   on  errors.kept_tokens the ladder token cannot be kept
 CG401 error   on  errors.no_main the program has no main
 CG402 error   on  errors.routines two routines have the same name
-CG403 error   on  errors.endings main has no unconditional end()
+CG403 error   on  errors.endings main has no unconditional end
 CG404 error   on  errors.endings a subroutine does not end in an unconditional return
 CG405 error   on  errors.calls no such subroutine
 CG406 error   on  errors.calls a subroutine calls a subroutine
 CG407 error   on  errors.loops a loop stands inside a loop
 CG408 error   on  errors.loops a loop is not closed
-CG409 error   on  errors.loops next_loop() without an open loop
-CG410 error   on  errors.endings end() belongs in main
+CG409 error   on  errors.loops a loop is closed that is not open
+CG410 error   on  errors.endings end belongs in main
 CG411 error   on  errors.endings return belongs in a subroutine
 CG412 error   on  errors.owners a timer or counter has two owners
 CG413 error   on  errors.comments the rung comment is too long for CLICK
@@ -77,10 +77,10 @@ CG418 warning on  errors.pins a counter has no reset
 CG419 warning on  errors.pins a shift register has no clock or no reset
 CG420 info    on  errors.retentive_off_delay rtof is emulated
 CG421 warning on  errors.comments CLICK shows part of this comment as styled text
-CG422 error   on  errors.loops next_loop() stands alone in an unconditional rung
+CG422 error   on  errors.loops the end of a loop is not alone in an unconditional rung
 CG423 warning on  errors.loops a timer stands inside a loop
 CG424 warning on  - main is too long for one CLICK file and is split
-CG425 error   on  errors.loops a loop that next_loop() closes is opened by the last action of its rung
+CG425 error   on  errors.loops an action comes after the opening of a loop in its rung
 CG426 error   on  errors.left_out a rung was left out by import
 CG427 warning on  errors.loops a loop calls a subroutine with a loop
 CG428 warning on  lowered.scratch_bits a pointer may write a scratch bit
@@ -106,14 +106,14 @@ CG515 warning on  advice.uncalled_subroutine a subroutine is never called
 CG516 warning on  advice.unreached_rung a rung is never reached
 CG517 warning on  advice.zero_divisors a formula divides by zero
 CG518 warning on  advice.lost_pointers a pointer may lead to no address
-CG519 warning on  advice.short_slices a slice looks one address short
+CG519 warning on  advice.short_slices a range looks one address short
 CG520 warning on  advice.float_equality floating-point values are compared for equality
 CG521 warning on  advice.ownerless_timer a timer's or counter's bit is used without its instruction
 CG522 warning on  advice.scattered_output an output is driven from several routines
 CG523 info    off advice.state_numbers a state number is repeated
 CG524 info    on  advice.comparison_words a comparison is written as a word
 CG525 warning on  - a suppression suppresses nothing
-CG526 warning on  advice.range_alternatives a range in any(...) means all of its bits
+CG526 warning on  advice.range_alternatives a range among alternatives means all of its bits
 CG527 warning on  advice.repeated_call a subroutine with timers or edges may run twice in a scan
 CG528 warning on  advice.loop_counts a loop's count may be 0 or less
 CG540 warning on  advice.misspelled_name a name looks like a misspelling of another

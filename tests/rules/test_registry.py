@@ -15,6 +15,7 @@ from test_examples import program_of
 
 import docs
 from clickgen.cli import main
+from clickgen.dialects.registry import default
 from clickgen.facts.facts import Facts
 from clickgen.ir.program import Program
 from clickgen.problems.codes import CODES, entry_of
@@ -50,7 +51,7 @@ ABOUT = Code(
 
 RULE = Rule(find, (ABOUT,), holds_in_parts=True)
 '''
-FACTS = Facts(Program(SourceFile("prog.py", "\n"), (), ()))
+FACTS = Facts(Program(SourceFile("prog.py", "\n"), (), ()), default())
 HORN = program_of("if x[1]:\n    out(y.Horn)\n")
 
 

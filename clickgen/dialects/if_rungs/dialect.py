@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from clickgen.text.edits import Edit, Fix
     from clickgen.text.source import SourceFile
     from clickgen.workspace import Workspace
+
+
+_ROUTINE = re.compile(r"^def (\w+)", re.MULTILINE)
 
 
 class IfRungs(Dialect):
@@ -56,6 +60,9 @@ class IfRungs(Dialect):
 
         content = read_file(source, problems)
         return None if content is None else content.items
+
+    def routines_in(self, source: SourceFile) -> list[str]:
+        return _ROUTINE.findall(source.text)
 
     def places(self, source: SourceFile, formulas: Sequence[FormulaText]) -> NamePlaces:
         from clickgen.dialects.if_rungs.read.names import FilePlaces
@@ -110,11 +117,6 @@ class IfRungs(Dialect):
         return f"{indent}{instead}\n" if indent and code != instead else ""
 
     # -- help ---------------------------------------------------------------------------------------------------------
-
-    def address_hint(self, text: str, bank: str = "C") -> str:
-        from clickgen.dialects.if_rungs.ways_out.hints import text_hint
-
-        return text_hint(text, bank.lower())
 
     def system_point_hint(self, word: str) -> str:
         from clickgen.dialects.if_rungs.trade import CONDITIONS, advice

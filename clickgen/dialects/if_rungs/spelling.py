@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from keyword import iskeyword
 from typing import TYPE_CHECKING
 
+from clickgen.device.banks import BANKS
 from clickgen.dialects.base import Spelling
 from clickgen.dialects.if_rungs.write.expressions import action_piece, condition_piece, operand_text, quoted
 from clickgen.dialects.if_rungs.write.layout import flat
@@ -18,14 +20,33 @@ if TYPE_CHECKING:
     from clickgen.ir.program import Action
 
 
+_ADDRESS = re.compile(rf"(?:{'|'.join(bank.dsl for bank in BANKS.values())})[.\[][^\n]+")
+_NAME = re.compile(r"[a-z]+(\.\w+|\[\"[^\"]*\"\])")
+"""A name without an index, which is a block where it is a range."""
+
+
 class IfRungsSpelling(BracketAddresses, Spelling):
     """``if c.Run: out(y[1])``"""
 
+    always = "True"
     immediate = ".immediate"
     backwards = ":-1"
 
     def name(self, bank: str, name: str) -> str:
         return f"{bank.lower()}[{quoted(name)}]" if iskeyword(name) else super().name(bank, name)
+
+    # -- addresses that a person wrote --------------------------------------------------------------------------------
+
+    def is_address(self, text: str) -> bool:
+        return _ADDRESS.fullmatch(text) is not None
+
+    def is_name(self, text: str) -> bool:
+        return _NAME.fullmatch(text) is not None
+
+    def address_hint(self, text: str, bank: str = "C") -> str:
+        from clickgen.dialects.if_rungs.ways_out.hints import text_hint
+
+        return text_hint(text, bank.lower())
 
     # -- what the IR has ----------------------------------------------------------------------------------------------
 
@@ -64,6 +85,19 @@ class IfRungsSpelling(BracketAddresses, Spelling):
 
     def rung(self, condition: str, *actions: str) -> str:
         return f"if {condition or 'True'}:{' ' if actions else ''}{'; '.join(actions)}"
+
+    def example(self, spec: Spec) -> str:
+        return spec.example
+
+    def rung_at(self, indent: str, action: str) -> str:
+        return f"{indent}if True:\n{indent * 2}{action}"
+
+    def goes_on(self, line: str) -> bool:
+        return line.endswith("\\")
+
+    def chained(self, name: str, condition: str, **named: str) -> str:
+        given = [condition, *(f"{word}={text}" for word, text in named.items())]
+        return f".{name}({', '.join(given)})"
 
     def pin(self, name: str, condition: str) -> str:
         return f"{name}=lambda: {condition}"

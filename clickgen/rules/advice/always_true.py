@@ -16,7 +16,7 @@ CODE = "CG508"
 def find(facts: Facts) -> Findings:
     for condition in facts.conditions:
         for part in _always(condition):
-            yield finding(CODE, part.span, _fault(facts, part), _help(condition, part))
+            yield finding(CODE, part.span, _fault(facts, part), _help(facts, condition, part))
 
 
 def _always(part: Condition) -> Iterator[Compare | Any]:
@@ -40,9 +40,10 @@ def _fault(facts: Facts, part: Compare | Any) -> str:
     return f"one of the alternatives of {facts.described(part)} is always true"
 
 
-def _help(condition: Condition, part: Compare | Any) -> str:
-    correct = "correct it" if isinstance(part, Compare) else "correct one of them; where both must hold write all(...)"
-    return f"{correct}; if it is meant, {'write True' if part is condition else 'leave it out'}"
+def _help(facts: Facts, condition: Condition, part: Compare | Any) -> str:
+    both = f"correct one of them; where both must hold write {facts.spell.every('...')}"
+    correct = "correct it" if isinstance(part, Compare) else both
+    return f"{correct}; if it is meant, {f'write {facts.spell.always}' if part is condition else 'leave it out'}"
 
 
 ABOUT = Code(

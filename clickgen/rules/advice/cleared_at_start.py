@@ -38,8 +38,8 @@ def find(facts: Facts) -> Findings:
 def _report(facts: Facts, lost: Mapping[Address, Span]) -> Findings:
     """One finding for all that one instruction clears."""
     first, span = next(iter(lost.items()))
-    name, bank = facts.nickname(first) or "Total", first.bank.lower()
-    written = f"{bank}.{name}" if name.isidentifier() else f'{bank}["{name}"]'
+    written = facts.spell.name(first.bank, facts.nickname(first) or "Total")
+    declared = facts.spell.declaration(written, facts.spell.cell(first), retentive="False")
     one = len(lost) == 1
     are, they, them = ("is", "it", "it") if one else ("are", "they", "them")
     yield finding(
@@ -48,7 +48,7 @@ def _report(facts: Facts, lost: Mapping[Address, Span]) -> Findings:
         f"{facts.listed([*lost])} {are} retentive and cleared here in the first scan: what {they} kept is lost at "
         "every power-up",
         f"clear {them} on a condition of its own to keep the value; where {they} {are} to begin anew, declare that"
-        f"{'' if one else ' for each'}:  nickname({written}, {bank}[{first.number}], retentive=False)",
+        f"{'' if one else ' for each'}: {declared}",
     )
 
 

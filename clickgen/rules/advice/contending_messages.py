@@ -41,7 +41,7 @@ def find(facts: Facts) -> Findings:
         before = on_port[port][:_MANY]
         other = next((one for one in before if _may_meet(facts, one, placed)), None)
         if other is not None:
-            yield from _report(placed, other)
+            yield from _report(facts, placed, other)
         on_port[port].append(placed)
 
 
@@ -101,7 +101,8 @@ def _resets(writer: Placed) -> bool:
     return any(action.spec is RESET for action in actions_in(writer.rung.items))
 
 
-def _report(placed: Placed, other: Placed) -> Findings:
+def _report(facts: Facts, placed: Placed, other: Placed) -> Findings:
+    turn = facts.spell.name("DS", "Turn")
     here, there = placed.action, other.action
     target = here.args["target"]
     port = f"port {target.com_port}" if isinstance(target, RtuTarget) else f"the connection to {_ip(here)}"
@@ -110,8 +111,8 @@ def _report(placed: Placed, other: Placed) -> Findings:
         here.span,
         f"this {here.spec.name} and the {there.spec.name} in {there.span.seen_from(here.span)} may both be on, and "
         f"{port} carries one message at a time",
-        "let them take turns: compare a register, ds.Turn == 0 there and ds.Turn == 1 here, and count it on when a "
-        "message has ended",
+        f"let them take turns: compare a register, {facts.spell.compared(turn, '==', '0')} there and "
+        f"{facts.spell.compared(turn, '==', '1')} here, and count it on when a message has ended",
         (Label(there.span, "wants the same port"),),
     )
 

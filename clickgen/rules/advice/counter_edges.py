@@ -22,7 +22,7 @@ def find(facts: Facts) -> Findings:
                     span,
                     f"{place} of this {placed.spec.name} is a level, not an edge: sources disagree whether CLICK then "
                     "counts once or in every scan",
-                    "count edges: re(...) on the bit that is counted",
+                    f"count edges: {facts.spell.rising('...')} on the bit that is counted",
                 )
 
 

@@ -35,7 +35,7 @@ def find(facts: Facts) -> Findings:
                     placed.action.span,
                     f"{facts.shown(address)} is driven by out in {earlier.action.span.seen_from(placed.action.span)} "
                     "already: whichever runs last decides, also when it turns the bit off",
-                    "join the conditions in one rung with any(...), or use set and reset",
+                    f"join the conditions in one rung with {facts.spell.some('...')}, or use set and reset",
                     (Label(earlier.action.span, "driven here first"),),
                 )
                 break

@@ -42,7 +42,8 @@ def _has_float(compare: Compare) -> bool:
 
 def _help(facts: Facts, compare: Compare, register: Cell) -> str:
     name = facts.text(register.span)
-    margin = f"all({name} > ..., {name} < ...)" if compare.op == "==" else f"any({name} < ..., {name} > ...)"
+    above, below = (facts.spell.compared(name, sign, "...") for sign in (">", "<"))
+    margin = facts.spell.every(above, below) if compare.op == "==" else facts.spell.some(below, above)
     return f"compare with a margin: {margin}"
 
 

@@ -64,13 +64,14 @@ def _check(facts: Facts, address: Address, placed: Sequence[Placed]) -> Findings
         shown = facts.shown(address)
         cell = _cell(facts, address)
         name = facts.text(cell) if cell else str(address)
+        goes_on = facts.spell.every(facts.spell.compared(name, "==", str(step)), "...")
         labels = tuple(Label(writer.placed.action.span, "this ends any step") for writer in ways)
         but = f", but for line {ways[0].placed.action.span.line}, which ends any step" if ways else ""
         yield finding(
             CODE,
             span,
             f"step {step} of {shown} is never left: no rung that asks for it writes another number{but}",
-            f"add the rung that goes on, if all({name} == {step}, ...):, or write # clickgen: ignore[{CODE}] where the "
+            f"add the rung that goes on, {facts.spell.rung(goes_on)}, or write {facts.spell.ignore(CODE)} where the "
             "sequence ends here or a panel goes on",
             labels,
         )

@@ -25,13 +25,14 @@ def find(facts: Facts) -> Findings:
         zero_or_less = Compare("<=", count, Integer(0, count.span), count.span)
         if any(are_exclusive(way, zero_or_less) for way in facts.ways_to(placed)):
             continue
+        above = facts.spell.compared(facts.text(count.span), ">", "0")
         reason = _why_not_positive(facts, placed, count.address)
         if reason:
             yield finding(
                 CODE,
                 count.span,
                 f"{facts.shown(count.address)} may be 0 or less: {reason}, and what CLICK does then, no source says",
-                f"run the loop only above 0: if {facts.with_test(placed, f'{facts.text(count.span)} > 0')}:",
+                f"run the loop only above 0: {facts.spell.rung(facts.with_test(placed, above))}",
             )
 
 

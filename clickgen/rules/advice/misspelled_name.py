@@ -79,7 +79,7 @@ def _report(facts: Facts, one: _Name, other: _Name) -> Findings:
     is_read = bool(one.reads)
     use = one.reads[0] if is_read else one.writes[0]
     there = next(iter((other.writes if is_read else other.reads) or [*other.writes, *other.reads]))
-    bank = one.address.bank.lower()
+    declared = facts.spell.declaration(facts.spell.name(one.address.bank, one.name), facts.spell.cell(one.address))
     what = "never written" if is_read else "never read"
     if one.address.bank == "X":
         what = "not declared"
@@ -88,14 +88,9 @@ def _report(facts: Facts, one: _Name, other: _Name) -> Findings:
         use.operand.span,
         f"{facts.shown(one.address)} is {what}, and {facts.shown(other.address)} in "
         f"{there.operand.span.seen_from(use.operand.span)} has a name that looks like it",
-        f"write {other.name} in both places; where both are meant, declare this one: "
-        f"nickname({_written(bank, one.name)}, {bank}[{one.address.number}])",
+        f"write {other.name} in both places; where both are meant, declare this one: {declared}",
         (Label(there.operand.span, f"{other.name} is here"),),
     )
-
-
-def _written(bank: str, name: str) -> str:
-    return f"{bank}.{name}" if name.isidentifier() else f'{bank}["{name}"]'
 
 
 ABOUT = Code(

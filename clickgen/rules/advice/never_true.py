@@ -96,7 +96,7 @@ def _never_alone(part: Condition, is_leg: bool) -> Iterator[_Found]:
 
 
 def _report(facts: Facts, site: Site, part: Condition, beside: tuple[Condition, ...], is_leg: bool) -> Findings:
-    help = "correct one of them; for one or the other write any(...)"
+    help = f"correct one of them; for one or the other write {facts.spell.some('...')}"
     labels: tuple[Label, ...] = ()
     if isinstance(part, Compare) and decided(part) is False:
         fault = f"{facts.described(part)} is never true ({value_of(part)})"

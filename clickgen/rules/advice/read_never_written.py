@@ -31,13 +31,14 @@ def find(facts: Facts) -> Findings:
             continue
         said.update(addresses)
         one = len(addresses) == 1
+        declared = facts.spell.declaration("...", initial="...", retentive="False")
         yield finding(
             CODE,
             use.operand.span,
             f"{facts.listed(addresses)} {'is' if one else 'are'} read here and nothing in the program writes "
             f"{'it' if one else 'them'}",
-            "correct the name, declare a value with nickname(..., initial=..., retentive=False), or write "
-            f"# clickgen: ignore[{CODE}] where a panel or another device writes it",
+            f"correct the name, declare a value with {declared}, or write {facts.spell.ignore(CODE)} where a panel or "
+            "another device writes it",
         )
 
 

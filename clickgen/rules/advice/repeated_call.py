@@ -31,7 +31,8 @@ def find(facts: Facts) -> Findings:
                 CODE,
                 call.action.span,
                 f"{routine.name} may run more than once in a scan, and {what}",
-                "call it in one rung, with any(...) of the conditions, or give each place a subroutine of its own"
+                f"call it in one rung, with {facts.spell.some('...')} of the conditions, or give each place a "
+                "subroutine of its own"
                 if not call.loop
                 else "call it outside the loop, or move what must run once out of the subroutine",
                 (Label(other, "the loop" if call.loop else "called here too"), Label(span, "this one")),

@@ -41,7 +41,7 @@ def find(facts: Facts) -> Findings:
             placed.action.span,
             f"{facts.listed(bits)} {'is' if one else 'are'} reset here and never set: "
             f"nothing in the program turns {'it' if one else 'them'} on",
-            f"add the set, or correct the name; where a panel turns it on, write # clickgen: ignore[{CODE}]",
+            f"add the set, or correct the name; where a panel turns it on, write {facts.spell.ignore(CODE)}",
         )
 
 

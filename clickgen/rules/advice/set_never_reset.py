@@ -33,7 +33,7 @@ def find(facts: Facts) -> Findings:
                 placed.action.span,
                 f"{facts.listed(held)} {'is' if one else 'are'} set here and never reset: once on, "
                 f"{'it stays' if one else 'they stay'} on {until}",
-                f"add the reset that ends it; {meant}, write # clickgen: ignore[{CODE}]",
+                f"add the reset that ends it; {meant}, write {facts.spell.ignore(CODE)}",
             )
 
 

@@ -31,9 +31,9 @@ def find(facts: Facts) -> Findings:
         yield finding(
             CODE,
             bits.span,
-            f"these are {len(bits)} bits, {first} to {Address(bits.bank, bits.last)}: the end of a slice is not "
-            f"included, so {facts.shown(behind)} stays out",
-            f"for {first} to {behind} write {bits.bank.lower()}[{bits.first}:{behind.number + 1}]",
+            f"these are {len(bits)} bits, {first} to {Address(bits.bank, bits.last)}: "
+            f"{f'{facts.spell.range_end}, so ' if facts.spell.range_end else ''}{facts.shown(behind)} stays out",
+            f"for {first} to {behind} write {facts.spell.range(bits.bank, bits.first, behind.number)}",
             fix=_fix(facts, bits),
         )
 
@@ -69,7 +69,7 @@ def _fix(facts: Facts, bits: Range) -> Fix | None:
 ABOUT = Code(
     CODE,
     Severity.WARNING,
-    "a slice looks one address short",
+    "a range looks one address short",
     """
 The end of a slice is not included: `c[1:16]` is C1 to C15, fifteen bits. Whoever packs a status word means sixteen, and
 the highest bit of the word then stays 0 without a word from CLICK.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
+from clickgen.instructions.coils import OUT
 from clickgen.instructions.copies import COPY
 from clickgen.ir.operands import Cell, Integer
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
@@ -27,11 +28,12 @@ def find(facts: Facts) -> Findings:
         often = {number: spans for number, spans in numbers.items() if len(spans) >= _PLACES_MIN}
         if often:
             listed = ", ".join(map(str, sorted(often)))
+            coil = facts.spell.call(OUT, facts.spell.name("C", "Filling"))
             yield finding(
                 CODE,
                 min(span for spans in often.values() for span in spans),
                 f"{facts.shown(address)} is compared with or set to {listed} in {_PLACES_MIN} or more places each",
-                "give each state a bit of its own in one rung, out(c.Filling) on the comparison, and ask the bit",
+                f"give each state a bit of its own in one rung, {coil} on the comparison, and ask the bit",
             )
 
 

@@ -23,12 +23,12 @@ def find(facts: Facts) -> Findings:
             if missed.action.spec in _IDLE or id(missed.left) in said:
                 continue
             said.add(id(missed.left))
-            yield from _report(missed)
+            yield from _report(facts, missed)
 
 
-def _report(missed: Missed) -> Findings:
+def _report(facts: Facts, missed: Missed) -> Findings:
     left, place = missed.left, missed.action.span if missed.is_rung_reached else missed.rung.head
-    word = "end()" if left.spec is END else "return"
+    word = facts.spell.call(left.spec)
     line = left.span.seen_from(place)
     if missed.is_looked_at:
         what = "this never turns anything on" if missed.action.spec is OUT else "this never runs"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.written import Asked, is_relative, left_in, whole_condition
+from clickgen.instructions.copies import COPY
 from clickgen.instructions.raw import RAW
 from clickgen.ir.operands import Cell, Pointer
 from clickgen.ir.reach import touches
@@ -63,12 +64,13 @@ def _report(facts: Facts, pointer: Pointer, register: Cell, moved: tuple[Placed,
             "skips this"
         )
         label = "nothing but this gives it another number"
+    head = facts.spell.rung(facts.spell.compared(name, "==", "0"))
+    copy = facts.spell.call(COPY, "101", name)
     yield finding(
         CODE,
         pointer.span,
         f"{fault} and sets SC44 (_Address_Error)",
-        f"give it the number of the first cell in a rung above: if {name} == 0:, and in it copy(101, {name}) "
-        f"for {bank}101",
+        f"give it the number of the first cell in a rung above: {head}, and in it {copy} for {bank}101",
         (Label(moved[0].action.span, label),),
     )
 

@@ -10,7 +10,6 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG506"
 
-_ROUTINE = re.compile(r"^def (\w+)", re.MULTILINE)
 _SPARE = re.compile(r"spare|reserve|unused|not_used", re.IGNORECASE)
 """Nicknames that say themselves that nothing uses them."""
 
@@ -29,7 +28,7 @@ def find(facts: Facts) -> Findings:
                 declaration.named.span,
                 f"{facts.shown(declaration.cell.address)} is declared here and the program does not use it",
                 "remove the declaration, correct the name where it should be used, or write "
-                f"# clickgen: ignore[{CODE}] where a panel or another device uses it",
+                f"{facts.spell.ignore(CODE)} where a panel or another device uses it",
             )
 
 
@@ -39,7 +38,7 @@ def _is_whole(facts: Facts, path: str) -> bool:
     What several programs share, declarations alone or subroutines of which each takes some, is for none to judge.
     """
     here = {routine.name for routine in facts.program.routines if routine.span.path == path}
-    return bool(here) and here.issuperset(_ROUTINE.findall(facts.sources[path].text))
+    return bool(here) and here.issuperset(facts.dialect.routines_in(facts.sources[path]))
 
 
 def _is_used(facts: Facts, address: Address) -> bool:

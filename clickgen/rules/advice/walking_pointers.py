@@ -75,13 +75,13 @@ def _report(facts: Facts, pointer: Pointer, walk: Walk, reach: _Reach, hit: list
     else:
         says = f"{shown} can be {', '.join(map(str, sorted(set(reach.numbers))))}"
     one = len(hit) == 1
+    table = facts.spell.declaration(facts.spell.name(bank, "Table"), _place(facts, bank))
     labels = (Label(walk.steps[0].placed.action.span, "counted on here"),) if walk.steps else ()
     yield finding(
         CODE,
         pointer.span,
         f"{says}, so this can write over {facts.listed(hit)}, which {'is' if one else 'are'} not of the table",
-        f"give the table a place of its own, nickname({bank.lower()}.Table, {_place(facts, bank)}), let {name} begin "
-        "there, and take it back behind the last cell",
+        f"give the table a place of its own, {table}, let {name} begin there, and take it back after the last cell",
         labels,
     )
 
@@ -91,7 +91,8 @@ def _place(facts: Facts, bank: str) -> str:
     last = max((address.number for address in facts.rows if address.bank == bank), default=0)
     first = (last // 100 + 1) * 100 + 1
     size = BANKS[bank]
-    return f"{bank.lower()}[{first}:{first + 50}]" if first + 49 <= size.last else f"{bank.lower()}[...]"
+    spell = facts.spell
+    return spell.range(bank, first, first + 49) if first + 49 <= size.last else spell.pointer(bank, "...")
 
 
 # -- where the register goes ------------------------------------------------------------------------------------------

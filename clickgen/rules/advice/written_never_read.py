@@ -36,7 +36,7 @@ def find(facts: Facts) -> Findings:
             use.operand.span,
             f"{facts.listed(addresses)} {'is' if one else 'are'} written here and nothing in the program reads "
             f"{'it' if one else 'them'}",
-            f"correct the name, remove what writes it, or write # clickgen: ignore[{CODE}] where a panel or another "
+            f"correct the name, remove what writes it, or write {facts.spell.ignore(CODE)} where a panel or another "
             "device reads it",
         )
 

@@ -32,11 +32,12 @@ def _zero(facts: Facts, calculation: Calculation, divisor: Node) -> tuple[str, s
     said = holds_only_zero(facts, calculation.placed, cell) if cell else ""
     if cell is None or not said:
         return "", ""
+    declared = facts.spell.declaration("...", initial="...", retentive="False")
     return (
         f", unless a panel or another device writes {facts.shown(cell.address)}: the program writes {said} there",
-        f"correct the name, declare a value with nickname(..., initial=..., retentive=False), test "
-        f"{shown_register(facts, cell)} != 0, or write # clickgen: ignore[{CODE}] where a panel or another device "
-        "writes it",
+        f"correct the name, declare a value with {declared}, test "
+        f"{facts.spell.compared(shown_register(facts, cell), '!=', '0')}, or write {facts.spell.ignore(CODE)} where a "
+        "panel or another device writes it",
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from clickgen.device.banks import current_value
 from clickgen.facts.facts import Facts, Placed
 from clickgen.instructions import drums, timers
 from clickgen.ir.operands import Cell, Integer, Single
@@ -28,7 +29,7 @@ def find(facts: Facts) -> Findings:
             # A stopwatch has no setpoint either: its current value is what counts.
             if reads and isinstance(timer, Cell):
                 fault = f"the setpoint of {facts.shown(timer.address)} is 0: {_HAPPENS[placed.spec.name]}"
-                value = f"td[{timer.address.number}]"
+                value = facts.spell.cell(current_value(timer.address))
                 help = f"give it a time; to measure a time, compare its current value {value} and leave the bit alone"
                 yield finding(CODE, setpoint.span, fault, help, (Label(reads[0].operand.span, "its bit is used here"),))
         elif placed.spec is drums.TIME_DRUM:

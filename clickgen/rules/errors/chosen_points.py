@@ -7,8 +7,7 @@ from collections.abc import Collection
 from clickgen.device.banks import WORD_TWINS, Address, points_of
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use, addresses_of
-from clickgen.formula.spelling import SPELL
-from clickgen.ir.operands import Named, Operand, Pointer, form_of
+from clickgen.ir.operands import Operand, Pointer, form_of
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 
@@ -19,13 +18,13 @@ def find(facts: Facts) -> Findings:
         left.difference_update(met)
         if met:
             point = met[0]
-            named = SPELL.reference(Named(point.bank, facts.nickname(point), use.operand.span))
+            named = facts.spell.name(point.bank, facts.nickname(point))
             verb, noun = "writes" if use.is_written else "reads", "address" if len(met) == 1 else "addresses"
             yield finding(
                 "CG432",
                 use.operand.span,
                 f"this {verb} {facts.listed(met)} too, whose {noun} clickgen chose: is it wired there?",
-                f"pin it where it is wired, such as nickname({named}, {point.bank.lower()}[{point.number}])",
+                f"pin it where it is wired, such as {facts.spell.declaration(named, facts.spell.cell(point))}",
             )
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from clickgen.device.banks import BANKS, Kind
+from clickgen.device.banks import BANKS, Address, Kind
 from clickgen.facts.facts import Facts
-from clickgen.facts.kinds import same_kind
+from clickgen.facts.kinds import same_kind, searched_for
 from clickgen.facts.values import range_fault, value_class
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Constant, Integer, Single, Text
@@ -21,12 +21,12 @@ def _check(facts: Facts, compare: Compare) -> Findings:
     left, right = compare.left, compare.right
     for side in (left, right):
         if isinstance(side, Cell) and BANKS[side.bank].is_bit:
-            bank = BANKS[side.bank].dsl
+            name = facts.spell.name(side.bank, "Name")
             yield finding(
                 "CG303",
                 side.span,
                 f"{side.address} is a bit and cannot be compared",
-                f"a bit is a condition by itself: {bank}.Name, or nc({bank}.Name)",
+                f"a bit is a condition by itself: {name}, or {facts.spell.off(name)}",
             )
             return
     if isinstance(left, Constant) and isinstance(right, Constant):
@@ -58,9 +58,9 @@ def _word(facts: Facts, compare: Compare, constant: Integer) -> str:
     """The way out for ``dh.A == -1``: the word with the same bits."""
     if not -0x8000 <= constant.value < 0:
         return "the comparison could never change"
-    word = f"0x{constant.value + 0x10000:04X}"
+    word = facts.spell.hexadecimal(constant.value + 0x10000)
     left, right = (word if side is constant else facts.text(side.span) for side in (compare.left, compare.right))
-    return f"the comparison could never change; the same bits are {left} {compare.op} {right}"
+    return f"the comparison could never change; the same bits are {facts.spell.compared(left, compare.op, right)}"
 
 
 def _search(facts: Facts, compare: Compare, register: Single) -> str:
@@ -70,15 +70,16 @@ def _search(facts: Facts, compare: Compare, register: Single) -> str:
     count = len(text.value) if isinstance(text, Text) else 0
     if isinstance(register, Cell):
         first = register.address.number
-        shown = f"txt[{first}:{first + count}]"
+        shown = facts.spell.range("TXT", first, first + count - 1)
         is_there = BANKS["TXT"].has(first + count - 1)
     else:
-        shown = shown if shown.endswith("]") else f"{shown}[0:{count}]"
+        shown = facts.spell.members(shown, count) if facts.spell.is_name(shown) else shown
         is_there = True
     if not count or not is_there or compare.op not in ("==", "!="):
-        return 'compare with one: txt[1] == "A"'
-    bit = "c.Found" if compare.op == "==" else "nc(c.Found)"
-    search = f"search({shown} == {facts.text(text.span)}, result=ds.FoundAt, found=c.Found)"
+        one = facts.spell.compared(facts.spell.cell(Address("TXT", 1)), "==", facts.spell.quoted("A"))
+        return f"compare with one: {one}"
+    search, found = searched_for(facts, shown, facts.text(text.span))
+    bit = found if compare.op == "==" else facts.spell.off(found)
     return f"compare with one character, or search in a rung before, {search}, and test {bit}"
 
 

@@ -15,7 +15,7 @@ def find(facts: Facts) -> Findings:
                 "CG308",
                 operand.span,
                 f"an immediate contact reads an input X, not {operand.bank}",
-                "leave out .immediate",
+                f"leave out {facts.spell.immediate}",
             )
 
 

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import re
 
-from clickgen.device.banks import BANKS, PADDED_DIGITS, Address, Kind
-from clickgen.dialects.if_rungs.ways_out.hints import flat_address
+from clickgen.device.banks import BANKS, PADDED_DIGITS, Address, Kind, parse_address
+from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts
 from clickgen.facts.refusals import refused
 from clickgen.facts.values import copies
+from clickgen.instructions.coils import OUT, RESET, SET
 from clickgen.instructions.copies import CONVERSIONS, COPY, COPY_FILL, COPY_PACK
-from clickgen.instructions.spec import Pair, ParamKind
+from clickgen.instructions.spec import Pair, ParamKind, Spec
 from clickgen.ir.operands import Cell, Integer, Range, Text, form_of
 from clickgen.ir.program import Action, Options
 from clickgen.ir.reach import reached
@@ -30,7 +31,7 @@ def find(facts: Facts) -> Findings:
 
 
 def _check(facts: Facts, action: Action) -> Findings:
-    wrong = list(_check_options(action))
+    wrong = list(_check_options(facts.spell, action))
     yield from wrong
     if wrong:
         return
@@ -40,9 +41,9 @@ def _check(facts: Facts, action: Action) -> Findings:
     if pair is None:
         yield from _refuse(facts, action, source, target, pairs)
         return
-    yield from _check_pair(action, pair)
+    yield from _check_pair(facts.spell, action, pair)
     yield from _check_flags(action)
-    yield from _check_lengths(action)
+    yield from _check_lengths(facts.spell, action)
 
 
 def _check_flags(action: Action) -> Findings:
@@ -55,7 +56,7 @@ def _check_flags(action: Action) -> Findings:
             )
 
 
-def _check_options(action: Action) -> Findings:
+def _check_options(spell: Spelling, action: Action) -> Findings:
     options, spec = action.args.get("options"), action.spec
     if not isinstance(options, Options):
         return
@@ -74,7 +75,10 @@ def _check_options(action: Action) -> Findings:
         )
     elif options.exponential and source != "DF":
         yield finding(
-            "CG314", options.span, "exponential text is for floating-point numbers (DF)", "leave out exponential=True"
+            "CG314",
+            options.span,
+            "exponential text is for floating-point numbers (DF)",
+            f"leave out {spell.setting('exponential', 'True')}",
         )
     elif options.exponential and not options.suppress_zero:
         # laddercodec gives this pair the code of to_value: CLICK would run another instruction (click-facts
@@ -83,7 +87,7 @@ def _check_options(action: Action) -> Findings:
             "CG314",
             options.span,
             "exponential text with leading zeros cannot be put into CLICK",
-            "leave out suppress_zero=False",
+            f"leave out {spell.setting('suppress_zero', 'False')}",
         )
     elif options.pad is not None and options.pad != PADDED_DIGITS.get(BANKS[source].kind):
         digits = PADDED_DIGITS.get(BANKS[source].kind)
@@ -91,11 +95,11 @@ def _check_options(action: Action) -> Findings:
             "CG314",
             options.span,
             f"CLICK cannot pad {source} to {options.pad} characters",
-            f"write pad={digits}: all digits of the type" if digits else "leave out pad",
+            f"write {spell.setting('pad', str(digits))}: all digits of the type" if digits else "leave out pad",
         )
 
 
-def _check_pair(action: Action, pair: Pair) -> Findings:
+def _check_pair(spell: Spelling, action: Action, pair: Pair) -> Findings:
     """CLICK copies between these, if the sources agree about it and the lengths fit."""
     spec = action.spec
     source, target = (action.args[name] for name in spec.matrix)
@@ -117,7 +121,7 @@ def _check_pair(action: Action, pair: Pair) -> Findings:
                 packed.span,
                 f"this range has {counted(len(packed), 'address', 'addresses')}; {source_form} to {target_form} takes "
                 f"{allowed}",
-                "the end of a slice is not included: c[1:17] is 16 bits",
+                f"{spell.range('C', 1, 16)} is 16 bits{f'; {spell.range_end}' if spell.range_end else ''}",
             )
 
 
@@ -128,9 +132,9 @@ def _refuse(facts: Facts, action: Action, source: str, target: str, pairs: list[
     )
     if action.spec is COPY and BANKS.get(target) is not None and BANKS[target].is_bit and source not in BANKS:
         bit, value = action.args[action.spec.matrix[1]], action.args[action.spec.matrix[0]]
-        shown = facts.text(bit.span) if isinstance(bit, Cell) else "c.Name"
+        shown = facts.text(bit.span) if isinstance(bit, Cell) else facts.spell.name("C", "Name")
         is_off = isinstance(value, Integer) and value.value == 0
-        help = f"a bit is turned off with reset({shown})" if is_off else f"a bit is turned on with set({shown})"
+        help = f"a bit is turned {_switched(facts.spell, not is_off, shown)}"
     help = _instead(facts, action) or help
     yield finding("CG305", action.span, f"CLICK cannot {action.spec.name} from {source} to {target}", help)
 
@@ -140,51 +144,59 @@ def _instead(facts: Facts, action: Action) -> str:
     source, target = (action.args[name] for name in action.spec.matrix)
     if not isinstance(target, Cell | Range) or (isinstance(target, Cell) and target.address.upper):
         return ""
-    name, to = action.spec.name, facts.text(target.span)
+    name, to, spell = action.spec.name, facts.text(target.span), facts.spell
     is_bit = BANKS[target.bank].is_bit
     if isinstance(source, Text) and not is_bit and name in ("copy", "copy_fill"):
-        return _unquoted(name, source.value, target.bank, to)
+        return _unquoted(facts.spell, action.spec, source.value, target.bank, to)
     if isinstance(source, Integer) and is_bit and isinstance(target, Range):
-        return f"bits are turned {'on with set' if source.value else 'off with reset'}({to})"
+        return f"bits are turned {_switched(facts.spell, bool(source.value), to)}"
     if not isinstance(source, Cell | Range):
         return ""
     given = facts.text(source.span)
     if name == "copy" and isinstance(source, Cell) and isinstance(target, Cell):
         if BANKS[source.bank].is_bit and not is_bit:
-            return f"a bit becomes a number in two rungs: if {given}: copy(1, {to}) and if nc({given}): copy(0, {to})"
+            one = spell.rung(given, spell.call(COPY, "1", to))
+            other = spell.rung(spell.off(given), spell.call(COPY, "0", to))
+            return f"a bit becomes a number in two rungs: {one} and {other}"
         if is_bit and BANKS[source.bank].kind not in (Kind.BIT, Kind.TEXT):
-            none = "0x0000" if BANKS[source.bank].kind is Kind.HEX else "0"
-            return f"a number becomes a bit by a comparison: if {given} != {none}: out({to})"
+            none = spell.hexadecimal(0) if BANKS[source.bank].kind is Kind.HEX else "0"
+            rung = spell.rung(spell.compared(given, "!=", none), spell.call(OUT, to))
+            return f"a number becomes a bit by a comparison: {rung}"
     if name == "copy_block" and copies(COPY_PACK, source, target) and isinstance(target, Cell):
-        return f"bits or words become one number with copy_pack({given}, {to})"
+        return f"bits or words become one number with {spell.call(COPY_PACK, given, to)}"
     return ""
 
 
-_ADDRESS = re.compile(r"(?:x|y|c|t|ct|sc|ds|dd|dh|df|xd|yd|td|ctd|sd|txt)[.\[][^\n]+")
+def _switched(spell: Spelling, is_on: bool, bits: str) -> str:
+    """``on with set(c.Name)``, ``off with reset(c.Name)``"""
+    return f"{'on' if is_on else 'off'} with {spell.call(SET if is_on else RESET, bits)}"
 
 
-def _unquoted(name: str, text: str, bank: str, to: str) -> str:
+def _unquoted(spell: Spelling, spec: Spec, text: str, bank: str, to: str) -> str:
     """The way out for a text that goes to a number: ``copy("5", ds.A)``."""
     kind = BANKS[bank].kind
     if kind is Kind.HEX and re.fullmatch(r"(?:0[xX])?[0-9A-Fa-f]{1,4}[hH]?", text):
         number = text.lower().removeprefix("0x").rstrip("h")
-        return f"without quotes it is a number: {name}(0x{int(number, 16):04X}, {to})"
+        return f"without quotes it is a number: {spell.call(spec, spell.hexadecimal(int(number, 16)), to)}"
     if re.fullmatch(r"[+-]?[0-9]{1,9}", text):
-        return f"without quotes it is a number: {name}({int(text)}, {to})"
+        return f"without quotes it is a number: {spell.call(spec, str(int(text)), to)}"
     if re.fullmatch(r"[+-]?[0-9]{1,9}[.,][0-9]{1,9}", text):
         decimal = text.replace(",", ".")
-        where = to if kind is Kind.FLOAT else "df.Name"
-        return f"without quotes it is a number, and decimals go to DF: {name}({decimal}, {where})"
-    flat = flat_address(text)
-    if flat or _ADDRESS.fullmatch(text):
-        return f"without quotes it is an address: {name}({flat or text}, {to})"
-    return f'text goes to TXT: copy("{text}", txt.Name)' if name == "copy" and text.isprintable() else ""
+        where = to if kind is Kind.FLOAT else spell.name("DF", "Name")
+        return f"without quotes it is a number, and decimals go to DF: {spell.call(spec, decimal, where)}"
+    address = parse_address(text) if len(text) < 10 else None
+    if address is not None or spell.is_address(text):
+        shown = text if address is None else spell.cell(address)
+        return f"without quotes it is an address: {spell.call(spec, shown, to)}"
+    if spec is not COPY or not text.isprintable():
+        return ""
+    return f"text goes to TXT: {spell.call(COPY, spell.quoted(text), spell.name('TXT', 'Name'))}"
 
 
-def _check_lengths(action: Action) -> Findings:
+def _check_lengths(spell: Spelling, action: Action) -> Findings:
     source, target = (action.args[name] for name in action.spec.matrix)
     if action.spec is COPY_FILL and isinstance(source, Text) and len(source.value) > 1:
-        help = 'fill with one: copy_fill("A", txt[1:9])'
+        help = f"fill with one: {spell.call(COPY_FILL, spell.quoted('A'), spell.range('TXT', 1, 8))}"
         yield finding("CG302", source.span, "a TXT address holds one character", help)
     param = next(param for param in action.spec.params if param.name == action.spec.matrix[1])
     whole = reached(action, param)
@@ -195,7 +207,9 @@ def _check_lengths(action: Action) -> Findings:
     if not param.extends_over:
         return
     if isinstance(target, Cell) and target.address.upper:
-        yield finding("CG301", target.span, f"a block cannot begin at {target.address}", "copy it with copy(...)")
+        yield finding(
+            "CG301", target.span, f"a block cannot begin at {target.address}", f"copy it with {spell.call(COPY, '...')}"
+        )
     if isinstance(target, Range) and isinstance(source, Range) and len(target) != len(source):
         yield finding(
             "CG306",

@@ -5,6 +5,7 @@ click-facts [control.loops, control.next, timer.in-loop]
 
 from __future__ import annotations
 
+from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts, Placed
 from clickgen.instructions import timers
 from clickgen.instructions.control import CALL, FOR, NEXT
@@ -17,9 +18,10 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 def find(facts: Facts) -> Findings:
     open_loop: Placed | None = None
     routine: Routine | None = None
+    closing = facts.spell.call(NEXT)
     for placed in facts.actions:
         if placed.routine is not routine:
-            yield from _refuse_open(open_loop)
+            yield from _refuse_open(facts.spell, open_loop)
             open_loop, routine = None, placed.routine
         outer = placed.loop
         if placed.spec is FOR:
@@ -28,14 +30,14 @@ def find(facts: Facts) -> Findings:
                     "CG407",
                     placed.action.span,
                     f"this loop stands inside the loop of line {outer.span.line}",
-                    "CLICK has no loop in a loop: unroll one of them, or close the first with next_loop() before",
+                    f"CLICK has no loop in a loop: unroll one of them, or close the first with {closing} before",
                     (Label(outer.span, "the outer loop"),),
                 )
             elif placed.opens_loop:
                 open_loop = placed
-                yield from _check_opening(placed)
+                yield from _check_opening(facts.spell, placed)
         elif placed.spec is NEXT:
-            yield from _check_next(placed, open_loop)
+            yield from _check_next(facts.spell, placed, open_loop)
             open_loop = None
         elif outer is not None and placed.spec is CALL:
             yield from _check_call(facts, placed, outer)
@@ -46,7 +48,7 @@ def find(facts: Facts) -> Findings:
                 f"this {placed.spec.name} stands inside a loop and would run several times in a scan (C1004)",
                 "move it out of the loop",
             )
-    yield from _refuse_open(open_loop)
+    yield from _refuse_open(facts.spell, open_loop)
 
 
 def _check_call(facts: Facts, call: Placed, outer: Action) -> Findings:
@@ -67,7 +69,7 @@ def _check_call(facts: Facts, call: Placed, outer: Action) -> Findings:
         )
 
 
-def _check_opening(placed: Placed) -> Findings:
+def _check_opening(spell: Spelling, placed: Placed) -> Findings:
     """What stands behind an opening for in its rung would be repeated with the loop, its condition included."""
     actions = list(actions_in(placed.rung.items))
     if actions[-1] is not placed.action:
@@ -75,32 +77,35 @@ def _check_opening(placed: Placed) -> Findings:
         yield finding(
             "CG425",
             behind.span,
-            f"this stands behind the for of line {placed.action.span.line}, so the loop would repeat it",
-            "put it before the for, into a rung of the loop, or behind next_loop()",
+            f"this comes after the loop of line {placed.action.span.line} is opened, so the loop would repeat it",
+            f"put it before the loop, into a rung of the loop, or after {spell.call(NEXT)}",
         )
 
 
-def _refuse_open(loop: Placed | None) -> Findings:
+def _refuse_open(spell: Spelling, loop: Placed | None) -> Findings:
     if loop is not None and loop.routine.is_whole:
         yield finding(
             "CG408",
             loop.action.span,
             f"this loop is not closed in {loop.routine.name}",
-            "put the repeated rungs into its body, or close it with if True: next_loop()",
+            f"put the repeated rungs into its body, or close it with {spell.rung('', spell.call(NEXT))}",
         )
 
 
-def _check_next(placed: Placed, open_loop: Placed | None) -> Findings:
-    span = placed.action.span
+def _check_next(spell: Spelling, placed: Placed, open_loop: Placed | None) -> Findings:
+    span, closing = placed.action.span, spell.call(NEXT)
     if placed.in_body:
-        yield finding("CG409", span, "a loop with a body closes by itself", "leave next_loop() out")
+        yield finding("CG409", span, "a loop with a body closes by itself", f"leave {closing} out")
     elif open_loop is None and not placed.routine.is_whole:
         return
     elif open_loop is None:
-        yield finding("CG409", span, "there is no open loop here", "open one with for _ in range(n): pass")
+        yield finding("CG409", span, "there is no open loop here", f"open one with {spell.loop('n')}")
     elif not placed.is_unconditional or len(placed.rung.items) != 1:
         yield finding(
-            "CG422", span, "next_loop() stands alone in an unconditional rung (C0009)", "write if True: next_loop()"
+            "CG422",
+            span,
+            f"{closing} is alone in an unconditional rung (C0009)",
+            f"write {spell.rung('', closing)}",
         )
 
 
@@ -170,7 +175,7 @@ if True:
     Code(
         "CG409",
         Severity.ERROR,
-        "next_loop() without an open loop",
+        "a loop is closed that is not open",
         """
 There is no loop to close here, or the loop has rungs inside and closes by itself.
 """,
@@ -197,7 +202,7 @@ if True:
     Code(
         "CG422",
         Severity.ERROR,
-        "next_loop() stands alone in an unconditional rung",
+        "the end of a loop is not alone in an unconditional rung",
         """
 The rung of `next_loop()` must have no condition and nothing else in it (CLICK error C0009).
 """,
@@ -256,7 +261,7 @@ if x[1]:
     Code(
         "CG425",
         Severity.ERROR,
-        "a loop that next_loop() closes is opened by the last action of its rung",
+        "an action comes after the opening of a loop in its rung",
         """
 The loop would repeat the instructions that follow the `for` in its rung. Put them before the `for`, into
 a rung of the loop, or after `next_loop()`.

@@ -12,7 +12,8 @@ def find(facts: Facts) -> Findings:
     if facts.program.main is not None:
         return
     programs = facts.importers()
-    help = "add def main(): with the rungs that run in every scan"
+    main = facts.spell.routine("main", is_main=True)
+    help = f"add {main} with the rungs that run in every scan"
     if programs:
         help = f"this file is a part of {' and of '.join(programs[:3])}: build {programs[0]}"
     yield finding(CODE, facts.program.source.span(1, 1, 1, 2), "the program has no main", help)

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import re
-
-from clickgen.device.banks import BANKS
-from clickgen.dialects.if_rungs.ways_out.hints import text_hint
+from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.refusals import Refusal, operands_of, refusal, shown_target
 from clickgen.facts.setpoints import setpoint_hint
 from clickgen.facts.values import constant_fault, copies, fitting, value_class
+from clickgen.instructions.coils import RESET, SET
 from clickgen.instructions.copies import COPY, COPY_BLOCK, COPY_FILL, COPY_PACK, COPY_UNPACK
 from clickgen.instructions.data import SEARCH
 from clickgen.instructions.spec import Access, Param, Spec
@@ -43,7 +41,7 @@ def _check(facts: Facts, placed: Placed, param: Param, operand: Operand) -> Find
                 "CG308",
                 operand.span,
                 f"{placed.spec.name} takes no immediate {operand.bank} here{banks}",
-                "leave out .immediate",
+                f"leave out {facts.spell.immediate}",
             )
     elif isinstance(operand, Pointer):
         if why:
@@ -61,7 +59,10 @@ def _check(facts: Facts, placed: Placed, param: Param, operand: Operand) -> Find
         yield from _refuse(facts, placed, param, operand)
     elif isinstance(operand, Range) and operand.is_reversed and not slot.reversible:
         yield finding(
-            "CG202", operand.span, f"{placed.spec.name} takes its range forwards", "write the slice without :-1"
+            "CG202",
+            operand.span,
+            f"{placed.spec.name} takes its range forwards",
+            f"write the range without {facts.spell.backwards}",
         )
     elif operand.bank in slot.disputed:
         yield finding(
@@ -74,21 +75,21 @@ def _check(facts: Facts, placed: Placed, param: Param, operand: Operand) -> Find
 
 def _refuse(facts: Facts, placed: Placed, param: Param, operand: Named | Cell | Range) -> Findings:
     slot = param.slot
-    what = f"a range of {operand.bank}" if isinstance(operand, Range) else shown_target(operand)
-    help = f"for example: {placed.spec.example}"
+    what = f"a range of {operand.bank}" if isinstance(operand, Range) else shown_target(facts.spell, operand)
+    help = f"for example: {facts.spell.example(placed.spec)}"
     target = placed.action.args.get(COPY.matrix[1])
     unpacked = _packed(facts, operand, target) if placed.spec is COPY_BLOCK and param.name == COPY.matrix[0] else ""
     if unpacked:
         help = unpacked
     elif isinstance(operand, Cell) and operand.bank in slot.ranges:
         number = operand.address.number
-        bank = BANKS[operand.bank].dsl
-        help = f"write a range: {bank}[{number}:{number + 1}] is one address"
+        help = f"write a range: {facts.spell.range(operand.bank, number, number)} is one address"
     elif isinstance(operand, Range) and operand.bank in slot.cells:
         help = _of_range(facts, placed, param, operand)
     elif operand.bank in BANKS and not BANKS[operand.bank].is_bit and "C" in slot.cells:
         value = 0 if placed.spec.name == "reset" else 1
-        help = f"{placed.spec.name} is for bits; a register gets a number with copy({value}, {_text(facts, operand)})"
+        copy = facts.spell.call(COPY, str(value), _text(facts, operand))
+        help = f"{placed.spec.name} is for bits; a register gets a number with {copy}"
     yield finding(
         "CG301",
         operand.span,
@@ -105,7 +106,7 @@ def _text(facts: Facts, operand: Operand) -> str:
 def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str:
     """The way out for a range in the place of one address: its first, or the instruction that takes ranges."""
     text = _text(facts, operand)
-    first = f"{text}[0]" if _BLOCK.fullmatch(text) else f"{BANKS[operand.bank].dsl}[{operand.first}]"
+    first = _first(facts, text, operand)
     general = f"it takes one address, such as {first}"
     if placed.spec is not COPY:
         return general
@@ -118,17 +119,17 @@ def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str
             return f"name the first address, {first}: the text goes on from there"
         if BANKS[operand.bank].is_bit:
             off = isinstance(source, Integer) and source.value == 0
-            return f"write {'reset' if off else 'set'}({text})"
-        fills = f"to write all of them: copy_fill({_text(facts, source)}, {text})"
+            return f"write {facts.spell.call(RESET if off else SET, text)}"
+        fills = f"to write all of them: {facts.spell.call(COPY_FILL, _text(facts, source), text)}"
         return fills if copies(COPY_FILL, source, operand) else general
     if param.slot.access is Access.WRITE or not isinstance(target, Cell | Range):
         return general
     shown = _text(facts, target)
     if isinstance(target, Range):
-        shown = f"{shown}[0]" if _BLOCK.fullmatch(shown) else f"{BANKS[target.bank].dsl}[{target.first}]"
+        shown = _first(facts, shown, target)
     if copies(COPY_PACK, operand, target) and operand.bank == "TXT":
-        return f"a text of several characters becomes a number with copy_pack({text}, {shown})"
-    block = f"a range is copied with copy_block({text}, {shown})"
+        return f"a text of several characters becomes a number with {facts.spell.call(COPY_PACK, text, shown)}"
+    block = f"a range is copied with {facts.spell.call(COPY_BLOCK, text, shown)}"
     return block if copies(COPY_BLOCK, operand, target) else general
 
 
@@ -137,11 +138,11 @@ def _packed(facts: Facts, source: object, target: object) -> str:
     if isinstance(source, Range) and isinstance(target, Cell):
         text = _packed_part(facts, COPY_PACK, source, target, source)
         what = "bits become a number" if BANKS[source.bank].is_bit else "two words become one number"
-        return f"{what} with copy_pack({text}, {_text(facts, target)})" if text else ""
+        return f"{what} with {facts.spell.call(COPY_PACK, text, _text(facts, target))}" if text else ""
     if isinstance(target, Range) and isinstance(source, Cell):
         text = _packed_part(facts, COPY_UNPACK, source, target, target)
         what = "a number becomes bits" if BANKS[target.bank].is_bit else "a number becomes two words"
-        return f"{what} with copy_unpack({_text(facts, source)}, {text})" if text else ""
+        return f"{what} with {facts.spell.call(COPY_UNPACK, _text(facts, source), text)}" if text else ""
     return ""
 
 
@@ -155,24 +156,27 @@ def _packed_part(facts: Facts, spec: Spec, source: Operand, target: Operand, par
     if low <= len(part) <= high:
         return _text(facts, part)
     is_cut = len(part) > high and BANKS[part.bank].is_bit and not part.is_reversed
-    return f"{BANKS[part.bank].dsl}[{part.first}:{part.first + high}]" if is_cut else ""
+    return facts.spell.range(part.bank, part.first, part.first + high - 1) if is_cut else ""
 
 
-_BLOCK = re.compile(r"[a-z]+(\.\w+|\[\"[^\"]*\"\])")
-"""A name without an index, which is a block where it is a range."""
+def _first(facts: Facts, text: str, operand: Range) -> str:
+    """The first address of a range that is written so: of a block its first member."""
+    if facts.spell.is_name(text):
+        return facts.spell.member(text, 0)
+    return facts.spell.cell(Address(operand.bank, operand.first))
 
 
 def _check_constant(facts: Facts, placed: Placed, param: Param, constant: Constant) -> Findings:
     slot, action = param.slot, placed.action
     if refusal(slot, constant):
-        help = setpoint_hint(action, param, constant)
+        help = setpoint_hint(facts.spell, action, param, constant)
         if isinstance(constant, Text):
-            help = help or text_hint(constant.value, BANKS[slot.cells[0]].dsl if slot.cells else "c")
+            help = help or facts.spell.address_hint(constant.value, slot.cells[0] if slot.cells else "C")
         yield finding(
             "CG301",
             constant.span,
             f"{placed.spec.name} does not take this constant as {param.name!r}: it takes {slot.describe()}",
-            help or f"for example: {placed.spec.example}",
+            help or f"for example: {facts.spell.example(placed.spec)}",
         )
         return
     if isinstance(constant, Integer) and slot.limits:
@@ -182,7 +186,7 @@ def _check_constant(facts: Facts, placed: Placed, param: Param, constant: Consta
                 "CG302",
                 constant.span,
                 f"{param.name!r} of {placed.spec.name} is {constant.value}, outside {low}..{high}",
-                setpoint_hint(action, param, constant) or f"write a number from {low} to {high}",
+                setpoint_hint(facts.spell, action, param, constant) or f"write a number from {low} to {high}",
             )
             return
     other = action.args.get(param.typed_by)
@@ -193,7 +197,7 @@ def _check_constant(facts: Facts, placed: Placed, param: Param, constant: Consta
         shown = _text(facts, other) if isinstance(other, Operand) and placed.spec in (COPY, COPY_FILL) else ""
 
         def copied(number: str) -> str:
-            return f"{placed.spec.name}({number}, {shown})" if shown else number
+            return facts.spell.call(placed.spec, number, shown) if shown else number
 
         way = fitting(constant, kind_of(other), _text(facts, constant), facts.spell, copied)
         yield finding("CG302", constant.span, fault, way)

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 
 from clickgen.device.banks import BANKS, Address
+from clickgen.dialects.base import Spelling
 from clickgen.facts.copied import put_in
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.written import Asked
@@ -33,7 +34,7 @@ def _judge(facts: Facts, placed: Placed, cell: Cell, param: Param, length: int) 
     last = Address(cell.bank, cell.address.number + length - 1)
     is_text = not param.extends_over
     if not BANKS[last.bank].has(last.number):
-        yield from _past_the_end(placed.action, cell, last, length)
+        yield from _past_the_end(facts, placed.action, cell, last, length)
         return
     block = _block_of(facts, cell.address)
     reason = ""
@@ -52,7 +53,7 @@ def _judge(facts: Facts, placed: Placed, cell: Cell, param: Param, length: int) 
             "CG431",
             cell.span,
             f"{what} {reason}, to {last}",
-            f"{_option(placed.action)}begin it earlier, shorten it, or make room for it: a block of "
+            f"{_option(facts.spell, placed.action)}begin it earlier, shorten it, or make room for it: a block of "
             f"{length} addresses, or other addresses for what follows",
         )
 
@@ -67,7 +68,7 @@ def _long_writes(placed: Placed) -> Iterator[tuple[Cell, Param, int]]:
                 yield operand, param, length
 
 
-def _past_the_end(action: Action, cell: Cell, last: Address, length: int) -> Findings:
+def _past_the_end(facts: Facts, action: Action, cell: Cell, last: Address, length: int) -> Findings:
     """A text that surely reaches too far is refused (CG306), unless a pointer leads to where it begins."""
     target = action.args.get(action.spec.matrix[1])
     if cell.bank != "TXT" or (_is_sure_text(action) and not isinstance(target, Pointer)):
@@ -77,7 +78,7 @@ def _past_the_end(action: Action, cell: Cell, last: Address, length: int) -> Fin
         "CG430",
         cell.span,
         f"{_said(action, length)} reaches {last}: TXT ends at TXT{end}",
-        f"{_option(action)}begin it at txt[{end + 1 - length}] or earlier",
+        f"{_option(facts.spell, action)}begin it at {facts.spell.cell(Address('TXT', end + 1 - length))} or earlier",
     )
 
 
@@ -92,16 +93,17 @@ def _said(action: Action, length: int) -> str:
     )
 
 
-def _option(action: Action) -> str:
+def _option(spell: Spelling, action: Action) -> str:
     """The beginning of the way out for a number that goes to TXT without an option."""
     source = action.args.get(action.spec.matrix[0])
     if isinstance(source, Text) or "to_text" not in action.spec.conversions or "options" in action.args:
         return ""
     if isinstance(source, Integer):
-        return f'write its digits as a text, "{source.value}"; or '
+        return f"write its digits as a text, {spell.quoted(str(source.value))}; or "
     if isinstance(source, Constant):
         return "write its digits as a text in quotes; or "
-    return "say what is meant, options=to_binary for one character or options=to_text(); or "
+    one, text = spell.setting("options", "to_binary"), spell.setting("options", "to_text()")
+    return f"say what is meant, {one} for one character or {text}; or "
 
 
 def _is_sure_text(action: Action) -> bool:
@@ -144,7 +146,7 @@ def _judge_pointer(facts: Facts, placed: Placed, pointer: Pointer, length: int) 
         pointer.span,
         f"{_said(placed.action, length)} can reach past TXT{bank.last}: nothing keeps "
         f"{facts.shown(register.address)} at {highest} or below",
-        f"{_option(placed.action)}test the pointer in this rung: "
+        f"{_option(facts.spell, placed.action)}test the pointer in this rung: "
         f"if {facts.with_test(placed, f'{facts.text(register.span)} <= {highest}')}:",
     )
 

@@ -5,6 +5,7 @@ click-facts [counter.forms, drum.inputs, grid.pin-contact]
 
 from __future__ import annotations
 
+from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts
 from clickgen.ir.program import Action
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
@@ -12,11 +13,11 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 def find(facts: Facts) -> Findings:
     for placed in facts.actions:
-        yield from _check_missing(placed.action)
-        yield from _check_belongings(placed.action)
+        yield from _check_missing(facts.spell, placed.action)
+        yield from _check_belongings(facts.spell, placed.action)
 
 
-def _check_missing(action: Action) -> Findings:
+def _check_missing(spell: Spelling, action: Action) -> Findings:
     """Counters have a reset, shift registers a clock and a reset."""
     missing = [param for param in action.spec.pins if param.missing_pin and param.name not in action.args]
     if missing:
@@ -26,11 +27,11 @@ def _check_missing(action: Action) -> Findings:
             missing[0].missing_pin,
             action.span,
             f"this {action.spec.name} has no {names}: {gets} ~SC1, which is never on",
-            ", ".join(f"{param.name}=lambda: c.Name" for param in missing),
+            ", ".join(spell.pin(param.name, spell.name("C", "Name")) for param in missing),
         )
 
 
-def _check_belongings(action: Action) -> Findings:
+def _check_belongings(spell: Spelling, action: Action) -> Findings:
     """A drum's jump comes with its step."""
     for param in action.spec.params:
         if not param.of_pin or (param.name in action.args) == (param.of_pin in action.args):
@@ -38,12 +39,14 @@ def _check_belongings(action: Action) -> Findings:
         given, missing = param.name, param.of_pin
         if missing in action.args:
             given, missing = missing, given
+        bit = spell.name("C", "Name")
+        whole = spell.call(action.spec, "...", spell.pin(param.of_pin, bit), spell.setting(param.name, "2"))
+        chained = spell.chained(param.of_pin, bit, **{param.chained: "2"})
         yield finding(
             "CG110",
             action.args[given].span,
             f"{given!r} of {action.spec.name} needs {missing!r}",
-            f"{action.spec.name}(..., {param.of_pin}=lambda: c.Name, {param.name}=2), or "
-            f".{param.of_pin}(c.Name, {param.chained}=2) behind it",
+            f"{whole}, or {chained} after it" if chained else whole,
         )
 
 

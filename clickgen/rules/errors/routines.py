@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 
 from clickgen.device.limits import SUBROUTINE_NAME_MAX, SUBROUTINES_MAX
+from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts
 from clickgen.ir.program import Program, Routine
 from clickgen.problems.diagnostics import Label
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
-from clickgen.text.wording import quoted
 
 _MAIN = "main"
 # click-facts [limit.subroutine-names]
@@ -22,7 +22,7 @@ def find(facts: Facts) -> Findings:
     program = facts.program
     yield from _check_twice(program)
     for routine in program.subroutines:
-        yield from _check_name(routine)
+        yield from _check_name(facts.spell, routine)
     if len(program.subroutines) > SUBROUTINES_MAX:
         yield finding(
             "CG416",
@@ -62,17 +62,19 @@ def _check_twice(program: Program) -> Findings:
             )
 
 
-def _check_name(routine: Routine) -> Findings:
+def _check_name(spell: Spelling, routine: Routine) -> Findings:
     name = routine.name
-    help = "rename it" if routine.title else 'rename it, or write CLICK\'s name beside it: @sub("Auto Mode")'
+    mark = spell.subroutine_mark("Auto Mode")
+    help = "rename it" if routine.title else f"rename it, or write CLICK's name beside it: {mark}"
     if not name.strip():
-        fault, help = "there is nothing in it", "write a name, or @sub without brackets to use the function's name"
+        plain = spell.subroutine_mark()
+        fault, help = "there is nothing in it", f"write a name, or {plain} alone to use the function's name"
     elif len(name) > SUBROUTINE_NAME_MAX:
         fault = f"it has {len(name)} characters and CLICK takes {SUBROUTINE_NAME_MAX}"
     elif not _NAME.fullmatch(name):
         fault = "CLICK takes letters, digits, _, - and space"
     elif name != name.strip():
-        fault, help = "it has a space at its beginning or end", f"write @sub({quoted(name.strip())})"
+        fault, help = "it has a space at its beginning or end", f"write {spell.subroutine_mark(name.strip())}"
     elif name.lower() == _MAIN:
         fault = "the main program has this name"
     elif name.lower() in _DEVICES:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from clickgen.device.banks import Kind
+from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts
 from clickgen.facts.refusals import refused
 from clickgen.facts.values import range_fault, value_class
@@ -18,10 +19,10 @@ def find(facts: Facts) -> Findings:
         if placed.spec is SEARCH:
             places = [placed.action.args[name].span for name in ("start", "end", "value")]
             if refused(placed.action).isdisjoint(places):
-                yield from _check(placed.action)
+                yield from _check(facts.spell, placed.action)
 
 
-def _check(action: Action) -> Findings:
+def _check(spell: Spelling, action: Action) -> Findings:
     start, end, value = action.args["start"], action.args["end"], action.args["value"]
     if not (isinstance(start, Cell) and isinstance(end, Cell) and isinstance(value, Operand)):
         return
@@ -37,7 +38,8 @@ def _check(action: Action) -> Findings:
         )
     if isinstance(value, Integer) and kind_of(start) is Kind.HEX:
         # Any other whole number among hexadecimal words is hexadecimal by now.
-        yield finding("CG302", value.span, range_fault(value, Kind.HEX), "search for 0x0000 to 0xFFFF")
+        words = f"search for {spell.hexadecimal(0)} to {spell.hexadecimal(0xFFFF)}"
+        yield finding("CG302", value.span, range_fault(value, Kind.HEX), words)
         return
     searched, sought = value_class(start), value_class(value)
     if searched != sought:
@@ -45,7 +47,8 @@ def _check(action: Action) -> Findings:
             "CG303", value.span, f"a {sought} value cannot be found among {searched} values", "search another bank"
         )
     elif searched == "text" and action.word("condition") not in ("==", "!="):
-        yield finding("CG301", action.args["condition"].span, "texts are searched with == or !=", 'search("==", ...)')
+        way = spell.call(SEARCH, spell.quoted("=="), "...")
+        yield finding("CG301", action.args["condition"].span, "texts are searched with == or !=", way)
 
 
 RULE = Rule(

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from clickgen.device.banks import Address
 from clickgen.device.system import DISPUTED_SC, system_name_of
-from clickgen.dialects.if_rungs.ways_out.unwritable import instead_of
+from clickgen.dialects.ways_out import instead_of
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.refusals import (
     Refusal,
@@ -37,7 +38,7 @@ def _refuse(facts: Facts, placed: Placed, operand: Operand, slot: Slot) -> Findi
     target = target_of(operand)
     reason = read_only(slot, operand)
     if reason:
-        message = f"{shown_target(target)} is {reason}: no instruction writes it"
+        message = f"{shown_target(facts.spell, target)} is {reason}: no instruction writes it"
         yield finding("CG304", operand.span, message, _instead(facts, placed, target))
         return
     found = unwritable(operand)
@@ -64,16 +65,15 @@ def _instead(facts: Facts, placed: Placed, target: object) -> str:
     """The way out for what only CLICK itself writes."""
     bank = getattr(target, "bank", "")
     name = facts.nickname(target.address) if isinstance(target, Cell) else ""
-    dsl = bank.lower()
     if isinstance(target, Cell):
-        shown = f"{dsl}.{name}" if name.isidentifier() else f"{dsl}[{target.address.number}]"
+        shown = facts.spell.name(bank, name) if name.isidentifier() else facts.spell.cell(target.address)
     else:
-        shown = f"{dsl}[1]"
+        shown = facts.spell.cell(Address(bank, 1))
     own = (system_name_of(target.address) or "") if isinstance(target, Cell) else ""
     source = placed.action.args.get("source")
     value = " ".join(facts.text(source.span).split()) if isinstance(source, Cell | Constant) else ""
     owners = frozenset(one.spec.name for one in facts.actions if _owns(one, target))
-    return instead_of(bank, shown, placed.spec.name, value, own, owners)
+    return instead_of(facts.spell, bank, shown, placed.spec, value, own, owners)
 
 
 def _owns(placed: Placed, target: object) -> bool:

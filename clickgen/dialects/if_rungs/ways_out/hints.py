@@ -23,8 +23,11 @@ from clickgen.dialects.if_rungs.read.nodes import (
     whole_number,
     word,
 )
+from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
 from clickgen.dialects.if_rungs.trade import ARGUMENTS, CONDITIONS, MEMBERS, Advice, advice, bank_hint
+from clickgen.dialects.ways_out import reset_hint, with_reset
 from clickgen.formula.spelling import SPELL
+from clickgen.instructions.counters import CTU
 from clickgen.ir.addresses import BANK_NAMES
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.edits import Edit, Fix
@@ -270,12 +273,16 @@ def member_hint(context: Context, node: cst.Attribute, bank: Bank, rest: str) ->
     elif kind == "immediate" and bank.name in ("X", "Y"):
         text = f"{base}.immediate"
     elif kind == "setpoint" and value:
-        example = f"ton({base}, setpoint=ds.Limit)" if bank.name == "T" else _counter(base, "ds.Limit")
+        example = (
+            f"ton({base}, setpoint=ds.Limit)"
+            if bank.name == "T"
+            else with_reset(IfRungsSpelling(), CTU, base, "ds.Limit")
+        )
         return f"a setpoint is not read back: keep it in a register, {example}, and read that, ds.Limit", None
     elif kind == "enabled" and value:
         return "CLICK has no such bit: test what the rung of the instruction tests", None
     elif kind == "reset" and value:
-        return reset_hint(bank.name, base, timers_of(context, base)), None
+        return reset_hint(IfRungsSpelling(), bank.name, base, timers_of(context, base)), None
     else:
         return "", None
     if value and word(node.attr).lower() in _SURE_MEMBERS:
@@ -308,18 +315,3 @@ def _while_timing(context: Context, bit: str, current: str, kind: str) -> str:
     if len(owners) == 1:
         return f"write {table[owners.pop()]}"
     return f"of an on-delay (ton) write {table['ton']}, of an off-delay (tof) {table['tof']}"
-
-
-def _counter(name: str, setpoint: str) -> str:
-    return f"ctu({name}, setpoint={setpoint}, reset=lambda: c.Clear)"
-
-
-def reset_hint(bank: str, shown: str, owners: frozenset[str] = frozenset()) -> str:
-    """How a timer or a counter is reset: ``reset(t.A)`` does not do it. ``owners`` are its instructions, if known."""
-    if bank in ("CT", "CTD"):
-        return f"a counter has an input for its reset: {_counter(shown, '10')}"
-    retentive = f"rton({shown}, setpoint=5, unit=Ts, reset=lambda: c.Clear)"
-    if owners == {"tof"}:
-        return f"a tof is reset when its rung comes on; a retentive timer has an input for it: {retentive}"
-    plain = "" if owners <= {"ton", "rton"} and owners else ", a tof when it comes on"
-    return f"a ton is reset when its rung goes off{plain}; a retentive timer has an input for it: {retentive}"

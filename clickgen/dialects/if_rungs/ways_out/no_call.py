@@ -10,16 +10,17 @@ import libcst as cst
 from clickgen.device.banks import Bank
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import Node, arguments, is_name, keyword_name, keywords, name_of, word
+from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
 from clickgen.dialects.if_rungs.trade import ACTIONS, ARGUMENTS, CONDITIONS, advice
 from clickgen.dialects.if_rungs.ways_out.hints import (
     Fits,
     own,
     own_code,
     replaced,
-    reset_hint,
     timers_of,
     trade_advice,
 )
+from clickgen.dialects.ways_out import reset_hint
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.spec import ParamKind, Spec
 from clickgen.ir.addresses import BANK_NAMES
@@ -70,7 +71,7 @@ def no_instruction(context: Context, node: cst.Call, fits: Fits) -> tuple[str, F
     bank = _bank_of(context, given[0]) if given else None
     if lower in _RESETS and bank is not None and bank.name in ("T", "CT"):
         shown = own(context, given[0])
-        return reset_hint(bank.name, shown, timers_of(context, shown)), None
+        return reset_hint(IfRungsSpelling(), bank.name, shown, timers_of(context, shown)), None
     told = trade_advice(context, name, ACTIONS, given, fits, keywords(node))
     if told:
         return told, _rename(context, node, name, fits)
@@ -105,7 +106,7 @@ def _of_address(context: Context, node: cst.Call, func: cst.Attribute, fits: Fit
     if holder_name in INSTRUCTIONS:
         if method in ("res", "reset", "rst"):
             owner = "CT" if holder_name.startswith("ct") else "T"
-            return reset_hint(owner, own(context, given[0]) if given else f"{owner.lower()}.A")
+            return reset_hint(IfRungsSpelling(), owner, own(context, given[0]) if given else f"{owner.lower()}.A")
         return f"an instruction is written alone: {INSTRUCTIONS[holder_name].example}"
     name = _METHODS.get(method, method)
     if name in INSTRUCTIONS and own(context, holder):
@@ -115,7 +116,9 @@ def _of_address(context: Context, node: cst.Call, func: cst.Attribute, fits: Fit
             return f"an instruction is called, and the address is its argument: {text}"
         bank = _bank_of(context, holder)
         if name == "reset" and bank is not None and bank.name in ("T", "CT"):
-            return reset_hint(bank.name, own(context, holder), timers_of(context, own(context, holder)))
+            return reset_hint(
+                IfRungsSpelling(), bank.name, own(context, holder), timers_of(context, own(context, holder))
+            )
     told = trade_advice(context, word(func.attr), ACTIONS, (), fits)
     return told or f"an instruction is called by its name alone: {INSTRUCTIONS['out'].example}; {_LIST}"
 
