@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from clickgen.device.banks import Address
     from clickgen.instructions.spec import Spec
     from clickgen.ir.conditions import Condition
+    from clickgen.ir.modbus import Remote
     from clickgen.ir.operands import Named, Operand
     from clickgen.ir.program import Action, FormulaText, Program, Routine
     from clickgen.problems.diagnostics import Diagnostic, Diagnostics
@@ -99,6 +100,10 @@ class Spelling(ABC):
         """A condition on one line."""
 
     @abstractmethod
+    def remote(self, remote: Remote) -> str:
+        """An address of another device."""
+
+    @abstractmethod
     def action(self, action: Action) -> str:
         """An instruction on one line."""
 
@@ -145,6 +150,10 @@ class Spelling(ABC):
     @abstractmethod
     def example(self, spec: Spec) -> str:
         """An example of an instruction."""
+
+    @abstractmethod
+    def signature(self, spec: Spec) -> str:
+        """An instruction with the names of its parameters."""
 
     @abstractmethod
     def rung_at(self, indent: str, action: str) -> str:

@@ -117,6 +117,31 @@ def test_a_file_is_short_enough_to_be_read(path: Path) -> None:
     assert (lines > LINES_MAX) is (name_of(path) in LONG), f"{path} has {lines} lines"
 
 
+def test_only_the_registry_names_a_dialect() -> None:
+    folders = {path.parent.name for path in (PACKAGE / "dialects").glob("*/__init__.py")}
+    for path in FILES:
+        own = name_of(path).split(".")
+        others = {name for name in folders if own[:2] != ["dialects", name]}
+        text = path.read_text("utf-8")
+        named = {name for name in others if f'"{name}"' in text or f"dialects.{name}" in text}
+        if own == ["dialects", "registry"]:
+            assert named == folders
+        else:
+            assert not named, f"{path} names {named}: it gets its dialect from the registry"
+
+
+def test_to_choose_a_dialect_loads_none_of_its_readers(tmp_path: Path) -> None:
+    (tmp_path / "prog.py").write_text("def main():\n    if c.A:\n        out(c.B)\n")
+    code = (
+        "import sys\nfrom pathlib import Path\nfrom clickgen.config import Config\n"
+        "from clickgen.dialects.discover import targets\n"
+        "assert [one.path for one in targets(['.'], Config(Path('.')))] == ['prog.py']\n"
+        f"print(sorted(set(sys.modules) & { ({'dataclasses', *HEAVY})!r}))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout == "[]\n"
+
+
 def test_device_knows_no_stage() -> None:
     for path in (PACKAGE / "device").rglob("*.py"):
         assert not imported_rooms(path) & {room for room in FLOORS if FLOORS.index(room) > FLOORS.index("device")}, path

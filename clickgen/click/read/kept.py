@@ -14,10 +14,11 @@ from clickgen.click.read.calls import call_of
 from clickgen.click.read.operands import embedded, operand_of
 from clickgen.click.read.tokens import NOP_TOKEN, action_of, specs_of
 from clickgen.device.system import WRITABLE_SD
-from clickgen.instructions import INSTRUCTIONS
+from clickgen.dialects.base import Spelling
 from clickgen.instructions.control import NOP
 from clickgen.instructions.maths import CALC, MATH_HEX
 from clickgen.instructions.raw import RAW, rows_of
+from clickgen.instructions.spec import Spec
 from clickgen.instructions.timers import RTOF
 from clickgen.ir.kept import kept_token
 from clickgen.ir.operands import Cell
@@ -41,6 +42,16 @@ class Fault(NamedTuple):
 
     message: str
     help: str
+    instead: tuple[Spec, ...] = ()
+    """The instructions that the language has for it: how they are written completes the help."""
+    is_example: bool = False
+    """True where they are only an example."""
+
+    def way_out(self, spell: Spelling) -> str:
+        """The help, with instructions as a dialect writes them."""
+        write = spell.example if self.is_example else spell.signature
+        words = " or ".join(map(write, self.instead))
+        return f"{self.help} {words}" if words else self.help
 
 
 def raw_of(token: str, span: Span) -> Action | None:
@@ -65,22 +76,21 @@ def fault_of(token: str) -> Fault | None:
         return _fault_of_formula(token) or _fault_in_codec(token)
     words = _words(token)
     if words:
-        return Fault("the language has a word for it", f"write {words}")
+        return Fault("the language has a word for it", "write", words)
     if name != RAW.name:
-        return Fault(f"it is no {RAW.name}(...) and no {_FORMULA}(...)", f"for example: {RAW.example}")
+        return Fault(f"it is no {RAW.name}(...) and no {_FORMULA}(...)", "for example:", (RAW,), True)
     if not _FIELDS.fullmatch(token) or _LONG_RUN.search(token):
-        return Fault("laddercodec does not write such a token", f"for example: {RAW.example}")
+        return Fault("laddercodec does not write such a token", "for example:", (RAW,), True)
     if rows_of(token) > MAX_ROWS:
         return Fault(f"it is {rows_of(token)} rows tall, and a rung has {MAX_ROWS}", "correct its third part")
     return _fault_in_codec(token)
 
 
-def _words(token: str) -> str:
-    """How the language writes instructions with the name of this token; "" when it has none."""
+def _words(token: str) -> tuple[Spec, ...]:
+    """The instructions of the language with the name of this token."""
     if token == NOP_TOKEN:
-        return NOP.example
-    specs = (spec for spec in specs_of(token) if spec is not RTOF)
-    return " or ".join(spec.signature if spec.name in INSTRUCTIONS else spec.example for spec in specs)
+        return (NOP,)
+    return tuple(spec for spec in specs_of(token) if spec is not RTOF)
 
 
 def _fault_of_formula(token: str) -> Fault | None:
@@ -89,15 +99,15 @@ def _fault_of_formula(token: str) -> Fault | None:
     mode = call.keywords.get("mode", "") if call else ""
     spec = _MODES.get(mode)
     if call is None or spec is None or len(call.arguments) != 2 or not call.keywords.keys() <= {"mode", "oneshot"}:
-        return Fault(f"it is no {_FORMULA}(formula,destination,mode=decimal) or mode=hex", f"write {_words(token)}")
+        return Fault(f"it is no {_FORMULA}(formula,destination,mode=decimal) or mode=hex", "write", _words(token))
     destination = operand_of(call.arguments[1], _NOWHERE)
     banks = next(param.slot.cells for param in spec.params if param.name == "destination")
     is_written = isinstance(destination, Cell) and destination.bank in banks and _is_writable(destination)
     if not is_written:
-        return Fault(f"{spec.name} does not write {call.arguments[1]}", f"write {spec.signature}")
+        return Fault(f"{spec.name} does not write {call.arguments[1]}", "write", (spec,))
     action = action_of(token, {}, _NOWHERE)
     if action is not None and action_token(action) == token:
-        return Fault("the language has a word for it", f"write {spec.signature}")
+        return Fault("the language has a word for it", "write", (spec,))
     return None
 
 
@@ -118,7 +128,7 @@ def _fault_in_codec(token: str) -> Fault | None:
         return None
     if written.partition("(")[0] in (RAW.name, _FORMULA):
         return Fault("laddercodec would write it otherwise", f"write {written}")
-    return Fault("the language has a word for it", f"write {_words(written)}")
+    return Fault("the language has a word for it", "write", _words(written))
 
 
 def _written_back(token: str) -> str:

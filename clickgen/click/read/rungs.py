@@ -15,6 +15,7 @@ from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.reduce import TooEntangled, series, tree_of
 from clickgen.click.read.tokens import NOP_TOKEN, action_of, specs_of
 from clickgen.device.system import ALWAYS_ON
+from clickgen.dialects.registry import default
 from clickgen.instructions.control import FOR, NEXT, NOP
 from clickgen.instructions.raw import RAW
 from clickgen.instructions.spec import Spec
@@ -131,7 +132,9 @@ def _why_unknown(token: str) -> str:
         return f"names {missing}, which CLICK does not have"
     if token.startswith((f"{RAW.name}(", "math(")):
         fault = fault_of(token)
-        return f"cannot be kept: {fault.message}; {fault.help}" if fault else "stands with inputs that it cannot have"
+        if fault is None:
+            return "stands with inputs that it cannot have"
+        return f"cannot be kept: {fault.message}; {fault.way_out(default().spell)}"
     if specs_of(token):
         return "is not written as CLICK writes it: look at its arguments and its inputs"
     return "is no instruction that CLICK is known for"

@@ -8,14 +8,22 @@ from typing import TYPE_CHECKING
 
 from clickgen.device.banks import BANKS
 from clickgen.dialects.base import Spelling
-from clickgen.dialects.if_rungs.write.expressions import action_piece, condition_piece, operand_text, quoted
+from clickgen.dialects.if_rungs.write.expressions import (
+    action_piece,
+    condition_piece,
+    operand_text,
+    quoted,
+    remote_piece,
+)
 from clickgen.dialects.if_rungs.write.layout import flat
 from clickgen.formula.spelling import BracketAddresses
+from clickgen.instructions import INSTRUCTIONS
 from clickgen.ir.operands import Named
 
 if TYPE_CHECKING:
     from clickgen.instructions.spec import Spec
     from clickgen.ir.conditions import Condition
+    from clickgen.ir.modbus import Remote
     from clickgen.ir.operands import Operand
     from clickgen.ir.program import Action
 
@@ -56,6 +64,9 @@ class IfRungsSpelling(BracketAddresses, Spelling):
     def condition(self, condition: Condition) -> str:
         return flat(condition_piece(condition))
 
+    def remote(self, remote: Remote) -> str:
+        return flat(remote_piece(remote))
+
     def action(self, action: Action) -> str:
         return flat(action_piece(action))
 
@@ -88,6 +99,9 @@ class IfRungsSpelling(BracketAddresses, Spelling):
 
     def example(self, spec: Spec) -> str:
         return spec.example
+
+    def signature(self, spec: Spec) -> str:
+        return spec.signature if spec.name in INSTRUCTIONS else spec.example
 
     def rung_at(self, indent: str, action: str) -> str:
         return f"{indent}if True:\n{indent * 2}{action}"

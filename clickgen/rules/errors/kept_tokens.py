@@ -18,7 +18,8 @@ def find(facts: Facts) -> Findings:
 
             fault = fault_of(token.text)
             if fault is not None:
-                yield finding(CODE, token.span, f"the ladder token cannot be kept: {fault.message}", fault.help)
+                help = fault.way_out(facts.spell)
+                yield finding(CODE, token.span, f"the ladder token cannot be kept: {fault.message}", help)
 
 
 ABOUT = Code(

@@ -6,6 +6,7 @@ click-facts [message.count, modbus.requests]
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from math import ceil
 
 from clickgen.device.banks import BANKS, READ_ONLY, Kind
@@ -23,6 +24,7 @@ from clickgen.device.modbus import (
     of_manual,
     register_type_of,
 )
+from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts
 from clickgen.instructions.communication import SEND, SPECS
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget
@@ -59,11 +61,11 @@ def _check(facts: Facts, action: Action) -> Findings:
             remote.span,
             f"{_shown(remote)}{' is a coil: it' if _is_short_coil(remote) else ''} holds {there} and {own.bank} holds "
             f"{here}",
-            _six_digits(remote) or "name an address of the same kind on both ends",
+            _six_digits(facts.spell, remote) or "name an address of the same kind on both ends",
         )
         return
     if _is_short_coil(remote) and not _SIX_DIGITS.search(facts.text(remote.span)):
-        yield from _check_manual(remote)
+        yield from _check_manual(facts.spell, remote)
     yield from _check_length(own, remote, is_send)
 
 
@@ -78,7 +80,7 @@ def _is_short_coil(remote: Remote) -> bool:
     return isinstance(remote, RemoteModbus) and not remote.register_type and register_type_of(remote.number) == COIL
 
 
-def _six_digits(remote: Remote) -> str:
+def _six_digits(spell: Spelling, remote: Remote) -> str:
     """The way out for a coil where a register belongs: what a manual means by the number."""
     if not isinstance(remote, RemoteModbus) or not _is_short_coil(remote):
         return ""
@@ -87,26 +89,27 @@ def _six_digits(remote: Remote) -> str:
         number = NUMBERS_984[HOLDING][0] - 1 + remote.number
         return (
             f"holding registers begin at {NUMBERS_984[HOLDING][0]}: register {remote.number} of a manual that counts "
-            f"from 1 is ModbusAddress(address={number})"
+            f"from 1 is {spell.remote(replace(remote, number=number))}"
         )
     name, number = manual
     into = ", and goes into bits" if name in BIT_TYPES else ""
     meant = f"{remote.number} of a manual, {TYPE_WORDS[name]}"
-    return f"CLICK has six digits: {meant}, is ModbusAddress(address={number}){into}"
+    return f"CLICK has six digits: {meant}, is {spell.remote(replace(remote, number=number))}{into}"
 
 
-def _check_manual(remote: Remote) -> Findings:
+def _check_manual(spell: Spelling, remote: Remote) -> Findings:
     """A coil whose number a manual has for something else."""
     assert isinstance(remote, RemoteModbus)
     manual = of_manual(remote.number)
     if manual is None:
         return
     name, number = manual
-    coil = f'ModbusAddress(address="{remote.number - 1:X}h", register_type="{COIL}")'
+    coil = spell.remote(replace(remote, number=remote.number - 1, register_type=COIL))
+    meant = spell.remote(replace(remote, number=number))
     if name in BIT_TYPES:
-        way = f"write ModbusAddress(address={number}) for the input"
+        way = f"write {meant} for the input"
     else:
-        way = f"for the register write ModbusAddress(address={number}), and registers on this end"
+        way = f"for the register write {meant}, and registers on this end"
     yield finding(
         "CG551",
         remote.span,

@@ -102,7 +102,7 @@ def _option(spell: Spelling, action: Action) -> str:
         return f"write its digits as a text, {spell.quoted(str(source.value))}; or "
     if isinstance(source, Constant):
         return "write its digits as a text in quotes; or "
-    one, text = spell.setting("options", "to_binary"), spell.setting("options", "to_text()")
+    one, text = spell.setting("options", "to_binary"), spell.setting("options", "to_text")
     return f"say what is meant, {one} for one character or {text}; or "
 
 
@@ -141,13 +141,14 @@ def _judge_pointer(facts: Facts, placed: Placed, pointer: Pointer, length: int) 
     if any(isinstance(side, Cell) and side.address == register.address for side in looked_at):
         return  # How far the program lets it go, a comparison says.
     highest = bank.last + 1 - length
+    test = facts.spell.compared(facts.text(register.span), "<=", str(highest))
     yield finding(
         "CG430",
         pointer.span,
         f"{_said(placed.action, length)} can reach past TXT{bank.last}: nothing keeps "
         f"{facts.shown(register.address)} at {highest} or below",
         f"{_option(facts.spell, placed.action)}test the pointer in this rung: "
-        f"if {facts.with_test(placed, f'{facts.text(register.span)} <= {highest}')}:",
+        f"{facts.spell.rung(facts.with_test(placed, test))}",
     )
 
 

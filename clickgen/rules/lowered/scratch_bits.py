@@ -28,12 +28,12 @@ def find(facts: Facts) -> Findings:
 
 
 def _report(facts: Facts, placed: Placed, pointer: Pointer, register: Cell, row: Row) -> Findings:
-    test = f"{facts.text(register.span)} < {row.address.number}"
+    test = facts.spell.compared(facts.text(register.span), "<", str(row.address.number))
     yield finding(
         "CG428",
         pointer.span,
         f"{facts.shown(register.address)} may lead to {row.address}, which clickgen uses for itself ({row.comment})",
-        f"test the pointer in this rung: if {facts.with_test(placed, test)}:",
+        f"test the pointer in this rung: {facts.spell.rung(facts.with_test(placed, test))}",
     )
 
 

@@ -169,7 +169,7 @@ def value_piece(action: Action, param: Param) -> Piece:
     if isinstance(value, Target):
         return _target_piece(value)
     if isinstance(value, Remote):
-        return _remote_piece(value)
+        return remote_piece(value)
     if isinstance(value, KeptToken):
         return Atom(quoted(value.text))
     assert isinstance(value, Word)
@@ -203,7 +203,8 @@ def _target_piece(target: Target) -> Piece:
     return Brackets("ModbusRtuTarget(", tuple(map(Atom, parts)), ")")
 
 
-def _remote_piece(remote: Remote) -> Piece:
+def remote_piece(remote: Remote) -> Piece:
+    """An address of another device."""
     if isinstance(remote, RemoteCell):
         return Atom(f'"{remote.address}"')
     assert isinstance(remote, RemoteModbus)
