@@ -20,7 +20,7 @@ from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, Advice
 from clickgen.instructions import FAMILIES, control
 from clickgen.instructions.spec import Spec
-from clickgen.problems.codes import Severity
+from clickgen.problems.codes import CODES, Severity, entry_of
 from clickgen.problems.declared import Code
 from clickgen.rules import registry
 
@@ -93,6 +93,8 @@ def stale() -> dict[Path, str | None]:
 
 
 def main() -> None:
+    # The examples are built, perhaps by a rule that is new.
+    CODES.update(map(entry_of, registry.table().splitlines()))
     for folder in MADE_FOLDERS:
         folder.mkdir(exist_ok=True)
     for path, text in sorted(stale().items()):

@@ -23,17 +23,17 @@ def find(facts: Facts) -> Findings:
         said: set[Span] = set()
         for param, operand in operands_of(placed.action):
             if operand.span not in said:
-                found = list(_check(facts, placed, param, operand))
+                why = refusal(param.slot, operand)
+                found = list(_check(facts, placed, param, operand, why))
                 yield from found
-                said |= {operand.span} if found else set()
+                said |= {operand.span} if found or why else set()
         yield from _check_oneshot(placed.action, said)
 
 
-def _check(facts: Facts, placed: Placed, param: Param, operand: Operand) -> Findings:
+def _check(facts: Facts, placed: Placed, param: Param, operand: Operand, why: Refusal | None) -> Findings:
     slot = param.slot
-    why = refusal(slot, operand)
     if why is Refusal.READ_ONLY:
-        return  # the rule about what can be written has the word
+        return  # unwritable.py reports it
     if isinstance(operand, Immediate):
         if why:
             banks = f"; it takes immediate {', '.join(slot.immediates)}" if slot.immediates else ""
