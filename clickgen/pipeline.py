@@ -16,7 +16,6 @@ from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.facts.facts import Facts
 from clickgen.facts.left_names import Asked, Left, find_left
 from clickgen.fixes.verdict import judge_proposals
-from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Program
 from clickgen.lower.place import placed_routines
 from clickgen.lower.scratch import Scratch
@@ -137,7 +136,7 @@ def _check(state: Build) -> None:
     state.facts = Facts(state.resolved.program, sources, state.rows, placed, blocks)
     for rule in RULES:
         rule(state.facts, state.problems)
-    if any(placed.spec is RAW for placed in state.facts.actions):
+    if any(placed.effects.is_unknown for placed in state.facts.actions):
         # Few programs keep tokens; the readers of ladder files know them.
         from clickgen.click.read.kept import check
 

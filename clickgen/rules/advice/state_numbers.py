@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
-from clickgen.instructions.copies import COPY
+from clickgen.instructions.effects import Shape
 from clickgen.ir.operands import Cell, Integer
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.rules.rule import Rule, Wrong
@@ -20,8 +20,8 @@ def check(facts: Facts, problems: Diagnostics) -> None:
     pairs = [
         pair for one in facts.comparisons if one.op == "==" for pair in ((one.left, one.right), (one.right, one.left))
     ]
-    copies = [placed.action.args for placed in facts.actions if placed.spec is COPY]
-    for register, number in (*pairs, *((args["destination"], args["source"]) for args in copies)):
+    copies = [placed.action for placed in facts.actions if placed.effects.shape is Shape.VALUE]
+    for register, number in (*pairs, *((action.moved_to, action.moved) for action in copies)):
         if isinstance(register, Cell) and isinstance(number, Integer) and number.value:
             places.setdefault(register.address, {}).setdefault(number.value, []).append(number.span)
     for address, numbers in places.items():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from clickgen.facts.facts import Facts
-from clickgen.instructions.control import CALL
+from clickgen.instructions.effects import Flow
 from clickgen.ir.program import Program, Routine, Word
 from clickgen.problems.diagnostics import Diagnostics, Suggestions
 from clickgen.text.wording import quoted
@@ -12,8 +12,8 @@ from clickgen.text.wording import quoted
 def check(facts: Facts, problems: Diagnostics) -> None:
     called = _Called(facts.program)
     for placed in facts.actions:
-        word = placed.action.args.get("subroutine")
-        if placed.spec is not CALL or not isinstance(word, Word):
+        word = placed.action.callee
+        if placed.effects.flow is not Flow.CALL or word is None:
             continue
         if not placed.routine.is_main:
             problems.add(

@@ -11,7 +11,9 @@ from clickgen.device.banks import BANKS, PADDED_DIGITS, Address, Kind
 from clickgen.dialects.if_rungs.ways_out.hints import flat_address
 from clickgen.facts.facts import Facts
 from clickgen.facts.values import copies, refused_operands
-from clickgen.instructions.copies import CONVERSIONS, COPY, COPY_FILL, COPY_PACK
+from clickgen.instructions import moving
+from clickgen.instructions.copies import CONVERSIONS
+from clickgen.instructions.effects import Shape
 from clickgen.instructions.spec import Pair, ParamKind
 from clickgen.ir.operands import Cell, Integer, Range, Text, form_of
 from clickgen.ir.program import Action, Options
@@ -127,7 +129,12 @@ def _refuse(facts: Facts, action: Action, source: str, target: str, pairs: list[
     help = (
         f"{source} goes to {', '.join(reachable)}" if reachable else f"{action.spec.name} copies nothing from {source}"
     )
-    if action.spec is COPY and BANKS.get(target) is not None and BANKS[target].is_bit and source not in BANKS:
+    if (
+        action.effects.shape is Shape.VALUE
+        and BANKS.get(target) is not None
+        and BANKS[target].is_bit
+        and source not in BANKS
+    ):
         bit, value = action.args[action.spec.matrix[1]], action.args[action.spec.matrix[0]]
         shown = facts.text(bit.span) if isinstance(bit, Cell) else "c.Name"
         is_off = isinstance(value, Integer) and value.value == 0
@@ -141,22 +148,22 @@ def _instead(facts: Facts, action: Action) -> str:
     source, target = (action.args[name] for name in action.spec.matrix)
     if not isinstance(target, Cell | Range) or (isinstance(target, Cell) and target.address.upper):
         return ""
-    name, to = action.spec.name, facts.text(target.span)
+    name, shape, to = action.spec.name, action.effects.shape, facts.text(target.span)
     is_bit = BANKS[target.bank].is_bit
-    if isinstance(source, Text) and not is_bit and name in ("copy", "copy_fill"):
+    if isinstance(source, Text) and not is_bit and shape in (Shape.VALUE, Shape.FILL):
         return _unquoted(name, source.value, target.bank, to)
     if isinstance(source, Integer) and is_bit and isinstance(target, Range):
         return f"bits are turned {'on with set' if source.value else 'off with reset'}({to})"
     if not isinstance(source, Cell | Range):
         return ""
     given = facts.text(source.span)
-    if name == "copy" and isinstance(source, Cell) and isinstance(target, Cell):
+    if shape is Shape.VALUE and isinstance(source, Cell) and isinstance(target, Cell):
         if BANKS[source.bank].is_bit and not is_bit:
             return f"a bit becomes a number in two rungs: if {given}: copy(1, {to}) and if nc({given}): copy(0, {to})"
         if is_bit and BANKS[source.bank].kind not in (Kind.BIT, Kind.TEXT):
             none = "0x0000" if BANKS[source.bank].kind is Kind.HEX else "0"
             return f"a number becomes a bit by a comparison: if {given} != {none}: out({to})"
-    if name == "copy_block" and copies(COPY_PACK, source, target) and isinstance(target, Cell):
+    if shape is Shape.BLOCK and copies(moving(Shape.PACK), source, target) and isinstance(target, Cell):
         return f"bits or words become one number with copy_pack({given}, {to})"
     return ""
 
@@ -184,7 +191,7 @@ def _unquoted(name: str, text: str, bank: str, to: str) -> str:
 
 def _check_lengths(action: Action, problems: Diagnostics) -> None:
     source, target = (action.args[name] for name in action.spec.matrix)
-    if action.spec is COPY_FILL and isinstance(source, Text) and len(source.value) > 1:
+    if action.effects.shape is Shape.FILL and isinstance(source, Text) and len(source.value) > 1:
         help = 'fill with one: copy_fill("A", txt[1:9])'
         problems.add("CG302", source.span, "a TXT address holds one character", help)
     param = next(param for param in action.spec.params if param.name == action.spec.matrix[1])

@@ -6,7 +6,7 @@ click-facts [control.end, control.return]
 from __future__ import annotations
 
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions.control import END, NEXT, RETURN
+from clickgen.instructions.effects import Flow
 from clickgen.ir.program import Routine
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.edits import Edit, Fix
@@ -14,17 +14,17 @@ from clickgen.text.edits import Edit, Fix
 
 def check(facts: Facts, problems: Diagnostics) -> None:
     ended: set[int] = set()
-    closed = {id(placed.loop) for placed in facts.actions if placed.spec is NEXT}
+    closed = {id(placed.loop) for placed in facts.actions if placed.effects.flow is Flow.NEXT}
     for placed in facts.actions:
         routine = placed.routine
-        if placed.spec is END:
+        if placed.effects.flow is Flow.END:
             if not routine.is_main:
                 problems.add(
                     "CG410", placed.action.span, "end() belongs in main; a subroutine ends in return", "write return"
                 )
             elif placed.is_unconditional and _is_reached(placed, closed):
                 ended.add(id(routine))
-        elif placed.spec is RETURN:
+        elif placed.effects.flow is Flow.RETURN:
             if routine.is_main:
                 problems.add(
                     "CG411", placed.action.span, "return belongs in a subroutine; main ends in end()", "write end()"

@@ -6,9 +6,7 @@ click-facts [control.loops, control.next, timer.in-loop]
 from __future__ import annotations
 
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions import timers
-from clickgen.instructions.control import CALL, FOR, NEXT
-from clickgen.instructions.drums import TIME_DRUM
+from clickgen.instructions.effects import Flow
 from clickgen.ir.program import Action, Routine, actions_in
 from clickgen.problems.diagnostics import Diagnostics, Label
 
@@ -21,7 +19,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             _refuse_open(open_loop, problems)
             open_loop, routine = None, placed.routine
         outer = placed.loop
-        if placed.spec is FOR:
+        if placed.effects.flow is Flow.LOOP:
             if outer is not None:
                 problems.add(
                     "CG407",
@@ -33,12 +31,12 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             elif placed.opens_loop:
                 open_loop = placed
                 _check_opening(placed, problems)
-        elif placed.spec is NEXT:
+        elif placed.effects.flow is Flow.NEXT:
             _check_next(placed, open_loop, problems)
             open_loop = None
-        elif outer is not None and placed.spec is CALL:
+        elif outer is not None and placed.effects.flow is Flow.CALL:
             _check_call(facts, placed, outer, problems)
-        elif outer is not None and placed.spec in (*timers.SPECS, TIME_DRUM):
+        elif outer is not None and placed.effects.is_timed:
             problems.add(
                 "CG423",
                 placed.action.span,
@@ -53,8 +51,9 @@ def _check_call(facts: Facts, call: Placed, outer: Action, problems: Diagnostics
 
     click-facts [control.loops]
     """
-    name = call.action.word("subroutine")
-    inner = next((each for each in facts.actions if each.spec is FOR and each.routine.name == name), None)
+    name = call.action.called
+    loops = (each for each in facts.actions if each.effects.flow is Flow.LOOP)
+    inner = next((each for each in loops if each.routine.name == name), None)
     if inner is not None:
         problems.add(
             "CG427",

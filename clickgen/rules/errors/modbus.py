@@ -24,7 +24,7 @@ from clickgen.device.modbus import (
     register_type_of,
 )
 from clickgen.facts.facts import Facts
-from clickgen.instructions.communication import SEND, SPECS
+from clickgen.instructions.effects import Shape
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget
 from clickgen.ir.operands import Cell, Range
 from clickgen.ir.program import Action
@@ -34,13 +34,13 @@ from clickgen.text.wording import counted
 
 def check(facts: Facts, problems: Diagnostics) -> None:
     for placed in facts.actions:
-        if placed.spec in SPECS:
+        if placed.effects.shape is Shape.MESSAGE:
             _check(facts, placed.action, problems)
 
 
 def _check(facts: Facts, action: Action, problems: Diagnostics) -> None:
-    is_send = action.spec is SEND
-    own, remote = action.args["source" if is_send else "dest"], action.args["remote_start"]
+    is_send = isinstance(action.moved_to, Remote)
+    own, remote = (action.moved, action.moved_to) if is_send else (action.moved_to, action.moved)
     assert isinstance(remote, Remote)
     if isinstance(action.args["target"], RtuTarget) and action.args["target"].device_id == 0 and not is_send:
         problems.add(

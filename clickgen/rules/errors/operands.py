@@ -11,8 +11,8 @@ from clickgen.dialects.if_rungs.ways_out.unwritable import instead_of
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.setpoints import setpoint_hint
 from clickgen.facts.values import constant_fault, copies, fitting, value_class
-from clickgen.instructions.copies import COPY, COPY_BLOCK, COPY_FILL, COPY_PACK, COPY_UNPACK
-from clickgen.instructions.data import SEARCH
+from clickgen.instructions import moving
+from clickgen.instructions.effects import Shape
 from clickgen.instructions.spec import Access, Param, Slot, Spec
 from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Operand, Pointer, Range, Text, form_of
 from clickgen.ir.program import Action, Operands
@@ -81,8 +81,8 @@ def _refuse(facts: Facts, placed: Placed, param: Param, operand: Named | Cell | 
     slot = param.slot
     what = f"a range of {operand.bank}" if isinstance(operand, Range) else _shown(operand)
     help = f"for example: {placed.spec.example}"
-    target = placed.action.args.get(COPY.matrix[1])
-    unpacked = _packed(facts, operand, target) if placed.spec is COPY_BLOCK and param.name == COPY.matrix[0] else ""
+    is_source = placed.effects.shape is Shape.BLOCK and param.name == placed.spec.matrix[0]
+    unpacked = _packed(facts, operand, placed.action.moved_to) if is_source else ""
     if unpacked:
         help = unpacked
     elif isinstance(operand, Cell) and operand.bank in slot.ranges:
@@ -92,7 +92,7 @@ def _refuse(facts: Facts, placed: Placed, param: Param, operand: Named | Cell | 
     elif isinstance(operand, Range) and operand.bank in slot.cells:
         help = _of_range(facts, placed, param, operand)
     elif operand.bank in BANKS and not BANKS[operand.bank].is_bit and "C" in slot.cells:
-        value = 0 if placed.spec.name == "reset" else 1
+        value = 0 if placed.effects.turns_off else 1
         help = f"{placed.spec.name} is for bits; a register gets a number with copy({value}, {_text(facts, operand)})"
     problems.add(
         "CG301",
@@ -112,9 +112,9 @@ def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str
     text = _text(facts, operand)
     first = f"{text}[0]" if _BLOCK.fullmatch(text) else f"{BANKS[operand.bank].dsl}[{operand.first}]"
     general = f"it takes one address, such as {first}"
-    if placed.spec is not COPY:
+    if placed.effects.shape is not Shape.VALUE:
         return general
-    source, target = (placed.action.args.get(name) for name in COPY.matrix)
+    source, target = placed.action.source, placed.action.moved_to
     packed = _packed(facts, source, target)
     if packed:
         return packed
@@ -125,26 +125,26 @@ def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str
             off = isinstance(source, Integer) and source.value == 0
             return f"write {'reset' if off else 'set'}({text})"
         fills = f"to write all of them: copy_fill({_text(facts, source)}, {text})"
-        return fills if copies(COPY_FILL, source, operand) else general
+        return fills if copies(moving(Shape.FILL), source, operand) else general
     if param.slot.access is Access.WRITE or not isinstance(target, Cell | Range):
         return general
     shown = _text(facts, target)
     if isinstance(target, Range):
         shown = f"{shown}[0]" if _BLOCK.fullmatch(shown) else f"{BANKS[target.bank].dsl}[{target.first}]"
-    if copies(COPY_PACK, operand, target) and operand.bank == "TXT":
+    if copies(moving(Shape.PACK), operand, target) and operand.bank == "TXT":
         return f"a text of several characters becomes a number with copy_pack({text}, {shown})"
     block = f"a range is copied with copy_block({text}, {shown})"
-    return block if copies(COPY_BLOCK, operand, target) else general
+    return block if copies(moving(Shape.BLOCK), operand, target) else general
 
 
 def _packed(facts: Facts, source: object, target: object) -> str:
     """The way out for bits or words that become one number, or one number that becomes bits or words."""
     if isinstance(source, Range) and isinstance(target, Cell):
-        text = _packed_part(facts, COPY_PACK, source, target, source)
+        text = _packed_part(facts, moving(Shape.PACK), source, target, source)
         what = "bits become a number" if BANKS[source.bank].is_bit else "two words become one number"
         return f"{what} with copy_pack({text}, {_text(facts, target)})" if text else ""
     if isinstance(target, Range) and isinstance(source, Cell):
-        text = _packed_part(facts, COPY_UNPACK, source, target, target)
+        text = _packed_part(facts, moving(Shape.UNPACK), source, target, target)
         what = "a number becomes bits" if BANKS[target.bank].is_bit else "a number becomes two words"
         return f"{what} with copy_unpack({_text(facts, source)}, {text})" if text else ""
     return ""
@@ -207,7 +207,7 @@ def _instead(facts: Facts, placed: Placed, target: object) -> str:
     else:
         shown = f"{dsl}[1]"
     own = (system_name_of(target.address) or "") if isinstance(target, Cell) else ""
-    source = placed.action.args.get("source")
+    source = placed.action.source
     value = _text(facts, source) if isinstance(source, Cell | Constant) else ""
     owners = frozenset(one.spec.name for one in facts.actions if _owns(one, target))
     return instead_of(bank, shown, placed.spec.name, value, own, owners)
@@ -215,8 +215,8 @@ def _instead(facts: Facts, placed: Placed, target: object) -> str:
 
 def _owns(placed: Placed, target: object) -> bool:
     """True for the instruction of this timer."""
-    timer = placed.action.args.get("timer")
-    return isinstance(timer, Cell) and isinstance(target, Cell) and timer.address == target.address
+    timer = placed.action.owned
+    return timer is not None and isinstance(target, Cell) and timer.address == target.address
 
 
 def _shown(target: object) -> str:
@@ -252,11 +252,15 @@ def _check_constant(facts: Facts, placed: Placed, param: Param, constant: Consta
             )
             return
     other = action.args.get(param.typed_by)
-    if placed.spec is SEARCH and isinstance(other, Operand) and value_class(other) != value_class(constant):
+    if placed.effects.finds is not None and isinstance(other, Operand) and value_class(other) != value_class(constant):
         return  # the rule about searches has the word
     fault = constant_fault(constant, kind_of(other))
     if fault:
-        shown = _text(facts, other) if isinstance(other, Operand) and placed.spec in (COPY, COPY_FILL) else ""
+        shown = (
+            _text(facts, other)
+            if isinstance(other, Operand) and placed.effects.shape in (Shape.VALUE, Shape.FILL)
+            else ""
+        )
 
         def copied(number: str) -> str:
             return f"{placed.spec.name}({number}, {shown})" if shown else number
@@ -265,7 +269,7 @@ def _check_constant(facts: Facts, placed: Placed, param: Param, constant: Consta
 
 
 def _check_oneshot(action: Action, refused: set[Span], problems: Diagnostics) -> None:
-    target = action.args.get("address")
+    target = action.driven
     if isinstance(target, Immediate) and action.flag("oneshot") and target.span not in refused:
         span = action.args["oneshot"].span
         problems.add("CG313", span, "an immediate coil has no one-shot", "leave out one of the two")

@@ -6,8 +6,7 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of
 from clickgen.facts.values import refused_operands
-from clickgen.instructions.timers import RTOF
-from clickgen.ir.operands import Cell, Range
+from clickgen.ir.operands import Range
 from clickgen.ir.program import KeptToken
 from clickgen.ir.walk import program_operands
 from clickgen.problems.diagnostics import Diagnostics
@@ -17,8 +16,8 @@ from clickgen.text.source import Span
 def check(facts: Facts, problems: Diagnostics) -> None:
     timers: set[Address] = set()
     for placed in facts.actions:
-        timer = placed.action.args.get("timer")
-        if placed.spec is RTOF and isinstance(timer, Cell):
+        timer = placed.action.owned
+        if placed.spec.built_from is not None and timer is not None:
             timers.add(timer.address)
             problems.add(
                 "CG420",

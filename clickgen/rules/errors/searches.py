@@ -5,7 +5,7 @@ from __future__ import annotations
 from clickgen.device.banks import Kind
 from clickgen.facts.facts import Facts
 from clickgen.facts.values import range_fault, refused_operands, value_class
-from clickgen.instructions.data import SEARCH
+from clickgen.instructions.effects import Find
 from clickgen.ir.operands import Cell, Integer, Operand
 from clickgen.ir.program import Action
 from clickgen.problems.diagnostics import Diagnostics
@@ -15,13 +15,14 @@ from clickgen.resolve.constants import kind_of
 def check(facts: Facts, problems: Diagnostics) -> None:
     refused = refused_operands(problems)
     for placed in facts.actions:
-        names = ("start", "end", "value")
-        if placed.spec is SEARCH and not any(placed.action.args[name].span in refused for name in names):
-            _check(placed.action, problems)
+        finds = placed.effects.finds
+        names = (finds.start, finds.end, finds.value) if finds is not None else ()
+        if finds is not None and not any(placed.action.args[name].span in refused for name in names):
+            _check(placed.action, finds, problems)
 
 
-def _check(action: Action, problems: Diagnostics) -> None:
-    start, end, value = action.args["start"], action.args["end"], action.args["value"]
+def _check(action: Action, finds: Find, problems: Diagnostics) -> None:
+    start, end, value = action.args[finds.start], action.args[finds.end], action.args[finds.value]
     if not (isinstance(start, Cell) and isinstance(end, Cell) and isinstance(value, Operand)):
         return
     for place in (start, end):
@@ -43,5 +44,7 @@ def _check(action: Action, problems: Diagnostics) -> None:
         problems.add(
             "CG303", value.span, f"a {sought} value cannot be found among {searched} values", "search another bank"
         )
-    elif searched == "text" and action.word("condition") not in ("==", "!="):
-        problems.add("CG301", action.args["condition"].span, "texts are searched with == or !=", 'search("==", ...)')
+    elif searched == "text" and action.word(finds.comparison) not in ("==", "!="):
+        problems.add(
+            "CG301", action.args[finds.comparison].span, "texts are searched with == or !=", 'search("==", ...)'
+        )
