@@ -118,7 +118,7 @@ class Facts:
             return f"{self._side(condition, condition.left)} {condition.op} {self._side(condition, condition.right)}"
         if isinstance(condition, Contact) and isinstance(condition.operand, Cell):
             shown = self.shown(condition.operand.address)
-            edge = f"the {'rising' if condition.edge == 'rise' else 'falling'} edge of " if condition.edge else ""
+            edge = f"the {condition.edge.word} edge of " if condition.edge else ""
             return f"not {shown}" if condition.negated else edge + shown
         return shorten(self.text(condition.span))
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
-from clickgen.ir.conditions import All, Any, Condition, Contact
+from clickgen.ir.conditions import All, Any, Condition, Contact, Edge
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine
 from clickgen.logic.conditions import implies
@@ -62,7 +62,7 @@ class Pulses:
         if writer.effects.falls_back:
             return implies(writer.condition, _contact(writer, bit, negated=True))
         reset = writer.action.pin(writer.effects.reset_by)
-        resets_itself = reset is not None and implies(_contact(writer, bit, edge="rise"), reset)
+        resets_itself = reset is not None and implies(_contact(writer, bit, edge=Edge.RISE), reset)
         return resets_itself and writer.effects.done is True
 
     def _is_taken_back(self, bit: Address, writers: tuple[Placed, ...], routine: Routine) -> bool:
@@ -84,5 +84,5 @@ class Pulses:
         return writer.routine is routine or writer.routine.is_main or any(call.is_unconditional for call in calls)
 
 
-def _contact(writer: Placed, bit: Address, negated: bool = False, edge: str = "") -> Contact:
+def _contact(writer: Placed, bit: Address, negated: bool = False, edge: Edge | None = None) -> Contact:
     return Contact(Cell(bit, writer.action.span), writer.action.span, negated, edge)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 
 from clickgen.ir.operands import Cell, Immediate, Named, Range, Single
 from clickgen.text.source import Span
@@ -12,18 +13,31 @@ OPPOSITE = {"==": "!=", "!=": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
 MIRRORED = {"==": "==", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
 """The comparison that says the same with its sides exchanged."""
 
-EDGE_FUNCTIONS = {"rise": "re", "fall": "fe"}
+
+class Edge(Enum):
+    """The change of a bit that closes an edge contact for one scan; the value is CLICK's word in a ladder file."""
+
+    RISE = "rise"
+    FALL = "fall"
+
+    @property
+    def word(self) -> str:
+        """For a message: ``rising`` or ``falling``."""
+        return "rising" if self is Edge.RISE else "falling"
+
+
+EDGE_FUNCTIONS = {Edge.RISE: "re", Edge.FALL: "fe"}
 """How the language writes a contact on an edge."""
 
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """A contact on a bit. ``edge`` is "" for a level, "rise" or "fall" for one scan of change."""
+    """A contact on a bit. ``edge`` is None for a level."""
 
     operand: Named | Cell | Range | Immediate
     span: Span
     negated: bool = False
-    edge: str = ""
+    edge: Edge | None = None
 
 
 @dataclass(frozen=True, slots=True)

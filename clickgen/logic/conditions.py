@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from functools import cache, lru_cache
 
 from clickgen.device.banks import BANKS, INTEGER_RANGES, Kind
-from clickgen.ir.conditions import MIRRORED, OPPOSITE, All, Always, Any, Compare, Condition, Contact
+from clickgen.ir.conditions import MIRRORED, OPPOSITE, All, Always, Any, Compare, Condition, Contact, Edge
 from clickgen.ir.operands import Cell, CharCode, Hex, Immediate, Integer, Named, Range, Real, Single, Text, form_of
 from clickgen.ir.walk import leaves
 
@@ -148,7 +148,7 @@ class _Search:
                 state = changed
                 if condition.edge and wanted:
                     # At a rising edge the bit is on, at a falling edge off.
-                    level = Contact(condition.operand, condition.span, negated=condition.edge == "fall")
+                    level = Contact(condition.operand, condition.span, negated=condition.edge is Edge.FALL)
                     goals = [(level, True), *goals]
             else:
                 changed = state.with_comparison(condition, wanted)
@@ -158,7 +158,7 @@ class _Search:
         return True
 
 
-def _bits(contact: Contact) -> Iterator[tuple[tuple[str, object], bool]]:
+def _bits(contact: Contact) -> Iterator[tuple[tuple[Edge | None, object], bool]]:
     """The bits of a contact, each with its edge, and the value each must have; none of an immediate contact."""
     if not isinstance(contact.operand, Immediate):
         for key in _bit_keys(contact.operand):

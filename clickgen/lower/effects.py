@@ -15,7 +15,7 @@ from functools import cached_property
 from clickgen.device.banks import BANKS, TWIN_BANKS, Address, parse_address, twins_of
 from clickgen.device.system import changes_by_itself
 from clickgen.instructions.effects import COPY_FLAGS, Flow
-from clickgen.ir.conditions import Condition
+from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Integer, Operand, Pointer, Range
 from clickgen.ir.program import Action, Routine, actions_in, rungs_in
 from clickgen.ir.reach import touches
@@ -79,7 +79,7 @@ def reads(condition: Condition) -> Cells:
 
 
 def has_edge(condition: Condition) -> bool:
-    return any(getattr(leaf, "edge", "") for leaf in leaves(condition))
+    return any(isinstance(leaf, Contact) and leaf.edge for leaf in leaves(condition))
 
 
 def is_volatile(condition: Condition, received: Cells | None = None) -> bool:

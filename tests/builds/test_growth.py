@@ -51,10 +51,11 @@ def judged(text: str, folder: Path) -> int:
     return judged_and_told(text, folder)[0]
 
 
-def judged_and_told(text: str, folder: Path) -> tuple[int, list[str]]:
-    """The work of a check, and the codes of what it finds."""
+def judged_and_told(text: str, folder: Path, reserved: str = "") -> tuple[int, list[str]]:
+    """The work of a check, and the codes of what it finds; some addresses may be reserved."""
     (folder / "p.py").write_text(text, "utf-8")
-    (folder / "clickgen.toml").write_text('[check.per-file-ignores]\n"**/q*.py" = ["CG5"]\n', "utf-8")
+    settings = f'reserved = ["{reserved}"]\n' if reserved else ""
+    (folder / "clickgen.toml").write_text(f'{settings}[check.per-file-ignores]\n"**/q*.py" = ["CG5"]\n', "utf-8")
     request = Request(find_config(folder), paths=(str(folder / "p.py"),), use_cache=False)
     outcomes: list[Outcome] = []
     work = calls_in(lambda: outcomes.append(run_check(request)))
@@ -164,20 +165,22 @@ def test_marks_and_styles_are_looked_for_in_what_can_hold_them() -> None:
 
 
 def test_scratch_cells_that_cannot_be_placed_are_not_drawn(tmp_path: Path) -> None:
-    """Each of these rungs takes ten scratch bits; after two thousand the bank is full, and the rest is not drawn."""
+    """Each of these rungs takes ten scratch bits; four hundred fill what is free, and the rest is not drawn."""
     rungs = "    if nc(c[1:301]):\n        set(y[1])\n"
-    (few, _), (many, codes) = (judged_and_told("def main():\n" + rungs * n + END, tmp_path) for n in (20, 400))
-    assert many < 12 * few, "twenty times as many rungs, of which the bank holds half"
+    sources = ("def main():\n" + rungs * n + END for n in (4, 80))
+    (few, _), (many, codes) = (judged_and_told(source, tmp_path, "C401..C2000") for source in sources)
+    assert many < 12 * few, "twenty times as many rungs, of which the free bits serve half"
     assert codes == ["CG208"]
 
 
 def test_names_that_have_no_room_apart_are_not_compared(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """At one address two names would look like one."""
+    """At one address two names would look like one. 400 bits are free, too few for 201 names of each side."""
     monkeypatch.chdir(tmp_path)
-    names = [f"A{i}" for i in range(1001)]
-    others = [f"B{i}" for i in range(1001)]
+    Path("clickgen.toml").write_text('reserved = ["C401..C2000"]\n', "utf-8")
+    names = [f"A{i}" for i in range(201)]
+    others = [f"B{i}" for i in range(201)]
     for folder, own in (("a", names), ("b", others), ("moved", [*names[1:], names[0]])):
         Path(folder).mkdir()
         rungs = "".join(f"    if x[1]:\n        set(c.{name})\n" for name in own)
@@ -185,7 +188,7 @@ def test_names_that_have_no_room_apart_are_not_compared(
     assert main(["diff", "a/p.py", "b/p.py"]) == 2
     assert "b/p.py cannot be compared by its names" in capsys.readouterr().err.replace("\\", "/")
     assert main(["diff", "a/p.py", "moved/p.py"]) == 1
-    assert "rung 1 moved to rung 1001" in capsys.readouterr().out
+    assert "rung 1 moved to rung 201" in capsys.readouterr().out
 
 
 def unknown_calls(n: int) -> str:
@@ -207,5 +210,5 @@ def python_logic(n: int) -> str:
 
 
 def test_lines_with_and_or_not_are_rewritten_one_by_one(tmp_path: Path) -> None:
-    small, large = (judged(python_logic(n), tmp_path) for n in (100, 200))
+    small, large = (judged(python_logic(n), tmp_path) for n in (40, 80))
     assert large < 2.4 * small

@@ -25,7 +25,7 @@ def literal_of(contact: Contact | Compare) -> Literal:
         return _compared(contact)
     token = operand_token(contact.operand)
     if contact.edge:
-        return Literal(f"{contact.edge}({token})", contact.negated)
+        return Literal(f"{contact.edge.value}({token})", contact.negated)
     is_constant = isinstance(contact.operand, Cell) and contact.operand.address == ALWAYS_ON
     return Literal("" if is_constant else token, contact.negated)
 

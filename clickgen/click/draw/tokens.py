@@ -64,7 +64,7 @@ def contact_token(contact: Contact) -> str:
     """One contact: ``X001``, ``~X001``, ``immediate(X001)``, ``rise(C1)``."""
     token = operand_token(contact.operand)
     if contact.edge:
-        return f"{contact.edge}({token})"
+        return f"{contact.edge.value}({token})"
     return f"~{token}" if contact.negated else token
 
 

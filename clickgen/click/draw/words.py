@@ -19,7 +19,7 @@ def condition_words(condition: Condition, name: Namer = operand_token) -> str:
             (bit,) = bits(condition)
             return condition_words(bit, name)
         if condition.edge:
-            return f"{condition.edge} {operand}"
+            return f"{condition.edge.value} {operand}"
         return f"not {operand}" if condition.negated else operand
     if isinstance(condition, Compare):
         return f"{name(condition.left)} {condition.op} {name(condition.right)}"

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from clickgen.click.read.calls import unquoted
 from clickgen.device.banks import BANKS, FLOAT_MAX, POINTED, parse_address
-from clickgen.ir.conditions import Compare, Contact
+from clickgen.ir.conditions import Compare, Contact, Edge
 from clickgen.ir.operands import Cell, CharCode, Hex, Immediate, Integer, Operand, Pointer, Range, Real, Text
 from clickgen.text.source import EmbeddedText, SourceFile, Span
 
@@ -39,7 +39,7 @@ def condition_of(text: str, span: Span) -> Contact | Compare | None:
     edge = _EDGE.fullmatch(text)
     if edge:
         cell = _cell(edge[2], span)
-        return Contact(cell, span, edge=edge[1]) if cell and BANKS[cell.bank].is_bit else None
+        return Contact(cell, span, edge=Edge(edge[1])) if cell and BANKS[cell.bank].is_bit else None
     contact = _CONTACT.fullmatch(text)
     if contact:
         cell = _cell(contact[2] or contact[4], span)

@@ -195,5 +195,5 @@ def _leaf(leaf: Contact | Compare) -> str:
     if isinstance(leaf, Compare):
         return f"comparison {leaf.op}"
     if leaf.edge:
-        return "rising edge" if leaf.edge == "rise" else "falling edge"
+        return f"{leaf.edge.word} edge"
     return "NC contact" if leaf.negated else "NO contact"

@@ -10,7 +10,7 @@ from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
 from clickgen.facts.uses import addresses_of
 from clickgen.instructions.effects import Shape
-from clickgen.ir.conditions import All, Any, Compare, Condition, Contact
+from clickgen.ir.conditions import All, Any, Compare, Condition, Contact, Edge
 from clickgen.ir.operands import Cell, Immediate, Integer, Operand, Pointer, form_of
 from clickgen.ir.program import Routine
 from clickgen.ir.reach import touches
@@ -230,7 +230,7 @@ def _is_left_alone(use: _Use, register: _Register) -> bool:
 
 
 def _edges_agree(conditions: Iterable[Condition]) -> bool:
-    edges: dict[Address, str] = {}
+    edges: dict[Address, Edge | None] = {}
     contacts = (leaf for condition in conditions for leaf in leaves(condition) if isinstance(leaf, Contact))
     return all(
         edges.setdefault(address, contact.edge) == contact.edge

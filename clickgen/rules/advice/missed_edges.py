@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
-from clickgen.ir.conditions import Any, Contact
+from clickgen.ir.conditions import Any, Contact, Edge
 from clickgen.ir.operands import Cell
 from clickgen.ir.walk import leaves
 from clickgen.logic.conditions import implies
@@ -22,7 +22,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
     sometimes = {
         routine.name: condition for routine in facts.program.subroutines if (condition := facts.sometimes(routine))
     }
-    edges: dict[tuple[str, Address, str], list[Contact]] = {}
+    edges: dict[tuple[str, Address, Edge], list[Contact]] = {}
     for site in facts.sites:
         if site.routine.name in sometimes:
             for leaf in leaves(site.condition):
@@ -32,11 +32,12 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         if address in _CLOCKS or not _changes_without(facts, address, name, sometimes):
             continue
         call = facts.calls[name][0].action.span
+        went = "on" if edge is Edge.RISE else "off"
         problems.add(
             CODE,
             contacts[0].span,
-            f"{name} does not run in every scan: when {facts.shown(address)} goes {'on' if edge == 'rise' else 'off'} "
-            f"in between, this edge comes late, with the next call, or never",
+            f"{name} does not run in every scan: when {facts.shown(address)} goes {went} in between, this edge "
+            f"comes late, with the next call, or never",
             f"take the edge in main, in a rung that every scan looks at: set a bit there that {name} resets",
             (
                 Label(call, "called under a condition"),

@@ -12,7 +12,7 @@ from clickgen.facts.uses import Use, addresses_of, extents_of
 from clickgen.instructions.effects import COPY_FLAGS, MATH_FLAGS, Effects, Shape
 from clickgen.instructions.spec import BITS, TEXT
 from clickgen.instructions.spec import CODE as CHARACTER
-from clickgen.ir.conditions import Condition
+from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.formula_nodes import Binary, Call, walk
 from clickgen.ir.operands import Cell, Constant, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action, FormulaText
@@ -178,7 +178,7 @@ class _Walk:
             return False
         if placed.is_unconditional or (write.placed.rung is placed.rung and _begins_with(one, other)):
             return True
-        if any(getattr(leaf, "edge", "") for leaf in leaves(other)):
+        if any(isinstance(leaf, Contact) and leaf.edge for leaf in leaves(other)):
             return False
         if write.placed.rung is not placed.rung:
             if id(write.placed.rung) in self._left:

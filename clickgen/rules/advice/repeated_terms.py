@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from itertools import combinations, pairwise
 
 from clickgen.facts.facts import Facts
-from clickgen.ir.conditions import All, Any, Compare, Condition
+from clickgen.ir.conditions import All, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Range
 from clickgen.ir.walk import condition_operands, leaves
 from clickgen.logic.conditions import (
@@ -137,7 +137,7 @@ def _too_much(pairs: Iterable[_Pair], is_too_much: Callable[[Condition, Conditio
 
 
 def _has_edge(condition: Condition) -> bool:
-    return any(getattr(leaf, "edge", "") for leaf in leaves(condition))
+    return any(isinstance(leaf, Contact) and leaf.edge for leaf in leaves(condition))
 
 
 # -- the fix ----------------------------------------------------------------------------------------------------------

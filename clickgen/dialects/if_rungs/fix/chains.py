@@ -203,5 +203,6 @@ def _text(context: Context, condition: Condition) -> str | None:
         # A register alone is compared with a 0 that stands nowhere.
         return shown[0] if condition.op == "!=" else f"{shown[0]} {condition.op} 0"
     assert isinstance(condition, Contact)
-    word = "nc" if condition.negated else EDGE_FUNCTIONS.get(condition.edge)
+    edge = EDGE_FUNCTIONS[condition.edge] if condition.edge else None
+    word = "nc" if condition.negated else edge
     return f"{word}({shown[0]})" if word else shown[0]

@@ -103,7 +103,8 @@ def condition_piece(condition: Condition) -> Piece:
         opening = "all(" if isinstance(condition, All) else "any("
         return Brackets(opening, tuple(map(condition_piece, condition.terms)), ")")
     operand = Atom(operand_text(condition.operand))
-    function = EDGE_FUNCTIONS.get(condition.edge, "nc" if condition.negated else "")
+    edge = condition.edge
+    function = EDGE_FUNCTIONS[edge] if edge else "nc" if condition.negated else ""
     return Brackets(f"{function}(", (operand,), ")") if function else operand
 
 
