@@ -213,5 +213,5 @@ def _in_click(spec: Spec) -> Iterator[str]:
     yield "Rung: its own." if spec.pins or spec.alone else "Rung: can be shared with other instructions."
     has_oneshot = any(param.name == "oneshot" for param in spec.params)
     yield "One-shot: yes, with `oneshot=True`." if has_oneshot else "One-shot: no."
-    bits = [f"{name} (`{system_name_of(address)}`)" for name in spec.sets_flags if (address := parse_address(name))]
+    bits = [f"{name} (`{system_name_of(address)}`)" for name in spec.effects.flags if (address := parse_address(name))]
     yield f"System bits that it may set: {listed(bits, 'and') if bits else 'none'}."

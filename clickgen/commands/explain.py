@@ -49,10 +49,9 @@ def instruction_page(name: str) -> str:
 
 def instructions() -> dict[str, str]:
     """What each instruction does, return, for and pass among them."""
-    from clickgen.instructions import INSTRUCTIONS
-    from clickgen.instructions.control import FOR, NOP, RETURN
+    from clickgen.instructions import every
 
-    return {spec.name: spec.summary for spec in (*INSTRUCTIONS.values(), RETURN, FOR, NOP)}
+    return {spec.name: spec.summary for spec in every()}
 
 
 def topics() -> dict[str, str]:

@@ -9,16 +9,12 @@ from functools import cached_property
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, MOVING_BANKS, TWIN_BANKS, Address, points_of
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use, addresses_of, extents_of
-from clickgen.instructions import communication
-from clickgen.instructions.control import CALL
-from clickgen.instructions.raw import RAW
+from clickgen.instructions.effects import Flow
 from clickgen.ir.operands import Immediate, Operand, Pointer
 from clickgen.ir.program import Action
 
 Extent = tuple[str, int, int]
 """A bank, and the first and last number."""
-
-_MESSAGES = frozenset(spec.name for spec in (*communication.SPECS, RAW))
 
 
 def extents_written(operand: Operand) -> list[Extent]:
@@ -51,8 +47,8 @@ class Changes:
 
     def of(self, action: Action) -> list[Extent]:
         """What running an action may change, CLICK's status bits aside."""
-        if action.spec is CALL:
-            return self._by_routine.get(action.word("subroutine"), [])
+        if action.effects.flow is Flow.CALL:
+            return self._by_routine.get(action.called, [])
         return self._by_action.get(id(action), [])
 
     def surely(self, action: Action) -> list[Extent]:
@@ -68,7 +64,7 @@ class Changes:
     @cached_property
     def arriving(self) -> frozenset[Address]:
         """What other devices write, in their own time, with the points of words."""
-        uses = (use for use in self._written if use.action and use.action.spec.name in _MESSAGES)
+        uses = (use for use in self._written if use.action and use.action.may_be_late)
         return frozenset(address for use in uses for address in with_points(use.operand))
 
     @cached_property

@@ -7,16 +7,19 @@ from collections.abc import Iterator
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.copies import COPY, COPY_BLOCK, COPY_FILL
+from clickgen.instructions.effects import Shape
 from clickgen.ir.operands import Cell, Constant, Pointer, Range, Single
 from clickgen.ir.reach import touches
+
+_PLAIN = (Shape.VALUE, Shape.FILL, Shape.BLOCK)
+"""The ways in which a value arrives as it is."""
 
 
 def put_in(writer: Placed, address: Address) -> Single | None:
     """The one value that a copy puts into an address; None where the writer is no copy, or one of another kind."""
-    if writer.spec not in (COPY, COPY_FILL, COPY_BLOCK):
+    if writer.effects.shape not in _PLAIN:
         return None
-    source = writer.action.args["source"]
+    source = writer.action.moved
     if isinstance(source, Range):
         written = [one for touch in touches(writer.action) if touch.is_written for one in addresses_of(touch.operand)]
         read = source.addresses()

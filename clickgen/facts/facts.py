@@ -11,8 +11,7 @@ from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.system import ALWAYS_ON, system_name_of
 from clickgen.dialects.base import Dialect, Spelling
 from clickgen.facts.uses import Uses, addresses_of
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import CALL, END, NEXT, RETURN
+from clickgen.instructions.effects import Effects, Flow
 from clickgen.instructions.spec import Spec
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Single
@@ -48,6 +47,10 @@ class Placed:
     @property
     def spec(self) -> Spec:
         return self.action.spec
+
+    @property
+    def effects(self) -> Effects:
+        return self.action.spec.effects
 
     @property
     def is_unconditional(self) -> bool:
@@ -225,8 +228,8 @@ class Facts:
         """The calls of each subroutine that is called, by its name."""
         calls: dict[str, list[Placed]] = {}
         for placed in self.actions:
-            if placed.spec is CALL:
-                calls.setdefault(placed.action.word("subroutine"), []).append(placed)
+            if placed.effects.flow is Flow.CALL:
+                calls.setdefault(placed.action.called, []).append(placed)
         return {name: tuple(placed) for name, placed in calls.items()}
 
     def sometimes(self, routine: Routine) -> Any | None:
@@ -241,7 +244,7 @@ class Facts:
     @cached_property
     def left_early(self) -> frozenset[str]:
         """The names of the routines that an end() or return under a condition may leave before their last rung."""
-        exits = (placed for placed in self.actions if placed.spec in (END, RETURN))
+        exits = (placed for placed in self.actions if placed.effects.leaves)
         return frozenset(placed.routine.name for placed in exits if not placed.is_unconditional)
 
     def run_apart(self, one: Routine, other: Routine) -> bool:
@@ -291,7 +294,7 @@ class Facts:
         (writer,) = writers
         is_level = not any(isinstance(leaf, Contact) and leaf.edge for leaf in leaves(writer.condition))
         is_steady = writer.routine.is_main and not writer.loop and not writer.action.flag("oneshot")
-        return writer.condition if writer.spec is OUT and is_steady and is_level else None
+        return writer.condition if writer.effects.follows_power and is_steady and is_level else None
 
     @cached_property
     def sites(self) -> tuple[Site, ...]:
@@ -327,7 +330,7 @@ def _placed_in(routine: Routine) -> Iterator[Placed]:
     for rung in routine.rungs:
         for placed in _placed(rung.items, routine, rung, None, (rung.condition,)):
             yield replace(placed, loop=opened) if opened and placed.loop is None else placed
-            if placed.spec is NEXT:
+            if placed.effects.flow is Flow.NEXT:
                 opened = None
             elif placed.opens_loop:
                 opened = opened or placed.action

@@ -8,8 +8,7 @@ from typing import NamedTuple
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.uses import Use
 from clickgen.formula.values import value_of
-from clickgen.instructions import maths
-from clickgen.instructions.copies import COPY, COPY_FILL
+from clickgen.instructions.effects import Shape
 from clickgen.ir.conditions import Compare
 from clickgen.ir.formula_nodes import Node
 from clickgen.ir.operands import Cell, Hex, Integer, Real
@@ -29,15 +28,15 @@ class Calculation(NamedTuple):
 
     @property
     def destination(self) -> Cell | None:
-        cell = self.placed.action.args["destination"]
+        cell = self.placed.action.moved_to
         return cell if isinstance(cell, Cell) else None
 
 
 def calculations(facts: Facts) -> Iterator[Calculation]:
     """Every calc and math_hex of a program, in source order."""
     for placed in facts.actions:
-        formula = placed.action.args.get("formula")
-        if placed.spec in maths.SPECS and isinstance(formula, FormulaText):
+        formula = placed.action.moved
+        if isinstance(formula, FormulaText):
             yield Calculation(placed, formula)
 
 
@@ -79,8 +78,8 @@ def _is_tested(placed: Placed, cell: Cell) -> bool:
 def _writes_zero(use: Use) -> bool:
     """True for an instruction that writes nothing but 0."""
     assert use.action is not None
-    formula = use.action.args.get("formula")
-    if isinstance(formula, FormulaText):
-        return value_of(formula.formula.root) == 0
-    source = use.action.args.get("source")
-    return use.action.spec in (COPY, COPY_FILL) and isinstance(source, Integer | Hex | Real) and source.value == 0
+    moved = use.action.moved
+    if isinstance(moved, FormulaText):
+        return value_of(moved.formula.root) == 0
+    is_plain = use.action.effects.shape in (Shape.VALUE, Shape.FILL)
+    return is_plain and isinstance(moved, Integer | Hex | Real) and moved.value == 0

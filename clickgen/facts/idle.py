@@ -7,12 +7,10 @@ from typing import NamedTuple
 
 from clickgen.device.system import ALWAYS_ON
 from clickgen.facts.facts import Facts
-from clickgen.instructions.control import END, NEXT, RETURN
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import All, Always, Any, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Rung, actions_in, loops_in, rungs_in
-
-_EXITS = (END, RETURN)
 
 
 def never_run(facts: Facts) -> set[int]:
@@ -44,7 +42,7 @@ def unreached(rungs: tuple[Rung, ...]) -> Iterator[Missed]:
     is_open = left_in_loop = False
     for rung in rungs:
         actions = [action for one in rungs_in((rung,)) for action in actions_in(one.items)]
-        if any(action.spec is NEXT for action in actions):
+        if any(action.effects.flow is Flow.NEXT for action in actions):
             # What leaves inside a loop leaves only when the loop runs at all.
             is_open = False
             if left_in_loop:
@@ -72,7 +70,7 @@ def _left_in(items: tuple[Item, ...], rung: Rung, is_certain: bool, behind: list
             is_always = _is_always(item.condition)
             inner = _left_in(item.items, rung, is_certain and is_always, behind)
             left = inner if is_always else None
-        elif isinstance(item, Action) and item.spec in _EXITS:
+        elif isinstance(item, Action) and item.effects.leaves:
             left = item
         if left is not None:
             behind += [Missed(left, rung, action, True, not is_certain) for action in actions_in(items[index + 1 :])]

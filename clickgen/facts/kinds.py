@@ -7,8 +7,7 @@ import re
 from clickgen.device.banks import BANKS, Kind
 from clickgen.facts.facts import Facts
 from clickgen.facts.values import range_fault
-from clickgen.instructions.copies import COPY, COPY_PACK
-from clickgen.instructions.data import SEARCH
+from clickgen.instructions.offered import COPY, COPY_PACK, SEARCH
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, CharCode, Constant, Hex, Integer, Real, Single, Text
 from clickgen.text.source import Span

@@ -10,8 +10,6 @@ from clickgen.device.system import ALWAYS_ON
 from clickgen.facts.facts import STARTING, Facts, Placed, Site
 from clickgen.facts.uses import addresses_of
 from clickgen.facts.written import equals, left_in
-from clickgen.instructions.coils import OUT, RESET
-from clickgen.instructions.timers import TON
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine, rungs_in
@@ -72,12 +70,13 @@ class Watch:
         )
         writers = self._facts.writers(bit)
         return len(writers) > _WRITERS_MAX or any(
-            self._runs_meanwhile(writer, routine) or (ends_itself and writer.spec is RESET) for writer in writers
+            self._runs_meanwhile(writer, routine) or (ends_itself and writer.action.turns is False)
+            for writer in writers
         )
 
     def is_stopped_meanwhile(self, timer: Placed) -> bool:
         """True where something turns the rung of a timer off while its subroutine is not called: it begins anew."""
-        return timer.spec is TON and any(
+        return timer.effects.falls_back and any(
             self._is_stopped(term, timer.routine) for term in self._needed(timer.condition, timer.routine)
         )
 
@@ -86,8 +85,8 @@ class Watch:
         for term in terms_of(condition):
             if isinstance(term, Contact) and not term.negated and not term.edge and isinstance(term.operand, Cell):
                 writers = self._facts.writers(term.operand.address)
-                is_coil = len(writers) == 1 and writers[0].spec is OUT and writers[0].routine is routine
-                if is_coil and depth < _DEPTH_MAX:
+                is_coil = len(writers) == 1 and writers[0].effects.follows_power
+                if is_coil and writers[0].routine is routine and depth < _DEPTH_MAX:
                     yield from self._needed(writers[0].condition, routine, depth + 1)
                 else:
                     yield term
@@ -102,7 +101,7 @@ class Watch:
                     continue
                 left = left_in(writer, address, 0)
                 is_other = left is not None and are_exclusive(term, equals(address, left, term.span))
-                if writer.spec is RESET or is_other:
+                if writer.action.turns is False or is_other:
                     return True
         return False
 

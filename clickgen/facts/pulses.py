@@ -7,9 +7,6 @@ from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
-from clickgen.instructions import counters
-from clickgen.instructions.coils import OUT, RESET, SET
-from clickgen.instructions.timers import RTON, TON
 from clickgen.ir.conditions import All, Any, Condition, Contact, Edge
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine
@@ -54,24 +51,24 @@ class Pulses:
         writers = self._facts.writers(bit)
         if self._facts.uses.is_pointed(bit.bank, is_written=True):
             return False
-        if any(writer.spec is SET for writer in writers):
+        if any(writer.action.turns for writer in writers):
             return self._is_taken_back(bit, writers, routine)
         return len(writers) == 1 and self._keeps_up(writers[0], routine) and self._ends(writers[0], bit)
 
     def _ends(self, writer: Placed, bit: Address) -> bool:
         """True when the only instruction that writes a bit turns it off when it runs again."""
-        if writer.spec is OUT:
+        if writer.effects.follows_power:
             return writer.action.flag("oneshot") or self.has(writer.condition, writer.routine)
-        if writer.spec is TON:
+        if writer.effects.falls_back:
             return implies(writer.condition, _contact(writer, bit, negated=True))
-        reset = writer.action.pin("reset")
+        reset = writer.action.pin(writer.effects.reset_by)
         resets_itself = reset is not None and implies(_contact(writer, bit, edge=Edge.RISE), reset)
-        return resets_itself and writer.spec in (RTON, *counters.SPECS)
+        return resets_itself and writer.effects.done is True
 
     def _is_taken_back(self, bit: Address, writers: tuple[Placed, ...], routine: Routine) -> bool:
         """True when only edges set a bit and every scan resets it."""
-        resets = [writer for writer in writers if writer.spec is RESET]
-        sets = [writer for writer in writers if writer.spec is SET]
+        resets = [writer for writer in writers if writer.action.turns is False]
+        sets = [writer for writer in writers if writer.action.turns is True]
         if len(resets) + len(sets) < len(writers):
             return False
         always = (writer for writer in resets if self._keeps_up(writer, routine))

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions.control import CALL, RETURN
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import All
 from clickgen.ir.program import Routine, Rung
 
@@ -44,13 +44,13 @@ def scans(facts: Facts) -> Iterator[Iterator[Step]]:
 
 def _steps(facts: Facts, routine: Routine, routines: dict[str, Routine], followed: Counter[str]) -> Iterator[Step]:
     for placed in facts.actions_of(routine):
-        called = routines.get(placed.action.word("subroutine")) if placed.spec is CALL else None
+        called = routines.get(placed.action.called)
         if called is None or placed.loop or followed[called.name] >= _CALLS_MAX:
             yield Step(placed, None, placed)
             continue
         followed[called.name] += 1
         for inner in facts.actions_of(called):
-            if inner.spec is RETURN and inner.is_unconditional:
+            if inner.effects.flow is Flow.RETURN and inner.is_unconditional:
                 break
             condition = All((placed.condition, inner.condition), inner.condition.span)
             yield Step(replace(inner, condition=condition), placed, inner)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from clickgen.device.banks import FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, VALUE_CLASSES, Kind
 from clickgen.dialects.base import Spelling
-from clickgen.instructions.copies import COPY
+from clickgen.instructions.offered import COPY
 from clickgen.instructions.spec import Spec
 from clickgen.ir.operands import CharCode, Hex, Integer, Operand, Real, Text, form_of
 from clickgen.resolve.constants import kind_of

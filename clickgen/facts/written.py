@@ -6,7 +6,6 @@ from clickgen.device.banks import Address
 from clickgen.facts.copied import put_in
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
 from clickgen.formula.values import value_of
-from clickgen.instructions.maths import SPECS as MATHS
 from clickgen.ir.conditions import All, Compare, Condition, Contact
 from clickgen.ir.formula_nodes import references
 from clickgen.ir.operands import Cell, Hex, Integer
@@ -17,8 +16,8 @@ from clickgen.text.source import Span
 
 def left_in(writer: Placed, address: Address, before: int) -> int | None:
     """The number that a writer leaves in a register that held ``before``; None where that is not known."""
-    formula = writer.action.args.get("formula")
-    if writer.spec in MATHS and isinstance(formula, FormulaText):
+    formula = writer.action.moved
+    if isinstance(formula, FormulaText):
         value = value_of(formula.formula.root, {address: before})
         return int(value) if value is not None and value == int(value) else None
     put = put_in(writer, address)
@@ -27,8 +26,8 @@ def left_in(writer: Placed, address: Address, before: int) -> int | None:
 
 def is_relative(writer: Placed, address: Address) -> bool:
     """True for a formula that makes a register's new number of its own."""
-    formula = writer.action.args.get("formula")
-    if writer.spec not in MATHS or not isinstance(formula, FormulaText):
+    formula = writer.action.moved
+    if not isinstance(formula, FormulaText):
         return False
     refs = (getattr(part, "ref", None) for part in references(formula.formula))
     return any(isinstance(ref, Cell) and ref.address == address for ref in refs)
@@ -36,8 +35,8 @@ def is_relative(writer: Placed, address: Address) -> bool:
 
 def span_of(writer: Placed) -> Span:
     """Where the number that a writer leaves stands, or the writer itself."""
-    source = writer.action.args.get("source")
-    return source.span if isinstance(source, Integer | Hex) else writer.action.span
+    moved = writer.action.moved
+    return moved.span if isinstance(moved, Integer | Hex) else writer.action.span
 
 
 def equals(address: Address, number: int, span: Span) -> Compare:

@@ -9,11 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations, pairwise
 
 from clickgen.device.banks import MOVING_BANKS, Address
-from clickgen.instructions import communication, copies, maths
-from clickgen.instructions.coils import RESET, SET
-from clickgen.instructions.control import CALL, END, FOR, NEXT, NOP, RETURN
-from clickgen.instructions.raw import NOT_IMPORTED, RAW
-from clickgen.instructions.timers import RTOF
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import Condition
 from clickgen.ir.operands import Cell, Named, form_of
 from clickgen.ir.program import Action, Branch, Item, Loop, Program, actions_in, rungs_in
@@ -21,12 +17,6 @@ from clickgen.ir.proposals import Alternative, Proposal
 from clickgen.ir.walk import action_operands, condition_operands
 from clickgen.lower.effects import Cells, Effects, has_edge, is_volatile, reads
 from clickgen.lower.expand import OffDelays
-
-_KEPT = (RAW, NOT_IMPORTED)
-"""Nobody knows what these do, nor when."""
-_LEAVING = (END, RETURN, NEXT)
-_QUIET = (SET, RESET, NOP, CALL, *_LEAVING, *copies.SPECS, *maths.SPECS)
-"""Instructions that change nothing while their condition does not hold."""
 
 
 class Hazards:
@@ -47,7 +37,7 @@ class Hazards:
         ]
         delays = OffDelays(lambda bank, _, span: Cell(Address(bank, 0), span))
         for action in actions:
-            if action.spec is RTOF and isinstance(action.args.get("timer"), Cell):
+            if action.spec.built_from is not None and action.owned is not None:
                 delays.add(action)
         self._effects = Effects(program.routines, delays)
         self._arriving = self._arriving_in(actions) if is_whole else None
@@ -55,7 +45,7 @@ class Hazards:
     def may_undo(self, arms: Sequence[Alternative]) -> bool:
         """True when an arm that does not run may undo what an earlier one did: out turns its bit off then."""
         for earlier, later in combinations(arms, 2):
-            loud = [action for action in _all_actions(later.items) if action.spec not in _QUIET]
+            loud = [action for action in _all_actions(later.items) if not action.effects.needs_power]
             if loud:
                 done, undone = self._written(earlier.items), self._written_by(loud)
                 if done is None or undone is None or done.meets(undone):
@@ -69,7 +59,7 @@ class Hazards:
         written = Cells()
         for earlier, later in pairwise(arms):
             done = self._written(earlier.items)
-            if done is None or any(action.spec in _LEAVING for action in _all_actions(earlier.items)):
+            if done is None or any(map(_may_leave, _all_actions(earlier.items))):
                 return False
             written.update(done)
             looked_at = reads(later.alone)
@@ -88,10 +78,10 @@ class Hazards:
         """The cells that these actions may change; None when that is not known."""
         cells = Cells()
         for action in actions:
-            if action.spec is FOR or action.spec in _KEPT or not _is_resolved(action):
+            if action.effects.flow is Flow.LOOP or action.effects.is_unknown or not _is_resolved(action):
                 return None
-            if action.spec is CALL:
-                routine = self._routines.get(action.word("subroutine"))
+            if action.effects.flow is Flow.CALL:
+                routine = self._routines.get(action.called)
                 if routine is None or not routine.is_whole:
                     return None
                 called = [inner for rung in rungs_in(routine.rungs) for inner in actions_in(rung.items)]
@@ -104,9 +94,9 @@ class Hazards:
         """What other devices bring, in their own time: data, and how a message fared. None when that is not known."""
         cells = Cells()
         for action in actions:
-            if action.spec in _KEPT:
+            if action.effects.is_unknown:
                 return None
-            if action.spec in communication.SPECS:
+            if action.effects.is_late:
                 if not _is_resolved(action):
                     return None
                 cells.update(self._effects.writes(action))
@@ -124,6 +114,11 @@ def _all_actions(items: tuple[Item, ...]) -> Iterator[Action]:
                 yield from _all_actions(rung.items)
         else:
             yield item
+
+
+def _may_leave(action: Action) -> bool:
+    """True where the rungs below may not run in this scan, or run again."""
+    return action.effects.leaves or action.effects.flow is Flow.NEXT
 
 
 def _is_resolved(action: Action) -> bool:

@@ -6,11 +6,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from clickgen.instructions.raw import rows_of
-from clickgen.instructions.spec import Spec, Variant
+from clickgen.device.banks import BANKS, Kind
+from clickgen.instructions.effects import Drives, Effects, Flow
+from clickgen.instructions.raw import WORD, rows_of
+from clickgen.instructions.spec import ParamKind, Spec, Variant
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.modbus import Remote, Target
-from clickgen.ir.operands import Cell, Constant, Named, Operand, Pointer, Range, Single, form_of
+from clickgen.ir.operands import Cell, Constant, Hex, Integer, Named, Operand, Pointer, Range, Single, form_of
 from clickgen.text.source import SourceFile, Span
 
 if TYPE_CHECKING:
@@ -79,7 +81,7 @@ class KeptToken:
     @property
     def is_formula(self) -> bool:
         """True for a formula, which runs at once like any other; False for an instruction that nobody knows."""
-        return not self.text.startswith("raw(")
+        return not self.text.startswith(f"{WORD}(")
 
 
 Value = Operand | Condition | FormulaText | Options | Word | Operands | Pattern | Target | Remote | KeptToken
@@ -127,6 +129,85 @@ class Action:
     def pin(self, name: str) -> Condition | None:
         value = self.args.get(name)
         return value if isinstance(value, CONDITION_TYPES) else None
+
+    # -- what it does -------------------------------------------------------------------------------------------------
+
+    @property
+    def effects(self) -> Effects:
+        return self.spec.effects
+
+    @property
+    def callee(self) -> Word | None:
+        """The word that names the subroutine of a call."""
+        words = (self.args.get(param.name) for param in self.spec.params if param.kind is ParamKind.ROUTINE)
+        return next((word for word in words if isinstance(word, Word)), None)
+
+    @property
+    def called(self) -> str:
+        """The name of the subroutine that runs first; "" for what is no call."""
+        return str(self.callee.value) if self.effects.flow is Flow.CALL and self.callee else ""
+
+    @property
+    def owned(self) -> Cell | None:
+        """The timer, counter or current value that belongs to it alone."""
+        owned = (self.args.get(param.name) for param in self.spec.owns)
+        return next((cell for cell in owned if isinstance(cell, Cell)), None)
+
+    @property
+    def source(self) -> Value | None:
+        """The argument whose value it takes to its target; None where it takes none."""
+        moves = self.effects.moves
+        return self.args.get(moves.source) if moves is not None else None
+
+    @property
+    def moved(self) -> Value | None:
+        """The value that it takes to its target, a number in the form that the target holds; None for no value."""
+        moves = self.effects.moves
+        if moves is None:
+            return None
+        if moves.source:
+            return self.source
+        bank = BANKS.get(form_of(self.moved_to))
+        if bank is None or bank.kind in (Kind.BIT, Kind.TEXT):
+            return None
+        return (Hex if bank.kind is Kind.HEX else Integer)(moves.value, self.span)
+
+    @property
+    def moved_to(self) -> Value | None:
+        """Where it takes a value; None where it moves none."""
+        moves = self.effects.moves
+        return self.args.get(moves.target) if moves is not None else None
+
+    @property
+    def driven(self) -> Value | None:
+        """The bits that it turns on or off by what its rung or its step is."""
+        drives = self.effects.drives
+        if drives is not None:
+            return self.args.get(drives.target)
+        return self.moved_to if self._clears_bits else None
+
+    @property
+    def turns(self) -> bool | None:
+        """True for what turns bits on whenever it runs, False for what turns them off, and None for all else."""
+        how = self.effects.drives.how if self.effects.drives is not None else None
+        if how is Drives.ON or how is Drives.OFF:
+            return how is Drives.ON
+        return False if self._clears_bits else None
+
+    @property
+    def _clears_bits(self) -> bool:
+        moves = self.effects.moves
+        if moves is None or moves.source or moves.value:
+            return False
+        bank = BANKS.get(form_of(self.moved_to))
+        return bank is not None and bank.is_bit
+
+    @property
+    def may_be_late(self) -> bool:
+        """True for what may change its targets in its own time: a message, and a kept instruction, but no formula."""
+        token = self.args.get("token")
+        is_formula = isinstance(token, KeptToken) and token.is_formula
+        return self.effects.is_late or (self.effects.is_unknown and not is_formula)
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,8 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import Address
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import CALL
+from clickgen.instructions.effects import Flow
 from clickgen.instructions.spec import Access, ParamKind
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer
 from clickgen.ir.program import Action, Branch, Item
@@ -65,7 +64,7 @@ class _Words:
 
     def rank(self, action: Action) -> int:
         """How surely it is found again: an output, then a box, then the rest. The first of those counts."""
-        if action.spec is OUT and self.own(action) not in self._ends:
+        if action.effects.follows_power and self.own(action) not in self._ends:
             return 0
         is_box = bool(action.spec.pins) or any(param.slot.access is Access.OWN for param in action.spec.params)
         return 1 if is_box else 2
@@ -78,8 +77,8 @@ class _Words:
     def said(self, action: Action) -> str:
         """An instruction and what it writes: ``copy to DS5 Speed``."""
         name = action.spec.name
-        if action.spec is CALL:
-            return f"{name} {action.word('subroutine')}"
+        if action.effects.flow is Flow.CALL:
+            return f"{name} {action.called}"
         own = self.own(action)
         if own is not None:
             return self._ends[own]

@@ -17,10 +17,9 @@ from itertools import accumulate, takewhile
 from clickgen.click.draw.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw
 from clickgen.click.draw.network import bits, is_range, network
 from clickgen.click.draw.words import condition_words
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import NEXT, NOP
-from clickgen.instructions.timers import RTOF
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import All, Always, Any, Condition, Contact
+from clickgen.ir.made import coil, loop_closing
 from clickgen.ir.operands import Cell, Immediate, Range
 from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Rung, Value, actions_in, rungs_in
 from clickgen.ir.walk import leaves
@@ -28,7 +27,7 @@ from clickgen.lower.effects import Effects
 from clickgen.lower.expand import OffDelays, Own, expand
 from clickgen.lower.looks import asserted, look_of, looking_at
 from clickgen.lower.scratch import Scratch, shown_in_reason
-from clickgen.lower.steps import LEAVING, Node, Part, Past, Step, apart, is_of_program, nodes_of, pins_of, run_by
+from clickgen.lower.steps import Node, Part, Past, Step, apart, is_of_program, nodes_of, pins_of, run_by
 from clickgen.text.source import Span
 
 _FREE_COLUMNS = COLUMNS - 1
@@ -68,7 +67,7 @@ def lower(program: Program, scratch: Scratch) -> tuple[ClickRoutine, ...]:
     for routine in program.routines:
         for rung in rungs_in(routine.rungs):
             for action in actions_in(rung.items):
-                if action.spec is RTOF:
+                if action.spec.built_from is not None:
                     delays.add(action)
     if delays:
         program = delays.program(program)
@@ -109,7 +108,7 @@ class _RungSplit:
         condition, items = _joined(self._rung.condition, self._rung.items)
         steps = list(self._steps(items, Node(condition)))
         # One NOP keeps a rung legal; a second one, or one beside an output, does not (click-facts [grid.nop]).
-        parts = apart([step for step in steps if step.action.spec is not NOP] or steps[:1])
+        parts = apart([step for step in steps if step.action.effects.flow is not Flow.PASS] or steps[:1])
         rung = self._rung_of(parts[0])
         if len(parts) == 1 and _draws(rung) and not parts[0][0].action.spec.pins:
             self._emit_part(parts[0])
@@ -210,7 +209,7 @@ class _RungSplit:
             past.has_run = past.has_run or is_of_program(part)
             for action in run_by(part):
                 past.written.update(self._home.effects.writes(action))
-                past.may_have_left = past.may_have_left or action.spec in LEAVING
+                past.may_have_left = past.may_have_left or action.effects.leaves
 
     def _on_scratch(self, condition: Condition, purpose: str) -> Contact:
         """A condition on a scratch bit, in a rung before those to come; the contact that reads it."""
@@ -220,7 +219,7 @@ class _RungSplit:
                 # Tables of earlier versions name the bits of a range that was cut.
                 content = All(tuple(bits(contact)), condition.span)
         cell = self._take("C", purpose, condition.span, condition_words(content, shown_in_reason))
-        self._emit(condition, (Action(OUT, {"address": cell}, condition.span),))
+        self._emit(condition, (coil(cell, condition.span),))
         return Contact(cell, condition.span)
 
     def _take(self, bank: str, purpose: str, span: Span, content: str = "") -> Cell:
@@ -259,7 +258,7 @@ class _RungSplit:
         body = part[-1].body
         if body is not None:
             self._home.lower(body)
-            self._emit(Always(part[-1].action.span), (Action(NEXT, {}, part[-1].action.span),))
+            self._emit(Always(part[-1].action.span), (loop_closing(part[-1].action.span),))
 
     def _squeezed(self, step: Step) -> ClickRung:
         """One action whose conditions, small enough one by one, do not fit together: they go to scratch bits."""

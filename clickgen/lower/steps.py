@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from clickgen.instructions.control import END, RETURN
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import Condition
 from clickgen.ir.program import Action, Rung, actions_in, rungs_in
 from clickgen.lower.effects import Cells, Effects, has_edge, reads
@@ -59,9 +59,6 @@ class Past:
         return left or is_late or reads(condition).meets(self.written)
 
 
-LEAVING = (RETURN, END)
-"""After one of these the rest of the rung may not be looked at in this scan."""
-
 Part = list[Step]
 """Steps that share one CLICK rung."""
 
@@ -95,7 +92,7 @@ def apart(steps: list[Step]) -> list[Part]:
     joins = False
     for step in steps:
         spec = step.action.spec
-        leaves_some = spec is RETURN and step is not steps[-1]
+        leaves_some = spec.effects.flow is Flow.RETURN and step is not steps[-1]
         single = bool(spec.pins) or spec.alone or step.node.is_own or leaves_some
         if joins and not single:
             parts[-1].append(step)

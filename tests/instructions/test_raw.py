@@ -351,6 +351,7 @@ def test_a_name_that_only_a_token_uses_is_not_pruned(tmp_path: Path, capsys: pyt
 
 COUNTER = "        ctu(ct.N, 5, reset=lambda: nc(c.Also))\n"
 KEPT = "        raw('raw(Odd,0x2799,1,0000=)')\n"
+KEPT_LATER = "raw(Odd,0x2799,1,60aa=DS5,0000=)"
 
 
 @pytest.mark.parametrize(
@@ -399,6 +400,16 @@ def test_a_rule_about_logic_counts_its_addresses(code: str, tmp_path: Path) -> N
         found.append({problem.code for problem in check(program).diagnostics})
     assert code in found[0]
     assert found[1] == set()
+
+
+@pytest.mark.parametrize(("token", "is_found"), [("math(DS1+DS2,DS5,mode=decimal)", True), (KEPT_LATER, False)])
+def test_what_a_kept_formula_writes_does_not_change_by_itself(token: str, is_found: bool, tmp_path: Path) -> None:
+    """A formula runs at once like any other; what another kept instruction writes may change in its own time."""
+    twice = "    if ds[5] == 1:\n        copy(1, ds.X)\n    if ds[5] == 1:\n        copy(2, ds.X)\n"
+    read = "    if ds.X == 2:\n        out(y[1])\n"
+    program = tmp_path / "prog.py"
+    program.write_text(f"def main():\n{twice}{read}    if x[1]:\n        raw({token!r})\n{END}")
+    assert ("CG510" in {problem.code for problem in check(program).diagnostics}) is is_found
 
 
 def test_an_output_in_a_token_is_not_said_to_be_driven(tmp_path: Path) -> None:

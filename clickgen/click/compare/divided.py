@@ -28,7 +28,6 @@ from clickgen.click.compare.outputs import (
 from clickgen.click.compare.power import Logic, contacts_before, power_of
 from clickgen.click.read.grid import DrawnBox, DrawnRung
 from clickgen.device.banks import Address
-from clickgen.instructions.coils import OUT
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Immediate
 from clickgen.lower.effects import Cells, is_volatile, reads
@@ -198,7 +197,7 @@ def _bit(contact: Contact | Compare) -> Address | None:
 def _coil(box: DrawnBox) -> Address | None:
     """The bit that a plain coil drives."""
     action = action_in(box)
-    if action is None or action.spec is not OUT or action.args.keys() != {"address"}:
+    if action is None or not action.effects.follows_power or len(action.args) != 1:
         return None
-    target = action.args["address"]
+    target = action.driven
     return target.address if isinstance(target, Cell) else None

@@ -12,11 +12,11 @@ from clickgen.click.compare.contacts import operand_name
 from clickgen.click.draw.tokens import action_token, pin_token
 from clickgen.click.read.grid import DrawnBox, DrawnRung
 from clickgen.click.read.operands import ADDRESS
-from clickgen.click.read.tokens import NOP_TOKEN, action_of
+from clickgen.click.read.tokens import action_of, specs_of
 from clickgen.device.banks import Address, parse_address
-from clickgen.instructions.control import CALL
-from clickgen.instructions.raw import RAW
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import Always
+from clickgen.ir.made import NOP_TOKEN
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action
 from clickgen.ir.reach import touches
@@ -56,7 +56,7 @@ def _written(box: DrawnBox) -> Said:
 
 def _action(written: Said) -> Action | None:
     action = _parsed(written)
-    return action if action is None or action.spec is not RAW else None
+    return action if action is None or not action.effects.is_unknown else None
 
 
 @lru_cache(maxsize=4096)
@@ -103,8 +103,8 @@ class Writes:
         action = action_in(box)
         if action is None:
             self.update(Writes.unknown(box.token))
-        elif action.spec is CALL:
-            self.update(calls.get(action.word("subroutine")) or Writes.unknown(box.token))
+        elif action.effects.flow is Flow.CALL:
+            self.update(calls.get(action.called) or Writes.unknown(box.token))
         else:
             self.cells.update(_EFFECTS.writes(action))
 
@@ -172,12 +172,12 @@ def _addresses(text: str) -> Iterator[Address]:
 
 def leaves_early(box: DrawnBox) -> bool:
     """True for what keeps the rest of a routine from being looked at in this scan."""
-    return _name(box) in ("return", "end")
+    return any(spec.effects.leaves for spec in specs_of(_name(box)))
 
 
 def loops(box: DrawnBox) -> bool:
     """True for both ends of a loop."""
-    return _name(box) in ("for", "next")
+    return any(spec.effects.flow in (Flow.LOOP, Flow.NEXT) for spec in specs_of(_name(box)))
 
 
 def _name(box: DrawnBox) -> str:

@@ -97,10 +97,10 @@ def pin_token(action: Action, param: Param, name: Namer = operand_token) -> str:
 def _texts(action: Action, name: Namer) -> dict[str, str]:
     """What each argument is in a token; nothing for what was left out."""
     texts = {param.name: _argument(action, param, name) for param in action.spec.params}
-    for owner_name in ("timer", "counter"):
-        owner = action.args.get(owner_name)
+    for param in action.spec.owns:
+        owner = action.args.get(param.name)
         if isinstance(owner, Cell):
-            texts[f"{owner_name}_value"] = name(Cell(current_value(owner.address), owner.span))
+            texts[f"{param.name}_value"] = name(Cell(current_value(owner.address), owner.span))
     return texts
 
 

@@ -12,21 +12,19 @@ from clickgen.click.draw.grid import COLUMNS, MAX_ROWS
 from clickgen.click.draw.tokens import action_token
 from clickgen.click.read.calls import call_of
 from clickgen.click.read.operands import embedded, operand_of
-from clickgen.click.read.tokens import NOP_TOKEN, action_of, specs_of
+from clickgen.click.read.tokens import action_of, specs_of
 from clickgen.device.system import WRITABLE_SD
 from clickgen.dialects.base import Spelling
-from clickgen.instructions.control import NOP
-from clickgen.instructions.maths import CALC, MATH_HEX
-from clickgen.instructions.raw import RAW, rows_of
-from clickgen.instructions.spec import Spec
-from clickgen.instructions.timers import RTOF
+from clickgen.instructions.offered import KEPT
+from clickgen.instructions.raw import WORD, rows_of
+from clickgen.instructions.spec import ParamKind, Spec
 from clickgen.ir.kept import kept_token
+from clickgen.ir.made import NOP_TOKEN, kept, nothing
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action
 from clickgen.text.source import Span
 
 _FORMULA = "math"
-_MODES = {"decimal": CALC, "hex": MATH_HEX}
 _FIELDS = re.compile(r"raw\([A-Za-z]\w*,0x[0-9a-f]{4,8},[1-9]\d{0,2}(?:,.*)?\)")
 """``raw(Email,0x2737,1,60a5=1)``. The older form, a number of many digits, would hide the addresses in it."""
 _LONG_RUN = re.compile(r"\[\d{4,}\]=")
@@ -58,7 +56,7 @@ def raw_of(token: str, span: Span) -> Action | None:
     """An instruction to keep as it is; None when its token cannot be kept."""
     if fault_of(token) is not None:
         return None
-    return Action(RAW, {"token": kept_token(embedded(token, span), span)}, span)
+    return kept(kept_token(embedded(token, span), span))
 
 
 @lru_cache(maxsize=4096)
@@ -77,10 +75,10 @@ def fault_of(token: str) -> Fault | None:
     words = _words(token)
     if words:
         return Fault("the language has a word for it", "write", words)
-    if name != RAW.name:
-        return Fault(f"it is no {RAW.name}(...) and no {_FORMULA}(...)", "for example:", (RAW,), True)
+    if name != WORD:
+        return Fault(f"it is no {WORD}(...) and no {_FORMULA}(...)", "for example:", (KEPT,), True)
     if not _FIELDS.fullmatch(token) or _LONG_RUN.search(token):
-        return Fault("laddercodec does not write such a token", "for example:", (RAW,), True)
+        return Fault("laddercodec does not write such a token", "for example:", (KEPT,), True)
     if rows_of(token) > MAX_ROWS:
         return Fault(f"it is {rows_of(token)} rows tall, and a rung has {MAX_ROWS}", "correct its third part")
     return _fault_in_codec(token)
@@ -89,15 +87,24 @@ def fault_of(token: str) -> Fault | None:
 def _words(token: str) -> tuple[Spec, ...]:
     """The instructions of the language with the name of this token."""
     if token == NOP_TOKEN:
-        return (NOP,)
-    return tuple(spec for spec in specs_of(token) if spec is not RTOF)
+        return (nothing(_NOWHERE).spec,)
+    return tuple(spec for spec in specs_of(token) if spec.built_from is None)
+
+
+def _formulas() -> dict[str, Spec]:
+    """The instructions that a formula is kept from, by the mode that its token names."""
+    return {
+        "hex" if param.is_hex else "decimal": spec
+        for spec in specs_of(_FORMULA)
+        for param in spec.params
+        if param.kind is ParamKind.FORMULA
+    }
 
 
 def _fault_of_formula(token: str) -> Fault | None:
     """A formula is kept when it goes to a register that can be written, and clickgen would print it otherwise."""
     call = call_of(token)
-    mode = call.keywords.get("mode", "") if call else ""
-    spec = _MODES.get(mode)
+    spec = _formulas().get(call.keywords.get("mode", "")) if call else None
     if call is None or spec is None or len(call.arguments) != 2 or not call.keywords.keys() <= {"mode", "oneshot"}:
         return Fault(f"it is no {_FORMULA}(formula,destination,mode=decimal) or mode=hex", "write", _words(token))
     destination = operand_of(call.arguments[1], _NOWHERE)
@@ -126,7 +133,7 @@ def _fault_in_codec(token: str) -> Fault | None:
         return Fault(f"laddercodec does not read it: {error}", "copy it once more out of the ladder file")
     if written == token:
         return None
-    if written.partition("(")[0] in (RAW.name, _FORMULA):
+    if written.partition("(")[0] in (WORD, _FORMULA):
         return Fault("laddercodec would write it otherwise", f"write {written}")
     return Fault("the language has a word for it", "write", _words(written))
 

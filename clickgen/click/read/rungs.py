@@ -13,15 +13,15 @@ from clickgen.click.read.network import RAIL, Arc, Network, Place, network_of
 from clickgen.click.read.operands import missing_address
 from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.reduce import TooEntangled, series, tree_of
-from clickgen.click.read.tokens import NOP_TOKEN, action_of, specs_of
+from clickgen.click.read.tokens import action_of, specs_of
 from clickgen.device.system import ALWAYS_ON
 from clickgen.dialects.registry import default
-from clickgen.instructions.control import FOR, NEXT, NOP
-from clickgen.instructions.raw import RAW
-from clickgen.instructions.spec import Spec
+from clickgen.instructions.effects import Flow
+from clickgen.instructions.raw import WORD
 from clickgen.ir.conditions import Always, Condition, Contact
+from clickgen.ir.made import NOP_TOKEN, nothing
 from clickgen.ir.operands import Cell
-from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
+from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung, actions_in
 from clickgen.problems.silence import DIRECTIVE
 from clickgen.text.source import Span
 
@@ -60,7 +60,7 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
         boxes = [box for box in boxes if box.token != NOP_TOKEN]
     if not boxes:
         remarks.append("the rung has no output: it becomes NOP")
-        nop = _rung(drawn, Always(span), (Action(NOP, {}, span),))
+        nop = _rung(drawn, Always(span), (nothing(span),))
         return ImportedRung(nop, tuple(notes), tuple(remarks))
     fed = {RAIL, *(arc.stop for arc in network.arcs)}
     for box in boxes:
@@ -130,7 +130,7 @@ def _why_unknown(token: str) -> str:
     missing = missing_address(token)
     if missing:
         return f"names {missing}, which CLICK does not have"
-    if token.startswith((f"{RAW.name}(", "math(")):
+    if token.startswith((f"{WORD}(", "math(")):
         fault = fault_of(token)
         if fault is None:
             return "stands with inputs that it cannot have"
@@ -201,27 +201,20 @@ def with_loops(rungs: Sequence[Rung]) -> tuple[Rung, ...]:
 
 def _end_of_loop(rungs: Sequence[Rung], start: int) -> int | None:
     """The rung of the ``next()`` that closes the loop of this rung; None when it is no loop or does not close so."""
-    if not _is_alone(rungs[start], FOR):
+    if not _is_alone(rungs[start], Flow.LOOP):
         return None
     for index in range(start + 1, len(rungs)):
         rung = rungs[index]
-        if _is_alone(rung, NEXT):
+        if _is_alone(rung, Flow.NEXT):
             is_plain = isinstance(rung.condition, Always) and not rung.comment
             return index if is_plain and index > start + 1 else None
-        if _uses(rung.items, FOR) or _uses(rung.items, NEXT):
+        if any(action.effects.flow in (Flow.LOOP, Flow.NEXT) for action in actions_in(rung.items)):
             return None
     return None
 
 
-def _is_alone(rung: Rung, spec: Spec) -> bool:
-    return len(rung.items) == 1 and isinstance(rung.items[0], Action) and rung.items[0].spec is spec
-
-
-def _uses(items: Sequence[Item], spec: Spec) -> bool:
-    return any(
-        _uses(item.items, spec) if isinstance(item, Branch) else isinstance(item, Action) and item.spec is spec
-        for item in items
-    )
+def _is_alone(rung: Rung, flow: Flow) -> bool:
+    return len(rung.items) == 1 and isinstance(rung.items[0], Action) and rung.items[0].effects.flow is flow
 
 
 def _with_open_loop(rung: Rung) -> Rung:
@@ -235,5 +228,5 @@ def _opened(items: Sequence[Item]) -> tuple[Item, ...]:
         if isinstance(item, Branch):
             found.append(replace(item, items=_opened(item.items)))
         else:
-            found.append(Loop(item, None) if isinstance(item, Action) and item.spec is FOR else item)
+            found.append(Loop(item, None) if isinstance(item, Action) and item.effects.flow is Flow.LOOP else item)
     return tuple(found)

@@ -9,26 +9,21 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
 
 from clickgen.click.draw.tokens import keyword_of, pin_row
 from clickgen.click.read.calls import Call, call_of
 from clickgen.click.read.values import value_of
 from clickgen.device.banks import current_value, parse_address
-from clickgen.instructions import FAMILIES, raw
-from clickgen.instructions.control import FOR, NOP, RETURN
-from clickgen.instructions.counters import CTD
-from clickgen.instructions.maths import MATH_HEX
+from clickgen.instructions import every, of_instructions
 from clickgen.instructions.raw import rows_of
 from clickgen.instructions.spec import REQUIRED, ParamKind, Spec, Variant
 from clickgen.ir.conditions import Condition
+from clickgen.ir.made import NOP_TOKEN, nothing
 from clickgen.ir.operands import Cell, Integer, Range
 from clickgen.ir.program import Action, Value
 from clickgen.text.source import Span
 
 PIN = re.compile(r"\.[a-z_]+\(.*\)")
-NOP_TOKEN = NOP.variants[0].token
-"""The one token that is no call."""
 
 _PLACE = re.compile(r"\{(\w+)\}")
 _PATTERNS = {ParamKind.COMPARISON: "==|!=|<=|>=|<|>"}
@@ -60,14 +55,15 @@ class _Template:
         return texts
 
 
-@cache
+@of_instructions
 def _templates() -> dict[str, tuple[_Template, ...]]:
-    """Every template by the name of its token. What is kept as it is has none."""
+    """Every template by the name of its token. What is kept as it is has none, nor has what is no call."""
     found: dict[str, tuple[_Template, ...]] = {}
-    for spec in (*(spec for family in FAMILIES if family is not raw for spec in family.SPECS), FOR, RETURN):
-        for variant in spec.variants:
-            name, template = _template(spec, variant)
-            found[name] = (*found.get(name, ()), template)
+    for spec in every():
+        for variant in () if spec.effects.is_unknown else spec.variants:
+            if variant.token != NOP_TOKEN:
+                name, template = _template(spec, variant)
+                found[name] = (*found.get(name, ()), template)
     return found
 
 
@@ -123,8 +119,8 @@ def pin_row_of(token: str, pin: str) -> int:
 
 
 def is_own_input_below(token: str) -> bool:
-    """True for a down counter: its own input is the middle one of three (click-facts [grid.down-counter])."""
-    return any(template.spec is CTD for template in _templates().get(token.partition("(")[0], ()))
+    """True for a box whose own input has a row below its first one."""
+    return any(template.spec.own_row for template in _templates().get(token.partition("(")[0], ()))
 
 
 # -- actions ----------------------------------------------------------------------------------------------------------
@@ -133,7 +129,7 @@ def is_own_input_below(token: str) -> bool:
 def action_of(token: str, pins: Mapping[str, Condition], span: Span) -> Action | None:
     """The action that would write this token and these pins; None when no Spec writes it."""
     if token == NOP_TOKEN:
-        return None if pins else Action(NOP, {}, span)
+        return None if pins else nothing(span)
     call = call_of(token)
     if call is None:
         return None
@@ -170,7 +166,7 @@ def _action(spec: Spec, given: Mapping[str, str | Condition], span: Span) -> Act
         text = given.get(param.name)
         if text is None or (param.kind is ParamKind.FLAG and text == "0"):
             continue
-        value = value_of(param, text, span, "hex" if spec is MATH_HEX else "decimal") if isinstance(text, str) else text
+        value = value_of(param, text, span) if isinstance(text, str) else text
         # A constant step of a jump is the language's alone: CLICK jumps to the one that a register holds
         # (click-facts [drum.inputs]).
         if value is None or (param.of_pin and isinstance(value, Integer)):

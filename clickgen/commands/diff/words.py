@@ -15,7 +15,7 @@ from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.rungs import import_rung
 from clickgen.device.banks import Address, parse_address
 from clickgen.emit.rung_words import Names, condition_lines, item_lines
-from clickgen.instructions.control import END, NEXT, NOP, RETURN
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import Always, Compare
 from clickgen.ir.operands import Cell, Operand
 from clickgen.ir.program import Action, Rung
@@ -26,7 +26,7 @@ _NAMED = re.compile(rf"({ADDRESS}){_ROOM}+")
 _ADDRESS = re.compile(rf"(?<![\w.\"]){ADDRESS}(?!\w)")
 _FEATURE = re.compile(r'"[^"]*"|[^\s(),"]+')
 _COMMON = frozenset(("if", "and", "or", "not", "always"))
-_ALONE = (END.name, RETURN.name, NEXT.name, NOP.name)
+_ALONE = (Flow.END, Flow.RETURN, Flow.NEXT, Flow.PASS)
 
 
 @dataclass(frozen=True)
@@ -143,7 +143,7 @@ def without(line: str, address: Address, word: str) -> str:
 
 
 def _is_plain(rung: Rung) -> bool:
-    actions = [item for item in rung.items if isinstance(item, Action) and item.spec.name in _ALONE]
+    actions = [item for item in rung.items if isinstance(item, Action) and item.effects.flow in _ALONE]
     return isinstance(rung.condition, Always) and len(actions) == len(rung.items)
 
 

@@ -24,7 +24,7 @@ from clickgen.commands.import_.routines import (
 )
 from clickgen.config import Settings
 from clickgen.dialects.registry import default
-from clickgen.instructions.control import END, RETURN
+from clickgen.instructions.offered import END, RETURN
 from clickgen.ir.program import Routine, Rung
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.source import SourceFile, Span

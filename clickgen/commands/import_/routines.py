@@ -10,11 +10,10 @@ from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.project import DrawnRoutine, Project
 from clickgen.click.read.rungs import import_rung, is_comment_kept, routine_of
 from clickgen.dialects.registry import default
-from clickgen.instructions.control import CALL, END, NOP, RETURN
-from clickgen.instructions.raw import NOT_IMPORTED
-from clickgen.instructions.spec import Spec
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import Always
-from clickgen.ir.program import Action, Item, Routine, Rung, Word, actions_in
+from clickgen.ir.made import ending, left_out, nothing
+from clickgen.ir.program import Action, Item, Routine, Rung, actions_in
 from clickgen.text.source import Span
 
 
@@ -120,22 +119,21 @@ def as_proof(routines: Iterable[ImportedRoutine]) -> list[Routine]:
     routines = list(routines)
     for routine in routines:
         rungs = [rung for piece in routine.pieces for rung in piece.rungs or (_nothing(piece),)]
-        closing = END if routine.is_main else RETURN
         last = rungs[-1:] if not routine.is_main else rungs
-        if not any(_is_unconditional(rung, closing) for rung in last):
+        if not any(_is_ending(rung, routine.is_main) for rung in last):
             span = rungs[-1].span if rungs else Span(routine.file, 1, 1, 1, 2)
-            rungs.append(_rung(span, Action(closing, {}, span)))
+            rungs.append(_rung(span, ending(routine.is_main, span)))
         found.append(_routine(routine, rungs))
     span = Span("", 1, 1, 1, 2)
     if not any(routine.is_main for routine in routines):
-        found.insert(0, Routine("main", (_rung(span, Action(END, {}, span)),), span, True))
-    ending = (_rung(span, Action(RETURN, {}, span)),)
+        found.insert(0, Routine("main", (_rung(span, ending(True, span)),), span, True))
+    empty = (_rung(span, ending(False, span)),)
     missing = missing_subroutines(routines)
     taken = {*missing, *(routine.name for routine in routines), *(routine.function for routine in routines)}
     for name in missing:
         function = default().function_name(name, taken - {name})
         taken.add(function)
-        found.append(routine_of(name, ending, False, function))
+        found.append(routine_of(name, empty, False, function))
     return found
 
 
@@ -151,8 +149,8 @@ def calls_of(piece: RungImport) -> Iterator[str]:
     """The subroutines that a rung calls, by CLICK's names."""
     for rung in piece.rungs:
         for action in actions_in(rung.items):
-            if action.spec is CALL:
-                yield action.word("subroutine")
+            if action.effects.flow is Flow.CALL:
+                yield action.called
 
 
 def is_complete(routine: ImportedRoutine) -> bool:
@@ -160,14 +158,15 @@ def is_complete(routine: ImportedRoutine) -> bool:
 
     click-facts [control.end, control.return]
     """
-    closing = END if routine.is_main else RETURN
     pieces = routine.pieces if routine.is_main else routine.pieces[-1:]
-    return any(not piece.rungs or any(_is_unconditional(rung, closing) for rung in piece.rungs) for piece in pieces)
+    return any(not piece.rungs or any(_is_ending(rung, routine.is_main) for rung in piece.rungs) for piece in pieces)
 
 
-def _is_unconditional(rung: Rung, spec: Spec) -> bool:
+def _is_ending(rung: Rung, is_main: bool) -> bool:
+    """True for an unconditional ``end()`` in main, or ``return`` in a subroutine."""
+    flow = Flow.END if is_main else Flow.RETURN
     return isinstance(rung.condition, Always) and any(
-        isinstance(item, Action) and item.spec is spec for item in rung.items
+        isinstance(item, Action) and item.effects.flow is flow for item in rung.items
     )
 
 
@@ -177,14 +176,14 @@ def _routine(routine: ImportedRoutine, rungs: list[Rung]) -> Routine:
 
 def _nothing(piece: RungImport) -> Rung:
     """What stands for a rung that could not be kept while the others are compared."""
-    return _rung(_span(piece), Action(NOP, {}, _span(piece)))
+    return _rung(_span(piece), nothing(_span(piece)))
 
 
 def _marked(piece: RungImport) -> Rung:
     """The rung that a build refuses, with the comment of the one that could not be kept."""
     span = _span(piece)
     reason = "; ".join(str(fault) for _, fault in piece.faults)
-    rung = _rung(span, Action(NOT_IMPORTED, {"reason": Word(reason, span)}, span))
+    rung = _rung(span, left_out(reason, span))
     comment = piece.drawn.comment if piece.drawn else ""
     return replace(rung, comment=comment if is_comment_kept(comment) else "")
 

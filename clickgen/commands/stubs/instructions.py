@@ -8,13 +8,9 @@ from dataclasses import replace
 from clickgen.commands.stubs.arguments import Group, groups, type_of, whole
 from clickgen.commands.stubs.text import Argument, Signature, class_text, function_text, overloads_text
 from clickgen.device.banks import BANKS, Bank
-from clickgen.instructions import INSTRUCTIONS
-from clickgen.instructions.control import FOR
-from clickgen.instructions.data import SEARCH, SEARCH_RANGE
+from clickgen.instructions import INSTRUCTIONS, every
+from clickgen.instructions.effects import Flow
 from clickgen.instructions.spec import REQUIRED, Param, ParamKind, Spec
-
-_FORMS = {SEARCH.name: (SEARCH, SEARCH_RANGE)}
-"""Instructions with more than one list of parameters."""
 
 BANK_NAMES = tuple(bank.dsl for bank in BANKS.values())
 
@@ -39,10 +35,11 @@ def call_of_bank(bank: Bank) -> str:
 
 def loop_function() -> str:
     """``range``, which a loop counts with."""
-    count, oneshot = FOR.params
+    loop = next(spec for spec in every() if spec.effects.flow is Flow.LOOP)
+    count, oneshot = loop.params
     flags = [f"{name}: bool = {oneshot.default}" for name in (oneshot.name, *oneshot.aliases)]
-    parameters = [f"{count.name}: {type_of(FOR, count)}", "/", "*", *flags]
-    return function_text("range", parameters, "Iterable[int]", _doc(FOR))
+    parameters = [f"{count.name}: {type_of(loop, count)}", "/", "*", *flags]
+    return function_text("range", parameters, "Iterable[int]", _doc(loop))
 
 
 def _doc(spec: Spec) -> str:
@@ -57,7 +54,7 @@ def _returns(spec: Spec) -> str:
 
 
 def _signatures(spec: Spec) -> list[Signature]:
-    return [signature for form in _FORMS.get(spec.name, (spec,)) for signature in _form_signatures(form)]
+    return [signature for form in spec.forms for signature in _form_signatures(form)]
 
 
 def _form_signatures(spec: Spec) -> Iterator[Signature]:

@@ -46,11 +46,10 @@ def _rows(project: Project) -> Iterator[Cells]:
     for routine in project.built.routines:
         for number, rung in enumerate(routine.rungs, 1):
             for action in rung.actions:
-                for name in ("timer", "counter"):
-                    owner = action.args.get(name)
-                    if isinstance(owner, Cell):
-                        place = (routine.name, number, project.line(action.span))
-                        found.append((owner.address, (*_line(project, action, owner.address), *place)))
+                owner = action.owned
+                if owner is not None and action.effects.done is not None:
+                    place = (routine.name, number, project.line(action.span))
+                    found.append((owner.address, (*_line(project, action, owner.address), *place)))
     return (line for _, line in sorted(found, key=lambda item: item[0].sort_key))
 
 

@@ -8,9 +8,6 @@ from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
 from clickgen.facts.uses import addresses_of
 from clickgen.facts.written import left_in
-from clickgen.instructions.coils import RESET
-from clickgen.instructions.counters import SPECS as COUNTERS
-from clickgen.instructions.timers import SPECS as TIMERS
 from clickgen.ir.conditions import All, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.reach import touches
@@ -54,16 +51,15 @@ def _report(facts: Facts, lost: Mapping[Address, Span]) -> Findings:
 
 def _cleared(facts: Facts, placed: Placed) -> Iterator[tuple[Address, Span]]:
     """What an action clears in the first scan, and where that is written."""
-    if placed.spec in (*COUNTERS, *TIMERS):
-        owned = placed.action.args.get("counter") or placed.action.args.get("timer")
-        pin = placed.action.pin("reset")
-        if pin is not None and isinstance(owned, Cell) and _holds_at_start(facts, placed, pin):
+    if placed.effects.done is not None:
+        owned, pin = placed.action.owned, placed.action.pin(placed.effects.reset_by)
+        if pin is not None and owned is not None and _holds_at_start(facts, placed, pin):
             yield owned.address, pin.span
     elif _holds_at_start(facts, placed, placed.condition):
         for touch in touches(placed.action):
             if touch.is_written:
                 for address in addresses_of(touch.operand):
-                    if placed.spec is RESET or left_in(placed, address, 1) == 0:
+                    if placed.action.turns is False or left_in(placed, address, 1) == 0:
                         yield address, placed.action.span
 
 

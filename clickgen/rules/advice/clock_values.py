@@ -8,7 +8,6 @@ from clickgen.facts.copied import put_in
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of
 from clickgen.formula.values import value_of
-from clickgen.instructions.maths import CALC
 from clickgen.ir.conditions import MIRRORED, Compare
 from clickgen.ir.operands import Cell, Integer, Real
 from clickgen.ir.program import FormulaText
@@ -31,12 +30,12 @@ def find(facts: Facts) -> Findings:
         for touch in touches(placed.action):
             if touch.is_written:
                 for address in SETS_CLOCK.intersection(addresses_of(touch.operand)):
-                    formula = placed.action.args.get("formula")
+                    formula = placed.action.moved
                     put = put_in(placed, address)
                     value: float | None = None
                     if isinstance(put, Integer | Real):
                         value = put.value
-                    elif placed.spec is CALC and isinstance(formula, FormulaText):
+                    elif isinstance(formula, FormulaText):
                         value = value_of(formula.formula.root)
                     part = CLOCK[address]
                     if value is not None and not part.low <= value <= part.high:

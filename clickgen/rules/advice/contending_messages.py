@@ -10,9 +10,7 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import STARTING, Facts, Placed
 from clickgen.facts.idle import never_run
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions import communication, drums
-from clickgen.instructions.coils import OUT, RESET, SET
-from clickgen.instructions.data import SHIFT
+from clickgen.instructions.effects import Keeps, Shape
 from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.modbus import RtuTarget, TcpTarget
 from clickgen.ir.operands import Cell
@@ -35,7 +33,7 @@ def find(facts: Facts) -> Findings:
     on_port: dict[object, list[Placed]] = defaultdict(list)
     idle = never_run(facts)
     for placed in facts.actions:
-        if placed.spec not in communication.SPECS or id(placed.action) in idle:
+        if placed.effects.shape is not Shape.MESSAGE or id(placed.action) in idle:
             continue
         port = _port(placed)
         before = on_port[port][:_MANY]
@@ -89,16 +87,17 @@ def _hangs_on_step(facts: Facts, way: _Way) -> bool:
         if not isinstance(term, Contact) or not isinstance(term.operand, Cell) or term.negated:
             continue
         writers = facts.writers(term.operand.address)
-        if any(writer.spec is SHIFT or writer.spec in drums.SPECS for writer in writers):
+        if not all(writer.effects.keeps.isdisjoint((Keeps.STEP, Keeps.BITS)) for writer in writers):
             return True
-        sets = [writer for writer in writers if writer.spec is SET and not writer.depends_only_on(STARTING)]
-        if sets and OUT not in {writer.spec for writer in writers} and all(_resets(writer) for writer in sets):
+        sets = [writer for writer in writers if writer.action.turns and not writer.depends_only_on(STARTING)]
+        has_coil = any(writer.effects.follows_power for writer in writers)
+        if sets and not has_coil and all(_resets(writer) for writer in sets):
             return True
     return False
 
 
 def _resets(writer: Placed) -> bool:
-    return any(action.spec is RESET for action in actions_in(writer.rung.items))
+    return any(action.turns is False for action in actions_in(writer.rung.items))
 
 
 def _report(facts: Facts, placed: Placed, other: Placed) -> Findings:

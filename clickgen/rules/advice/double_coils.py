@@ -8,7 +8,6 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.idle import never_run
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.coils import OUT
 from clickgen.problems.diagnostics import Label
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
@@ -23,9 +22,9 @@ def find(facts: Facts) -> Findings:
     driven: dict[Address, list[Placed]] = defaultdict(list)
     idle = never_run(facts)
     for placed in facts.actions:
-        if placed.spec is not OUT or id(placed.action) in idle:
+        if not placed.effects.follows_power or id(placed.action) in idle:
             continue
-        bits = addresses_of(placed.action.args["address"])
+        bits = addresses_of(placed.action.driven)
         for address in bits:
             before = driven[address][:_COILS_MAX]
             earlier = next((one for one in before if not facts.run_apart(one.routine, placed.routine)), None)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from clickgen.device.banks import BANKS, Address, Kind
 from clickgen.facts.copied import origin_registers, origins, put_in
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions.copies import COPY
+from clickgen.instructions.effects import Shape
 from clickgen.ir.conditions import Compare
 from clickgen.ir.formula_nodes import Binary, Call, Node, Number, Operand, Pi, Sum, walk
 from clickgen.ir.operands import Cell, Integer, Pointer, Real, Single
@@ -95,7 +95,7 @@ def _is_inexact(facts: Facts, by_pointer: list[Placed], one: Single, other: Sing
 
 
 def _goes_by_pointer(placed: Placed) -> bool:
-    target = placed.action.args["destination"] if placed.spec is COPY else None
+    target = placed.action.moved_to if placed.effects.shape is Shape.VALUE else None
     return isinstance(target, Pointer) and target.bank == "DF"
 
 

@@ -8,10 +8,6 @@ from clickgen.device.banks import Address, current_value
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.meanwhile import Watch
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.drums import SPECS as DRUMS
-from clickgen.instructions.spec import Spec
-from clickgen.instructions.timers import RTOF, RTON, TOF, TON
 from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine
@@ -64,8 +60,6 @@ def _bits(frozen: _Frozen) -> list[Address]:
 
 def _outputs(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
     for placed in facts.actions_of(routine):
-        if placed.spec not in (OUT, *DRUMS):
-            continue
         for bit in _driven(placed):
             if facts.uses.is_pointed(bit.bank, is_written=True) or watch.is_written_meanwhile(bit, routine):
                 continue
@@ -78,14 +72,15 @@ def _outputs(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Pla
 
 def _driven(placed: Placed) -> list[Address]:
     """The bits that an out or a drum turns on and off."""
-    if placed.spec is OUT:
-        return addresses_of(placed.action.args["address"])
-    operands = (touch.operand for touch in touches(placed.action) if touch.param.name == "outputs")
+    drives = placed.effects.drives
+    if drives is None or placed.action.turns is not None:
+        return []
+    operands = (touch.operand for touch in touches(placed.action) if touch.param.name == drives.target)
     return [bit for operand in operands for bit in addresses_of(operand)]
 
 
 def _timers(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
-    for placed, timer in _timers_of(facts, routine, (TON, TOF)):
+    for placed, timer in _timers_of(facts, routine, is_retentive=False):
         bit, value = timer.address, current_value(timer.address)
         # A timer that looks at its own bit restarts by itself.
         if implies(placed.condition, Contact(timer, timer.span, negated=True)):
@@ -98,18 +93,19 @@ def _timers(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Plac
 def _lasting_timers(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
     """The retentive timers that somebody watches while they wait, or whose reset waits for the subroutine to end."""
     when = watch.sometimes[routine.name]
-    for placed, timer in _timers_of(facts, routine, (RTON, RTOF)):
-        bit, reset = timer.address, placed.action.pin("reset")
+    for placed, timer in _timers_of(facts, routine, is_retentive=True):
+        bit, reset = timer.address, placed.action.pin(placed.effects.reset_by)
         is_felt = watch.is_felt(bit, routine) or watch.is_felt(current_value(bit), routine)
         if is_felt or (reset is not None and can_hold(reset) and are_exclusive(when, reset)):
             yield placed, bit
 
 
-def _timers_of(facts: Facts, routine: Routine, specs: tuple[Spec, ...]) -> Iterator[tuple[Placed, Cell]]:
+def _timers_of(facts: Facts, routine: Routine, is_retentive: bool) -> Iterator[tuple[Placed, Cell]]:
     """The timers of a routine whose current values nothing else writes."""
     for placed in facts.actions_of(routine):
-        timer = placed.action.args.get("timer")
-        if placed.spec not in specs or not isinstance(timer, Cell):
+        effects, timer = placed.effects, placed.action.owned
+        is_timer = effects.is_timed and effects.done is not None and bool(effects.reset_by) is is_retentive
+        if not is_timer or timer is None:
             continue
         # Whoever writes the current value starts it anew.
         others = (one for one in facts.writers(current_value(timer.address)) if one.action is not placed.action)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from clickgen.device.banks import Address
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
 from clickgen.facts.written import equals, is_relative, left_in, whole_condition
-from clickgen.instructions.control import FOR
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import MIRRORED, All, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Integer
 from clickgen.logic.conditions import are_exclusive, implies, looked_at, terms_of
@@ -20,7 +20,7 @@ CODE = "CG528"
 def find(facts: Facts) -> Findings:
     for placed in facts.actions:
         count = placed.action.args.get("count")
-        if placed.spec is not FOR or not isinstance(count, Cell):
+        if placed.effects.flow is not Flow.LOOP or not isinstance(count, Cell):
             continue
         zero_or_less = Compare("<=", count, Integer(0, count.span), count.span)
         if any(are_exclusive(way, zero_or_less) for way in facts.ways_to(placed)):

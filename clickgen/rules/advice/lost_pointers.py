@@ -9,9 +9,7 @@ from typing import NamedTuple
 from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
-from clickgen.instructions.copies import COPY, COPY_FILL
-from clickgen.instructions.raw import RAW
+from clickgen.instructions.effects import Shape
 from clickgen.ir.conditions import All, Any, Compare, Condition, Contact, Edge
 from clickgen.ir.operands import Cell, Immediate, Integer, Operand, Pointer, form_of
 from clickgen.ir.program import Routine
@@ -23,7 +21,6 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG518"
 
-_BARRIERS = (CALL, END, RETURN, FOR, NEXT)
 _WRITERS_MAX = 8
 """Of more instructions that write a register only the nearest are looked at."""
 
@@ -36,9 +33,9 @@ def find(facts: Facts) -> Findings:
     registers = _Registers(facts)
     rung, since = None, 0
     for place, placed in enumerate(facts.actions):
-        if placed.rung is not rung or placed.spec in _BARRIERS:
+        if placed.rung is not rung or placed.effects.diverts:
             rung, since = placed.rung, place
-        if id(placed.action) in through and placed.loop is None and placed.spec is not RAW:
+        if id(placed.action) in through and placed.loop is None and not placed.effects.is_unknown:
             pointers = {touch.operand: None for touch in touches(placed.action) if isinstance(touch.operand, Pointer)}
             for pointer in pointers:
                 if isinstance(pointer.register, Cell):
@@ -83,7 +80,7 @@ class _Writer(NamedTuple):
     @property
     def clears_block(self) -> bool:
         """A block is cleared whoever fills it."""
-        return self.placed.spec is COPY_FILL and self.number == 0
+        return self.placed.effects.shape is Shape.FILL and self.number == 0
 
     def surely_runs_with(self, use: _Use) -> bool:
         """True when the writer runs whenever the use does, as far as their conditions are looked at together."""
@@ -134,7 +131,7 @@ class _Registers:
         self._ends: dict[int, int] = {}
         """The place of each routine's first ``end()`` or ``return``: what stands behind it may not run."""
         for place, placed in enumerate(facts.actions):
-            if placed.spec in (END, RETURN):
+            if placed.effects.leaves:
                 self._ends.setdefault(id(placed.routine), place)
 
     def of(self, address: Address) -> _Register:
@@ -145,9 +142,8 @@ class _Registers:
     def _look_at(self, address: Address) -> _Register:
         writers = []
         for placed in self._facts.writers(address):
-            source = placed.action.args.get("source")
-            is_known = placed.spec in (COPY, COPY_FILL) and isinstance(source, Integer)
-            number = source.value if is_known and isinstance(source, Integer) else None
+            moved = placed.action.moved if placed.effects.shape in (Shape.VALUE, Shape.FILL) else None
+            number = moved.value if isinstance(moved, Integer) else None
             writers.append(_Writer(placed, placed.condition, self._places[id(placed.action)], number))
         if not writers:
             return _Register()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
-from clickgen.instructions import communication
 from clickgen.ir.conditions import Any, Contact, Edge
 from clickgen.ir.operands import Cell
 from clickgen.ir.walk import leaves
@@ -53,7 +52,7 @@ def _changes_without(facts: Facts, address: Address, name: str, sometimes: dict[
     writers = {use.routine.name for use in uses}
     if not writers or facts.uses.is_pointed(address.bank, True):
         return True
-    if any(use.action and use.action.spec in communication.SPECS for use in uses):
+    if any(use.action and use.action.effects.is_late for use in uses):
         return True  # A message ends in its own time.
     return not all(
         writer == name or (writer in sometimes and implies(sometimes[writer], sometimes[name])) for writer in writers

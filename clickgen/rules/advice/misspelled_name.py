@@ -8,8 +8,6 @@ from typing import NamedTuple
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use
-from clickgen.instructions.coils import RESET
-from clickgen.instructions.raw import RAW
 from clickgen.problems.diagnostics import Label
 from clickgen.problems.name_slips import Spellings
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
@@ -56,13 +54,13 @@ def _described(facts: Facts, address: Address, nickname: str) -> _Name:
     reads, writes = facts.uses.reads(address), facts.uses.writes(address)
     is_given = facts.uses.is_pointed(address.bank, is_written=True) or facts.is_set_up(address)
     # A reset gives a bit nothing: what is only reset is never on. Nobody knows what a kept instruction does.
-    is_given = is_given or any(use.action is None or use.action.spec is not RESET for use in writes)
+    is_given = is_given or any(use.action is None or use.action.turns is not False for use in writes)
     return _Name(nickname, address, reads, writes, is_given, address in facts.declared)
 
 
 def _is_suspect(bank: str, one: _Name, other: _Name) -> bool:
     """True where one of two names that look alike lacks a half that the other has, and nobody declared it."""
-    if any(use.action and use.action.spec is RAW for use in (*one.reads, *one.writes)):
+    if any(use.action and use.action.effects.is_unknown for use in (*one.reads, *one.writes)):
         return False
     if bank == "X":
         # An input is given from outside; what is not declared beside what is, a build has chosen.

@@ -9,11 +9,8 @@ from clickgen.device.banks import Address, parse_address
 from clickgen.facts.changes import Changes, Extent, extents_written
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.uses import Use, addresses_of, extents_of
-from clickgen.instructions import copies, maths
-from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
-from clickgen.instructions.copies import COPY, COPY_PACK
-from clickgen.instructions.raw import RAW
-from clickgen.instructions.spec import BITS, COPY_FLAGS, MATH_FLAGS, TEXT
+from clickgen.instructions.effects import COPY_FLAGS, MATH_FLAGS, Effects, Shape
+from clickgen.instructions.spec import BITS, TEXT
 from clickgen.instructions.spec import CODE as CHARACTER
 from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.formula_nodes import Binary, Call, walk
@@ -26,9 +23,6 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG510"
 
-_WRITERS = frozenset(spec.name for spec in (*copies.SPECS, *maths.SPECS))
-_BARRIERS = frozenset(spec.name for spec in (CALL, END, RETURN, FOR, NEXT, RAW))
-"""What runs behind these is not what stands behind them, or nobody knows what they read."""
 _BANKS = ("C", "DS", "DD", "DH", "DF", "TXT")
 _CERTAIN = ("+", "-", "*", "/", "AND", "OR", "XOR", "LSH", "RSH", "LRO", "RRO")
 """The operators that give a result whatever their operands are (click-facts [math.division, math.overflow])."""
@@ -92,7 +86,8 @@ class _Walk:
             self._read(operand)
 
     def run(self, placed: Placed, touched: list[Use]) -> Findings:
-        if placed.spec.name in _BARRIERS or placed.loop:
+        # What runs after these is not what is written after them, or nobody knows what they read.
+        if placed.effects.diverts or placed.effects.is_unknown or placed.loop:
             self._forget()
             self._left.add(id(placed.rung))
             return
@@ -137,7 +132,7 @@ class _Walk:
         self._changed[-1] += extents_written(operand)
         if isinstance(operand, Pointer):
             return
-        is_copied = placed.spec.name in _WRITERS
+        is_copied = _puts_value(placed.effects)
         for bank, first, last in extents_of(operand):
             if bank not in _BANKS:
                 continue
@@ -200,18 +195,22 @@ def _begins_with(path: Condition, other: Condition) -> bool:
     return all(id(term) in terms for term in terms_of(other))
 
 
+def _puts_value(effects: Effects) -> bool:
+    """True for what puts a value into its target whenever it runs, and does nothing else."""
+    return effects.shape is not None and effects.needs_power
+
+
 def _replaces(action: Action) -> bool:
     """True when the instruction, once it runs, surely writes its whole target."""
-    if action.flag("oneshot") or "options" in action.args or isinstance(action.args.get("source"), Pointer):
+    if action.flag("oneshot") or "options" in action.args or isinstance(action.moved, Pointer):
         return False
-    formula = action.args.get("formula")
-    if isinstance(formula, FormulaText):
-        nodes = list(walk(formula.formula))
+    source, target = action.moved, form_of(action.moved_to)
+    if isinstance(source, FormulaText):
+        nodes = list(walk(source.formula))
         return not any(
             isinstance(node, Call) or (isinstance(node, Binary) and node.op not in _CERTAIN) for node in nodes
         )
-    source, target = action.args["source"], form_of(action.args["destination"])
-    if action.spec is COPY_PACK and isinstance(source, Range) and form_of(source) in BITS:
+    if action.effects.shape is Shape.PACK and isinstance(source, Range) and form_of(source) in BITS:
         # What becomes of the bits above those that are packed is not certain (click-facts [copy.pack-high-bits]).
         return len(source) == (32 if target in ("DD", "DF") else 16)
     # A text that is no number leaves the target as it is (click-facts [copy.no-number]).
@@ -221,22 +220,23 @@ def _replaces(action: Action) -> bool:
 def _becomes_text(action: Action) -> bool:
     """True for a number that is copied to a text without a word about how: no source says how much that fills
     (click-facts [value.number-text-length])."""
-    if action.spec is not COPY or "options" in action.args or form_of(action.args["destination"]) != "TXT":
-        return False
-    return form_of(action.args["source"]) not in ("TXT", TEXT, CHARACTER)
+    is_copy = action.effects.shape is Shape.VALUE and "options" not in action.args
+    return is_copy and form_of(action.moved_to) == "TXT" and form_of(action.moved) not in ("TXT", TEXT, CHARACTER)
 
 
 def _flags_of(action: Action) -> frozenset[Address]:
     """The flags that an instruction may change; a formula changes those of copies too where it reads pointers."""
-    return _FLAGS if action.spec in maths.SPECS else _COPY_FLAGS
+    if action.effects.shape is Shape.FORMULA:
+        return _FLAGS
+    return frozenset(filter(None, map(parse_address, action.effects.flags)))
 
 
 def _may_raise_flags(action: Action) -> bool:
     """False for what cannot fail: a constant, or a value of the target's own bank, is copied as it is."""
-    source = action.args.get("source")
-    if isinstance(source, Cell | Range) and source.bank == form_of(action.args["destination"]):
+    moved = action.moved
+    if isinstance(moved, Cell | Range) and moved.bank == form_of(action.moved_to):
         return False
-    return not isinstance(source, Constant)
+    return not isinstance(moved, Constant)
 
 
 ABOUT = Code(

@@ -5,7 +5,6 @@ from __future__ import annotations
 from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Address, current_value
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.drums import TIME_DRUM
 from clickgen.ir.operands import Operand, form_of
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
@@ -43,8 +42,10 @@ def _is_driven(facts: Facts, address: Address) -> bool:
 def _report(facts: Facts, operand: Operand, addresses: list[Address]) -> Findings:
     first, number = addresses[0], _number(addresses[0])
     value = current_value(first)
-    if len(addresses) == 1 and any(placed.spec is TIME_DRUM for placed in facts.writers(value)):
-        fault = f"{facts.shown(value)} belongs to a time_drum, which has no bit: {first} never comes on"
+    without_bit = (one.spec.name for one in facts.writers(value) if one.spec.owns and one.effects.done is None)
+    owner = next(without_bit, "") if len(addresses) == 1 else ""
+    if owner:
+        fault = f"{facts.shown(value)} belongs to a {owner}, which has no bit: {first} never comes on"
         help = "use the completion flag of the drum, or compare its current value"
     else:
         fate = "the bit never comes on" if first == number else "the value never changes"

@@ -5,9 +5,6 @@ from __future__ import annotations
 from itertools import combinations
 
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions import counters, timers
-from clickgen.instructions.data import SHIFT
-from clickgen.instructions.drums import EVENT_DRUM, TIME_DRUM
 from clickgen.ir.conditions import Contact
 from clickgen.ir.program import Routine
 from clickgen.ir.walk import leaves
@@ -16,8 +13,6 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG527"
-
-_BOXES = (*timers.SPECS, *counters.SPECS, EVENT_DRUM, TIME_DRUM, SHIFT)
 
 
 def find(facts: Facts) -> Findings:
@@ -54,7 +49,7 @@ def _once(facts: Facts, routine: Routine) -> tuple[Span, str] | None:
     """The first thing in a routine that must run once in a scan, and what becomes of it."""
     for placed in facts.actions:
         if placed.routine is routine:
-            if placed.spec in _BOXES:
+            if placed.effects.keeps:
                 return placed.action.span, f"each run may advance its {placed.spec.name}"
             if placed.action.flag("oneshot"):
                 return placed.action.span, f"only one run does its one-shot {placed.spec.name}"

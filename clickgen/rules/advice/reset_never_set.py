@@ -7,7 +7,6 @@ from collections.abc import Iterable
 from clickgen.device.banks import Address
 from clickgen.facts.facts import STARTING, Facts, Placed
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.coils import RESET
 from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.reach import touches
@@ -22,7 +21,8 @@ _WRITERS_MAX = 2000
 
 
 def find(facts: Facts) -> Findings:
-    resets = [(placed, addresses_of(placed.action.args["address"])) for placed in facts.actions if placed.spec is RESET]
+    turning_off = (placed for placed in facts.actions if placed.action.turns is False)
+    resets = [(placed, addresses_of(placed.action.driven)) for placed in turning_off]
     never_on = {bit for bit in {bit for _, bits in resets for bit in bits} if _stays_off(facts, bit)}
     answers = _Answers(facts)
     asked = {bit for placed, bits in resets for bit in answers.of(placed, never_on.intersection(bits))}
@@ -50,7 +50,7 @@ def _stays_off(facts: Facts, bit: Address) -> bool:
         return False
     if facts.initial(bit) == "1":
         return False
-    return all(placed.spec is RESET for placed in facts.writers(bit))
+    return all(placed.action.turns is False for placed in facts.writers(bit))
 
 
 class _Answers:

@@ -6,10 +6,6 @@ from itertools import combinations, islice, product
 
 from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
-from clickgen.instructions import drums
-from clickgen.instructions.coils import OUT, RESET, SET
-from clickgen.instructions.communication import RECEIVE
-from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.logic.conditions import are_exclusive, implies
@@ -18,9 +14,6 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG522"
-
-_ALWAYS_ACTIVE = (OUT, RECEIVE, *drums.SPECS)
-"""What writes its outputs also while its rung is off, or in its own time."""
 
 _PAIRS_MAX = 1000
 """Where so many pairs of drivers exclude each other, the rest is taken to do so too; so many pairs of routines are
@@ -36,7 +29,7 @@ def find(facts: Facts) -> Findings:
         drivers: dict[str, _Drivers] = {}
         for placed in facts.writers(output):
             # Whether it drives the output, nobody knows.
-            if placed.spec is RAW:
+            if placed.effects.is_unknown:
                 continue
             drivers.setdefault(placed.routine.name, []).append(placed)
         if len(drivers) > 1:
@@ -63,13 +56,13 @@ def _in_first_scan(condition: Condition) -> bool:
 
 def _meet(facts: Facts, one: _Drivers, other: _Drivers) -> bool:
     """True when two routines may drive the output in the same scan and get in each other's way."""
-    mine, theirs = ({placed.spec.name for placed in drivers} for drivers in (one, other))
-    if OUT.name in mine and OUT.name in theirs:
+    if all(any(placed.effects.follows_power for placed in drivers) for drivers in (one, other)):
         return False  # CG501 speaks of it.
-    if mine | theirs <= {SET.name, RESET.name} and not (SET.name in mine and SET.name in theirs):
+    mine, theirs = ({placed.action.turns for placed in drivers} for drivers in (one, other))
+    if None not in mine | theirs and not (True in mine and True in theirs):
         return False  # A latch that one routine sets, and that another turns off as well.
-    for names, late, early in ((mine, one, other), (theirs, other, one)):
-        if names == {RESET.name} and min(_moments(facts, late)) > max(_moments(facts, early)):
+    for turns, late, early in ((mine, one, other), (theirs, other, one)):
+        if turns == {False} and min(_moments(facts, late)) > max(_moments(facts, early)):
             return False  # Turned off at the end of the scan, whatever was before.
     if facts.run_apart(one[0].routine, other[0].routine):
         return False
@@ -79,7 +72,7 @@ def _meet(facts: Facts, one: _Drivers, other: _Drivers) -> bool:
 
 def _agree(one: Placed, other: Placed) -> bool:
     """True for two that do the same, whoever comes first: turn the output on, or off."""
-    return one.spec is other.spec and one.spec in (SET, RESET)
+    return one.action.turns is not None and one.action.turns is other.action.turns
 
 
 def _moments(facts: Facts, drivers: _Drivers) -> list[Span]:
@@ -94,7 +87,8 @@ def _are_apart(facts: Facts, one: Placed, other: Placed) -> bool:
 
 def _ways(facts: Facts, placed: Placed) -> list[list[Condition]]:
     """What must hold for the action to write, for each call that leads to it."""
-    own = [] if placed.spec in _ALWAYS_ACTIVE else facts.ways_to(placed)
+    # It may write its outputs while its rung is off, or in its own time.
+    own = facts.ways_to(placed) if placed.effects.needs_power else []
     if placed.routine.is_main:
         return [[*own]]
     return [[*facts.ways_to(call), *own] for call in facts.calls.get(placed.routine.name, ())]

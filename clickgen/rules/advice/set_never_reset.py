@@ -5,7 +5,6 @@ from __future__ import annotations
 from clickgen.device.banks import Address
 from clickgen.facts.facts import STARTING, Facts
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.coils import SET
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG502"
@@ -15,9 +14,9 @@ def find(facts: Facts) -> Findings:
     seen: set[Address] = set()
     for placed in facts.actions:
         # What the first scan sets is meant to stay on.
-        if placed.spec is not SET or placed.depends_only_on(STARTING):
+        if placed.action.turns is not True or placed.depends_only_on(STARTING):
             continue
-        bits = [bit for bit in addresses_of(placed.action.args["address"]) if bit not in seen]
+        bits = [bit for bit in addresses_of(placed.action.driven) if bit not in seen]
         # So is what is set once, whatever happens.
         if len(bits) == 1 and placed.depends_only_on(STARTING.union(bits)):
             continue
@@ -41,7 +40,7 @@ def _stays_on(facts: Facts, bit: Address) -> bool:
     # Some SC bits are commands to the CLICK, which turns them off itself (click-facts [bank.writable-sc]).
     if bit.bank not in ("Y", "C") or facts.uses.is_pointed(bit.bank, is_written=True):
         return False
-    return all(placed.spec is SET for placed in facts.writers(bit))
+    return all(placed.action.turns for placed in facts.writers(bit))
 
 
 ABOUT = Code(

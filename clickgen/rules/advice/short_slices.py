@@ -6,7 +6,7 @@ import re
 
 from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions.copies import COPY_PACK, COPY_UNPACK
+from clickgen.instructions.effects import Shape
 from clickgen.instructions.spec import BITS
 from clickgen.ir.operands import Range
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
@@ -39,9 +39,9 @@ def find(facts: Facts) -> Findings:
 
 
 def _short_bits(placed: Placed) -> Range | None:
-    if placed.spec is not COPY_PACK and placed.spec is not COPY_UNPACK:
+    if placed.effects.shape not in (Shape.PACK, Shape.UNPACK):
         return None
-    bits = placed.action.args["source" if placed.spec is COPY_PACK else "destination"]
+    bits = placed.action.moved if placed.effects.shape is Shape.PACK else placed.action.moved_to
     if isinstance(bits, Range) and bits.bank in BITS and len(bits) in _SHORT and not bits.is_reversed:
         return bits
     return None

@@ -10,10 +10,7 @@ from clickgen.device.banks import parse_address
 from clickgen.facts.changes import Changes, Extent, meets
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of, extents_of
-from clickgen.instructions import communication, drums, timers
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import CALL, END, RETURN
-from clickgen.instructions.raw import RAW
+from clickgen.instructions.effects import Effects, Flow, Keeps
 from clickgen.ir.conditions import Compare, Condition, Contact
 from clickgen.ir.operands import Immediate, Operand
 from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
@@ -23,9 +20,6 @@ from clickgen.problems.diagnostics import Label
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG542"
-
-_IN_THEIR_OWN_TIME = (*timers.SPECS, *drums.SPECS, *communication.SPECS, RAW)
-"""What these write changes in some later scan anyway; what a kept instruction writes, nobody knows."""
 
 
 class _Write(NamedTuple):
@@ -137,6 +131,11 @@ def _reads(condition: Condition, operands: Iterable[Operand]) -> bool:
     return any(meets(extents, operand) for operand in operands)
 
 
+def _takes_its_time(effects: Effects) -> bool:
+    """True where what is written changes in some later scan anyway, or where nobody knows when."""
+    return effects.is_late or effects.is_unknown or not effects.keeps.isdisjoint((Keeps.TIME, Keeps.STEP))
+
+
 class _Writes:
     """What an action surely writes in this scan: flags of CLICK too, and for a call what its routine always writes."""
 
@@ -146,11 +145,11 @@ class _Writes:
         self._by_routine: dict[str, list[Extent]] = {}
 
     def of(self, action: Action) -> list[Extent]:
-        if action.spec in _IN_THEIR_OWN_TIME:
+        if _takes_its_time(action.effects):
             return []
-        if action.spec is CALL:
-            return self._of_routine(action.word("subroutine"))
-        flags = filter(None, map(parse_address, action.spec.sets_flags))
+        if action.effects.flow is Flow.CALL:
+            return self._of_routine(action.called)
+        flags = filter(None, map(parse_address, action.effects.flags))
         return [*self._changes.surely(action), *((flag.bank, flag.number, flag.number) for flag in flags)]
 
     def _of_routine(self, name: str) -> list[Extent]:
@@ -164,10 +163,10 @@ class _Writes:
     def _surely(self, routine: Routine) -> Iterator[Extent]:
         """What a run of a subroutine writes in any case, down to where it may be left."""
         for placed in self._facts.actions_of(routine):
-            if placed.spec in (END, RETURN):
+            if placed.effects.leaves:
                 return
-            always_writes = placed.is_unconditional or placed.spec is OUT
-            if always_writes and not placed.loop and placed.spec not in _IN_THEIR_OWN_TIME:
+            always_writes = placed.is_unconditional or placed.effects.follows_power
+            if always_writes and not placed.loop and not _takes_its_time(placed.effects):
                 yield from self._changes.surely(placed.action)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from clickgen.device.banks import Address, current_value
 from clickgen.facts.copied import origin_registers
 from clickgen.facts.facts import Facts
-from clickgen.instructions import drums, timers
+from clickgen.instructions.timers import PRESET_MAX, UNIT
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Integer, Single
 from clickgen.ir.program import Routine
@@ -18,7 +18,7 @@ from clickgen.text.source import Span
 
 CODE = "CG511"
 
-_RESTS = (0, timers.PRESET_MAX)
+_RESTS = (0, PRESET_MAX)
 """The values at which a timer stands still: at rest, and where it counts no further (click-facts [timer.on-delay])."""
 
 
@@ -95,10 +95,9 @@ def _counting_milliseconds(facts: Facts) -> Mapping[Address, None]:
     """The current values of timers and time drums whose unit is the millisecond."""
     found: dict[Address, None] = {}
     for placed in facts.actions:
-        if placed.spec in timers.SPECS or placed.spec is drums.TIME_DRUM:
-            owner = placed.action.args.get("timer") or placed.action.args.get("accumulator")
-            if isinstance(owner, Cell) and (placed.action.word("unit") or timers.UNIT.default) == "Tms":
-                found[current_value(owner.address)] = None
+        owner = placed.action.owned if placed.effects.is_timed else None
+        if owner is not None and (placed.action.word("unit") or UNIT.default) == "Tms":
+            found[current_value(owner.address)] = None
     return found
 
 

@@ -15,11 +15,7 @@ from clickgen.facts.pulses import Pulses
 from clickgen.facts.scan import Step, scans
 from clickgen.facts.uses import addresses_of
 from clickgen.facts.written import is_relative, left_in
-from clickgen.instructions import maths
-from clickgen.instructions.coils import RESET, SET
-from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
-from clickgen.instructions.copies import COPY, COPY_FILL
-from clickgen.instructions.raw import NOT_IMPORTED, RAW
+from clickgen.instructions.effects import Effects, Flow, Shape
 from clickgen.ir.conditions import All, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Operand, Real, Single
 from clickgen.ir.program import Rung
@@ -32,8 +28,6 @@ from clickgen.text.source import Span
 # click-facts [scan.conditions]
 CODE = "CG544"
 
-_BARRIERS = (END, RETURN, FOR, NEXT, RAW, NOT_IMPORTED)
-"""Past these nobody knows whether the next rung runs in the same scan, or what it finds."""
 _BITS_MAX = 16
 """A set or reset of more bits than this is no toggle."""
 _BEFORE_MAX = 4
@@ -127,7 +121,7 @@ class _Walk:
     def run(self, step: Step) -> None:
         placed, frame = step.placed, self._enter(step)
         self._at += 1
-        if placed.spec in _BARRIERS or placed.loop:
+        if _is_barrier(placed.effects) or placed.loop:
             frame.barrier = self._at
             return
         slot = self._slots[-1]
@@ -137,8 +131,8 @@ class _Walk:
                 self._judge(address, earlier, write)
             self._writes[address] = [*self._writes[address][1 - _BEFORE_MAX :], write]
         slot.changed.append((id(placed.action), self._changes.of(placed.action)))
-        if placed.spec is CALL:
-            slot.looked_at.append(self._shared.reads_of[placed.action.word("subroutine")])
+        if placed.effects.flow is Flow.CALL:
+            slot.looked_at.append(self._shared.reads_of[placed.action.called])
 
     def _enter(self, step: Step) -> _Frame:
         is_new = step.call is not self._call
@@ -254,28 +248,34 @@ class _Walk:
         self._shared.found.append(finding(CODE, here, fault, help, (Label(there, "changed here first"),)))
 
 
+def _is_barrier(effects: Effects) -> bool:
+    """True where nobody knows whether the next rung runs in the same scan, or what it finds."""
+    return effects.is_unknown or (effects.diverts and effects.flow is not Flow.CALL)
+
+
 def _looks(condition: Condition, address: Address) -> bool:
     return any(address in addresses_of(operand) for operand in condition_operands(condition))
 
 
 def _constants(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
     """The addresses into which an action puts a constant, or turns on or off."""
-    if placed.spec in (SET, RESET):
-        bits = addresses_of(placed.action.args["address"])
-        yield from ((bit, None, placed.spec is SET) for bit in bits[:_BITS_MAX] if len(bits) <= _BITS_MAX)
-    elif placed.spec in (COPY, COPY_FILL) and "options" not in placed.action.args:
-        targets = addresses_of(placed.action.args["destination"])
+    turns = placed.action.turns
+    if turns is not None:
+        bits = addresses_of(placed.action.driven)
+        yield from ((bit, None, turns) for bit in bits[:_BITS_MAX] if len(bits) <= _BITS_MAX)
+    elif placed.effects.shape in (Shape.VALUE, Shape.FILL) and "options" not in placed.action.args:
+        targets = addresses_of(placed.action.moved_to)
         for address in targets[:_BITS_MAX] if len(targets) <= _BITS_MAX else ():
             value = put_in(placed, address)
             if isinstance(value, Integer | Hex | Real):
                 yield address, value, False
-    elif placed.spec in maths.SPECS:
+    elif placed.effects.shape is Shape.FORMULA:
         yield from _calculated(placed)
 
 
 def _calculated(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
     """A register that gets a constant, or is worked out of its own number where the condition says which: a step."""
-    target = placed.action.args["destination"]
+    target = placed.action.moved_to
     if not isinstance(target, Cell):
         return
     address = target.address

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from clickgen.facts.facts import Facts
 from clickgen.facts.idle import Missed, unreached
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import END, NOP, RETURN
+from clickgen.instructions.effects import Flow
 from clickgen.problems.diagnostics import Label
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [scan.skipped]
 CODE = "CG516"
 
-_IDLE = (END, RETURN, NOP)
+_IDLE = (Flow.END, Flow.RETURN, Flow.PASS)
 """What is not missed: a routine may end twice, and end in a note."""
 
 
@@ -20,7 +19,7 @@ def find(facts: Facts) -> Findings:
     for routine in facts.program.routines:
         said: set[int] = set()
         for missed in unreached(routine.rungs):
-            if missed.action.spec in _IDLE or id(missed.left) in said:
+            if missed.action.effects.flow in _IDLE or id(missed.left) in said:
                 continue
             said.add(id(missed.left))
             yield from _report(facts, missed)
@@ -31,7 +30,7 @@ def _report(facts: Facts, missed: Missed) -> Findings:
     word = facts.spell.call(left.spec)
     line = left.span.seen_from(place)
     if missed.is_looked_at:
-        what = "this never turns anything on" if missed.action.spec is OUT else "this never runs"
+        what = "this never turns anything on" if missed.action.effects.follows_power else "this never runs"
         yield finding(
             CODE,
             place,

@@ -5,8 +5,7 @@ from __future__ import annotations
 from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.written import Asked, is_relative, left_in, whole_condition
-from clickgen.instructions.copies import COPY
-from clickgen.instructions.raw import RAW
+from clickgen.instructions.offered import COPY
 from clickgen.ir.operands import Cell, Pointer
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import can_hold, implies
@@ -28,7 +27,7 @@ def find(facts: Facts) -> Findings:
         if not use.is_written and isinstance(use.operand, Pointer) and isinstance(use.operand.register, Cell)
     }
     for placed in facts.actions:
-        if placed.spec is RAW:
+        if placed.effects.is_unknown:
             continue
         for touch in touches(placed.action):
             pointer = touch.operand
@@ -91,7 +90,7 @@ def _movers(facts: Facts, address: Address, is_own: bool) -> tuple[Placed, ...]:
         if left is None or (left != 0 and not is_relative(writer, address)):
             return ()
         (movers if left != 0 else idle).append(writer)
-    alone = tuple(writer for writer in idle if isinstance(writer.action.args.get("destination"), Cell))
+    alone = tuple(writer for writer in idle if isinstance(writer.action.moved_to, Cell))
     return tuple(movers) or (alone if is_own else ())
 
 

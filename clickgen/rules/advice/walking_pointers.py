@@ -9,7 +9,6 @@ from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.walks import Step, Walk, each_turn, walk_of
 from clickgen.facts.written import Asked, whole_condition
-from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Integer, Pointer
 from clickgen.ir.reach import touches
@@ -32,7 +31,7 @@ class _Reach(NamedTuple):
 def find(facts: Facts) -> Findings:
     walks: dict[Address, Walk | None] = {}
     for placed in facts.actions:
-        if placed.spec is RAW:
+        if placed.effects.is_unknown:
             continue
         for touch in touches(placed.action):
             pointer = touch.operand

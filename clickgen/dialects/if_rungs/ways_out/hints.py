@@ -27,7 +27,7 @@ from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
 from clickgen.dialects.if_rungs.trade import ARGUMENTS, CONDITIONS, MEMBERS, Advice, advice, bank_hint
 from clickgen.dialects.ways_out import reset_hint, with_reset
 from clickgen.formula.spelling import SPELL
-from clickgen.instructions.counters import CTU
+from clickgen.instructions.offered import CTU
 from clickgen.ir.addresses import BANK_NAMES
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.edits import Edit, Fix

@@ -15,7 +15,7 @@ from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.ways_out import slip_kinds as kinds
 from clickgen.dialects.if_rungs.ways_out import slip_words as words
 from clickgen.dialects.if_rungs.ways_out.slip_kinds import Line, Told
-from clickgen.instructions import INSTRUCTIONS
+from clickgen.instructions import INSTRUCTIONS, of_instructions
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span
@@ -75,7 +75,11 @@ def _re(pattern: str, flags: int = 0) -> re.Pattern[str]:
 _ENDS = r"end\s*_?if|end\s*_?while|end\s*_?for|end\s*_?var|end\s*_?program|end\s*_?sub|next\s+\w+|wend|begin|done"
 _START = r"IF|If|ELIF|Elif|ELSE|Else|DEF|Def|FOR|For|WHILE|While|RETURN|Return|PASS|Pass|IMPORT|Import|FROM|From"
 
-_ARGUMENTS = frozenset(param.name for spec in INSTRUCTIONS.values() for param in spec.params)
+
+@of_instructions
+def _arguments() -> frozenset[str]:
+    return frozenset(param.name for spec in INSTRUCTIONS.values() for param in spec.params)
+
 
 SLIPS: tuple[Slip, ...] = (
     Slip(
@@ -348,10 +352,10 @@ SLIPS: tuple[Slip, ...] = (
         lambda _, match: (
             Told(
                 "an argument is given by its name and =",
-                f"write {match['name']}=5" if match["name"] in _ARGUMENTS else "write setpoint=5",
+                f"write {match['name']}=5" if match["name"] in _arguments() else "write setpoint=5",
                 match.span("name"),
             )
-            if match["name"] in _ARGUMENTS
+            if match["name"] in _arguments()
             else None
         ),
         ("ton(t.A, setpoint:5)", "ton(t.A, setpoint 5)"),

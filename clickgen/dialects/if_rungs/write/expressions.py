@@ -9,7 +9,6 @@ from clickgen.click.draw.tokens import real_token
 from clickgen.device.banks import CURRENT_VALUE_OF, Address
 from clickgen.dialects.if_rungs.write.layout import Atom, Brackets, Comparison, Keyword, Piece
 from clickgen.formula import print_source
-from clickgen.instructions.data import SEARCH
 from clickgen.instructions.spec import Param, ParamKind
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Edge
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget, Target, TcpTarget
@@ -41,7 +40,8 @@ class WithNames(Rewriter):
     def action(self, action: Action) -> Action:
         """The ends of a search keep their numbers where only one has a name: then they are written as a slice."""
         changed = super().action(action)
-        ends = [name for name in ("start", "end") if action.spec is SEARCH]
+        finds = action.effects.finds
+        ends = (finds.start, finds.end) if finds is not None else ()
         if all(isinstance(changed.args[name], Named) for name in ends):
             return changed
         return Action(action.spec, {**changed.args, **{name: action.args[name] for name in ends}}, action.span)
@@ -119,7 +119,7 @@ def action_piece(action: Action) -> Piece:
     name = action.spec.name
     if name in ("return", "pass"):
         return Atom(name)
-    parts = _search_parts(action) if action.spec is SEARCH else list(_parts(action))
+    parts = _search_parts(action) if action.effects.finds is not None else list(_parts(action))
     return Brackets(f"{name}(", tuple(parts), ")")
 
 

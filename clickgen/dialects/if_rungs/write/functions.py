@@ -45,7 +45,7 @@ def function_name(name: str, taken: Collection[str]) -> str:
         word = "sub"
     if word[0].isdigit():
         word = f"sub_{word}"
-    if word in RESERVED:
+    if word in RESERVED or word in INSTRUCTIONS:
         word = f"{word}_"
     others = {other.lower() for other in taken}
     numbered = (f"{word.rstrip('_')}_{number}" for number in count(2))

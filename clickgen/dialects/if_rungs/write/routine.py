@@ -13,7 +13,7 @@ from clickgen.dialects.if_rungs.write.expressions import (
     value_piece,
 )
 from clickgen.dialects.if_rungs.write.layout import INDENT, Brackets, Keyword, Piece, lines
-from clickgen.instructions.control import CALL
+from clickgen.instructions.effects import Flow
 from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung, Value, Word
 from clickgen.ir.walk import Rewriter
 
@@ -58,9 +58,9 @@ class _WithFunctions(Rewriter):
         self._functions = functions
 
     def action(self, action: Action) -> Action:
-        if action.spec is not CALL:
+        if action.effects.flow is not Flow.CALL:
             return action
-        return Action(CALL, {name: self.value(value) for name, value in action.args.items()}, action.span)
+        return Action(action.spec, {name: self.value(value) for name, value in action.args.items()}, action.span)
 
     def value(self, value: Value) -> Value:
         function = self._functions.get(str(value.value)) if isinstance(value, Word) else None
