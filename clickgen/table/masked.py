@@ -86,14 +86,14 @@ def _report_rows(run: list[Row], table: AddressTable, problems: Diagnostics) -> 
 
 
 def _written_once(row: Row) -> str:
-    """How a program gives an address its first value, in words."""
+    """The words for how a program gives an address its first value."""
     if row.address.kind is Kind.BIT:
         return "set it where sc._1st_SCAN is on"
     return "copy the value where sc._1st_SCAN is on"
 
 
 def _runs(addresses: Iterable[Address]) -> Iterator[list[Address]]:
-    """Addresses that follow each other in a bank, together."""
+    """Yield runs of consecutive addresses of a bank."""
     run: list[Address] = []
     for address in sorted(addresses, key=lambda address: address.sort_key):
         if run and (address.bank, address.number) != (run[-1].bank, run[-1].number + 1):
