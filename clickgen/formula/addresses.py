@@ -1,6 +1,6 @@
 """Addresses inside a formula: ``ds.Name``, ``ds["Any name"]``, ``ds[5]``, ``xd["0u"]``, ``ds[ds.Index]``, ``ds[1:9]``.
 
-Whether a formula takes the operand is checked elsewhere; here it only has to exist.
+Another module checks whether a formula takes the operand; here it only has to exist.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from clickgen.problems.diagnostics import did_you_mean
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """An address as written; ``ref`` is None when its mistake was told."""
+    """An address as written; ``ref`` is None once its mistake has been reported."""
 
     ref: Named | Cell | Pointer | Range | None
     start: int
@@ -55,7 +55,7 @@ def named(word: Token, member: Token, report: Report) -> Reference:
 
 
 def member(word: Token, name: Token, index: Index, close: Token, report: Report) -> Reference:
-    """``ds.Recipe[3]``: one of a block, counted from 0."""
+    """``ds.Recipe[3]``: one member of a block, counted from 0."""
     whole = named(word, name, report)
     start, end = whole.start, end_of(close)
     if isinstance(index, Reference):
@@ -87,7 +87,7 @@ def _part(whole: Reference, part: int | Section | None, end: int, report: Report
 
 
 def _count(index: Index, report: Report) -> int | None:
-    """An index in a block, or None after telling why it is none."""
+    """The index in a block, or None after reporting its fault."""
     number = _number(index, report)
     if number is not None and number < 0:
         report.add("CG214", start_of(index), end_of(index), "the members of a block are counted from 0", "ds.Recipe[0]")
@@ -230,7 +230,7 @@ def _pointer(bank: Bank | None, index: Reference, start: int, end: int, report: 
 
 
 def _number(index: Index, report: Report) -> int | None:
-    """The number that an index says, or None after telling why it says none."""
+    """The number in brackets, or None after reporting its fault."""
     if isinstance(index, Negative):
         return index.value
     if isinstance(index, Token):

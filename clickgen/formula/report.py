@@ -10,11 +10,11 @@ from clickgen.text.source import EmbeddedText
 
 @dataclass
 class Report:
-    """What is wrong with one formula so far."""
+    """The problems of one formula so far."""
 
     text: EmbeddedText
     target: str = ""
-    """Where the result goes, as the person wrote it."""
+    """The destination of the result, as the person wrote it."""
     problems: Diagnostics = field(default_factory=Diagnostics)
 
     def add(self, code: str, start: int, end: int, message: str, help: str = "") -> None:
