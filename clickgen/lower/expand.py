@@ -1,4 +1,4 @@
-"""What CLICK has no word for, in the words it has: pointers in formulas, one-shot ranges, jumps, rtof."""
+"""Expands what CLICK has no word for into words it has: pointers in formulas, one-shot ranges, jumps, rtof."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from clickgen.ir.walk import Rewriter
 from clickgen.text.source import Span
 
 _SCRATCH_BANK = {Kind.INT16: "DS", Kind.INT32: "DD", Kind.HEX: "DH", Kind.FLOAT: "DF"}
-"""Where a value of a kind is kept for a formula: the same kind in a bank that every formula takes."""
+"""The bank that keeps a value of a kind for a formula: the same kind, and every formula takes it."""
 
 TakeScratch = Callable[[str, str, Span], Cell]
-"""Bank, purpose and place of a scratch use to its cell."""
+"""Gives the cell for the bank, purpose and place of a scratch use."""
 
 
 @dataclass(frozen=True, slots=True)
 class Own:
-    """An action that stands on a condition of its own, not on its rung's."""
+    """An action with a condition of its own, not that of its rung."""
 
     condition: Condition
     action: Action
@@ -38,7 +38,7 @@ Expanded = Action | Own
 
 
 def expand(action: Action, take: TakeScratch, delays: OffDelays) -> Iterator[Expanded]:
-    """An action in instructions that CLICK has, most often itself."""
+    """Yield an action in instructions that CLICK has, most often itself."""
     for coil in _range(action):
         for plain in _formula(coil, take):
             for expanded in delays.expand(plain):
@@ -55,7 +55,7 @@ def copied_first(action: Action) -> list[Ref]:
 
 
 def _formula(action: Action, take: TakeScratch) -> list[Action]:
-    """A formula that reads a pointer or an XD/YD word: each is copied to a scratch register first, in the same rung."""
+    """Copy each pointer or XD/YD word that a formula reads to a scratch register first, in the same rung."""
     text = action.args.get("formula")
     wanted = {operand_token(ref): ref for ref in copied_first(action)}
     if not wanted or not isinstance(text, FormulaText):
@@ -79,7 +79,7 @@ def _formula(action: Action, take: TakeScratch) -> list[Action]:
 
 
 def _range(action: Action) -> list[Action]:
-    """A coil on a range of one bit, and a one-shot coil on any range: one coil for each bit.
+    """Expand a coil on a range of one bit, and a one-shot coil on any range: one coil for each bit.
 
     click-facts [coil.oneshot]
     """
@@ -93,7 +93,7 @@ def _range(action: Action) -> list[Action]:
 
 
 def _jump(action: Action, take: TakeScratch) -> list[Expanded]:
-    """A drum that jumps to a constant step: CLICK jumps to the step that a DS register holds.
+    """Expand a drum that jumps to a constant step: CLICK jumps to the step that a DS register holds.
 
     click-facts [drum.inputs]
     """
@@ -109,7 +109,7 @@ def _jump(action: Action, take: TakeScratch) -> list[Expanded]:
 
 
 class OffDelays(Rewriter):
-    """Retentive off-delay timers: which timers they are, and the scratch bits that stand for them.
+    """Retentive off-delay timers: which ones there are, and the scratch bits that implement them.
 
     CLICK's retained timer is an on-delay only (click-facts [timer.no-rtof]). Bit E follows the rung; a retentive
     on-delay runs while E is off; bit Q is on while E is, or while Q was and the timer has not elapsed. Reading the
@@ -144,13 +144,13 @@ class OffDelays(Rewriter):
         return cell if output is None else Cell(output.address, cell.span)
 
     def action(self, action: Action) -> Action:
-        """Only what reads the bit means Q; the timer instruction itself keeps its number."""
+        """Replace the bit by Q only where it is read; the timer instruction itself keeps its number."""
         timer = action.args.get("timer")
         changed = super().action(action)
         return changed if timer is None else Action(action.spec, {**changed.args, "timer": timer}, action.span)
 
     def expand(self, action: Action) -> list[Expanded]:
-        """The instructions that stand for an rtof; any other instruction as it is."""
+        """Return the instructions that implement an rtof; any other instruction is unchanged."""
         bits = self.bits_of(action)
         timer = action.args.get("timer")
         if not bits or not isinstance(timer, Cell):
