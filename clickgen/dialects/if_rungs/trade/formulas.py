@@ -1,4 +1,4 @@
-"""What is written as a function of a formula elsewhere."""
+"""Words that are functions of a formula elsewhere."""
 
 from __future__ import annotations
 
@@ -70,4 +70,4 @@ FORMULAS = table(
     ("bor", "words are combined in math_hex: {}", ('math_hex("dh.A OR dh.B", dh.C)',), ""),
     ("bxor", "words are combined in math_hex: {}", ('math_hex("dh.A XOR dh.B", dh.C)',), ""),
 )
-"""What is written as a function of a formula."""
+"""Words that are written as a function of a formula."""

@@ -1,4 +1,4 @@
-"""What arguments, units of time, banks and members of a timer are called elsewhere."""
+"""Names of arguments, units of time, banks and members of a timer elsewhere."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ ARGUMENTS = {
     )
     for word in words.split()
 }
-"""What an argument is called elsewhere, and here."""
+"""The names of arguments elsewhere, and here."""
 
 UNITS = {
     word: unit
@@ -62,11 +62,11 @@ BANKS = {
     )
     for word in words.split()
 }
-"""What a bank is called in other machines."""
+"""The names of banks in other machines."""
 
 
 def bank_hint(name: str, index: str = "") -> str:
-    """What a bank of another machine is here, with the number where it fits; "" for a word that is none."""
+    """The bank here for one of another machine, with the number if it fits; "" for any other word."""
     found = BANKS.get(name.lower())
     if found is None:
         return ""
@@ -93,4 +93,4 @@ MEMBERS = {
     )
     for word in words.split()
 }
-"""What people write behind an address with a dot, and what they mean by it."""
+"""The members that people write after an address with a dot, and what they mean by them."""

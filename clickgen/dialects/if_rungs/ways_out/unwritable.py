@@ -1,4 +1,4 @@
-"""What no program writes: inputs, bits of timers and counters, CLICK's own points; and what to write in their place."""
+"""Addresses that no program writes: inputs, bits of timers and counters, CLICK's own points; what to use instead."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _CLOCK = re.compile(r"_RTC_(?!New_)", re.IGNORECASE)
 
 
 def why_unwritable(node: Node) -> str:
-    """What an address is that no instruction writes: ``an input``; "" for one that can be written."""
+    """The description of an address that no instruction writes: ``an input``; "" for one that can be written."""
     bank = bank_of(node)
     if bank is None:
         return ""
@@ -46,7 +46,7 @@ def _name_of(node: Node) -> str:
 
 
 def instead(context: Context, node: Node, action: str, value: str = "") -> str:
-    """What to write in the place of an address that nothing writes: ``instead_of`` for a node."""
+    """The code to write instead of an address that nothing writes: ``instead_of`` for a node."""
     bank = bank_of(node)
     assert bank is not None
     return instead_of(bank.name, own(context, node), action, value, _name_of(node))
@@ -55,10 +55,10 @@ def instead(context: Context, node: Node, action: str, value: str = "") -> str:
 def instead_of(
     bank: str, shown: str, action: str, value: str = "", name: str = "", owners: frozenset[str] = frozenset()
 ) -> str:
-    """What to write in the place of an address that nothing writes. It is shown as the program writes it.
+    """The code to write instead of an address that nothing writes. It is shown as the program writes it.
 
-    ``action`` is the instruction that is to write it, and ``value`` the number or address that a copy has for it.
-    ``owners`` are the instructions of a timer, where they are known.
+    ``action`` is the instruction that should write it, and ``value`` the number or address that a copy has for it.
+    ``owners`` are the instructions of a timer, if known.
     """
     if bank in ("T", "CT"):
         if action not in ("set", "out"):
@@ -96,7 +96,7 @@ def _owner(context: Context, node: Node) -> str:
 
 
 def of_current_value(context: Context, node: Node, value: str) -> str:
-    """The way out where somebody resets or starts a timer by its current value: ``reset(td.A)``, ``td.A = 0``."""
+    """The way out when somebody resets or starts a timer by its current value: ``reset(td.A)``, ``td.A = 0``."""
     bank, shown = bank_of(node), own(context, node)
     assert bank is not None
     owner, written = _owner(context, node), f"copy({value}, {shown})"

@@ -1,4 +1,4 @@
-"""The names of a program that has no address table beside it, declared in the program."""
+"""Declares in the program the names of a program that has no address table beside it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _HERE = Span("", 1, 1, 1, 2)
 
 
 def declarations(routines: Iterable[Routine], nicknames: Nicknames) -> str:
-    """``nickname(c.Run, c[7])`` for every name of the table that these routines are written with."""
+    """``nickname(c.Run, c[7])`` for every name of the table that these routines use."""
     used: set[Address] = set()
     for routine in routines:
         for operand in (operand for rung in routine.rungs for operand in rung_operands(rung)):

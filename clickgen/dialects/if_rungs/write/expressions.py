@@ -36,7 +36,7 @@ class WithNames(Rewriter):
         return cell if name is None else Named(cell.bank, name, cell.span)
 
     def action(self, action: Action) -> Action:
-        """The ends of a search keep their numbers where only one has a name: then they are written as a slice."""
+        """Keep the numbers of a search's ends if only one has a name: then they are written as a slice."""
         changed = super().action(action)
         ends = [name for name in ("start", "end") if action.spec is SEARCH]
         if all(isinstance(changed.args[name], Named) for name in ends):
@@ -77,7 +77,7 @@ def operand_text(operand: Operand) -> str:
 
 
 def quoted(text: str) -> str:
-    """A text as a literal: in double quotes, unless single ones save escapes."""
+    """Return a text as a literal: in double quotes, unless single ones save escapes."""
     escaped = "".join(map(_escaped, text))
     if '"' in escaped and "'" not in escaped:
         return f"'{escaped}'"
@@ -150,7 +150,7 @@ def _search_parts(action: Action) -> list[Piece]:
 
 
 def value_piece(action: Action, param: Param) -> Piece:
-    """One argument; those of a pin aside."""
+    """One argument, except those of a pin."""
     value = action.args[param.name]
     if isinstance(value, Operand):
         return Atom(operand_text(value))
