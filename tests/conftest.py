@@ -1,4 +1,4 @@
-"""What holds for every test: how many examples a property runs, and the mark by which ``make fuzz`` finds it."""
+"""Settings for every test: how many examples a property runs, and the mark by which ``make fuzz`` finds it."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ def read(formula: str, mode: Mode) -> tuple[Formula | None, list[Diagnostic]]:
 
 
 def native(ref: Named | Cell | Pointer | Range) -> str:
-    """CLICK's text of an operand; names stand for themselves."""
+    """CLICK's text of an operand; names are unchanged."""
     if isinstance(ref, Range):
         return f"{ref.bank}{ref.first} : {ref.bank}{ref.last}"
     if isinstance(ref, Cell):
@@ -200,7 +200,7 @@ def test_decimal_number_in_hex_warns() -> None:
         ("0x10000 + 65536 + 1.5", "hex", [("CG302", "0x10000"), ("CG302", "65536"), ("CG302", "1.5")]),
         ("1e39 + 1e-39 + 1e999999", "decimal", [("CG302", "1e39"), ("CG302", "1e-39"), ("CG302", "1e999999")]),
         ("2147483648", "decimal", [("CG302", "2147483648")]),
-        # what was told before a syntax error stays told
+        # a problem reported before a syntax error stays
         ("di.A + ds[0] + ", "decimal", [("CG113", "di"), ("CG201", "0"), ("CG116", "+")]),
     ],
 )

@@ -219,7 +219,7 @@ def value_of(text: str) -> int:
 
 
 def meaning(node: Node, mode: Mode) -> int:
-    """What the source says."""
+    """The value by the source."""
     if isinstance(node, Number):
         exponent = "e" in node.text.lower()
         return value_of(repr(float(node.text)) if exponent else node.text)
@@ -263,7 +263,7 @@ CLICKS = (
 
 
 class ClickReader:
-    """A small evaluator of CLICK's form. Tokens stand one space apart."""
+    """A small evaluator of CLICK's form. Tokens are one space apart."""
 
     def __init__(self, text: str, mode: Mode, rules: Rules) -> None:
         self.tokens = text.split(" ")

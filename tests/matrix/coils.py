@@ -56,7 +56,7 @@ def _one_shots() -> list[Cell]:
         *(action(f"{name}(y[5], oneshot=True)", codes="CG109") for name in ("set", "reset")),
     ]
     for operand in (*addresses(WRITTEN), *CONSTANTS):
-        # Of an immediate C one fault is enough to say.
+        # One fault of an immediate C is enough to report.
         fault = _COIL.fault(operand) or ("CG313" if operand.form == "immediate" else "")
         bits = operand.token.split("..") if operand.form == "range" else [operand.token]
         found.append(

@@ -42,7 +42,7 @@ _WORDS = ["DH", "XD", "YD"]
 
 
 def _typed(source: Operand, target: Operand) -> tuple[str, str]:
-    """A constant as its destination takes it, and the code where it does not: no fraction into a whole number."""
+    """A constant as its destination takes it, and the code if it does not: no fraction into a whole number."""
     token = source.word if target.bank in _WORDS else source.token
     if source.form == "hex" and target.bank in (*_WHOLE, "DF"):
         token = str(int(source.word[:-1], 16))

@@ -35,7 +35,7 @@ def _one(operand: Operand) -> Shown:
 
 
 def _listed(*operands: Operand) -> Shown:
-    """In a list a slice stands for each of its addresses."""
+    """In a list, a slice means each of its addresses."""
     tokens: list[str] = []
     for operand in operands:
         tokens += [bit.token for bit in _bits(operand)] if operand.form == "range" else [operand.token]

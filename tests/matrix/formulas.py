@@ -92,7 +92,7 @@ def _target(name: str, operand: Operand) -> tuple[str, str]:
 
 
 def _targets(name: str) -> list[Cell]:
-    """What a formula is stored in; of SD what can be written."""
+    """The destination of a formula; in SD only writable ones."""
     numbers = (1, 28, *WRITABLE_SD, 30, 148, 216, 1000) if name == "calc" else ()
     return [
         *slot(Takes(cells=_TARGETS[name][0], is_written=True), lambda operand: _target(name, operand)),

@@ -38,7 +38,7 @@ _FORMER = re.compile(r"\bE341\b|\bdecisions\.md|\btraps? \d|\((?:click-facts, )?
 
 
 class Fact(NamedTuple):
-    """One fact of the page. ``tail`` is None where it does not end with source and certainty."""
+    """One fact of the page. ``tail`` is None if it does not end with source and certainty."""
 
     group: str
     id: str

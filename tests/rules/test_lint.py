@@ -1,4 +1,4 @@
-"""Every rule finds what its wrong examples mark, nothing in its right ones, and fixes what it says it fixes."""
+"""Every rule finds the marks in its wrong examples, nothing in its right ones, and fixes what it claims to fix."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ RIGHT = [(rule, example) for rule in RULES for example in rule.right]
 
 
 def program_of(text: str) -> str:
-    """An example as a whole program: rungs stand in a main."""
+    """An example as a whole program: rungs go into a main."""
     text = text.strip("\n")
     if "def main" in text:
         return text + "\n"
@@ -28,7 +28,7 @@ def program_of(text: str) -> str:
 
 
 def findings(rule: Rule, text: str, folder: Path) -> list[Diagnostic]:
-    """What the rule finds; an error of any other kind fails."""
+    """The findings of the rule; an error of any other kind fails."""
     program = folder / "prog.py"
     program.write_text(text, "utf-8")
     result = check(program)

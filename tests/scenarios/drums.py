@@ -1,4 +1,4 @@
-"""Drum sequencers. What they hold before their first reset, and after their last step, no source says.
+"""Drum sequencers. No source says what they hold before their first reset and after their last step.
 
 click-facts [drum.work]
 """
@@ -185,7 +185,7 @@ DRUMS: tuple[Scenario, ...] = (
         scans(1).give(C9=1),
         scans(1, C6=1).give(DS1=1, TD1=0, Y001=[1, 0], C9=0),
         scans(2, C6=0).give(DS1=2, Y001=[0, 1], C9=0),
-        # Without power its time stands still.
+        # Without power its time does not advance.
         scans(5, C1=0).give(DS1=2, C9=0),
     ),
     scenario(

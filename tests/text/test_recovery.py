@@ -126,7 +126,7 @@ def test_a_writer_killed_at_any_point_leaves_all_or_nothing(tmp_path: Path, afte
         else:
             for each in folders:
                 recover([each])
-        (folder / "plc" / NAME).unlink(missing_ok=True)  # Locked by nobody; the next writer takes these away.
+        (folder / "plc" / NAME).unlink(missing_ok=True)  # Locked by nobody; the next writer removes these.
         (folder / "out" / NAME).unlink(missing_ok=True)
         (folder / "out" / "subroutines" / NAME).unlink(missing_ok=True)
         (folder / "out" / "pages" / NAME).unlink(missing_ok=True)
@@ -320,7 +320,7 @@ class Msvcrt(ModuleType):
 
 @pytest.fixture
 def windows(monkeypatch: pytest.MonkeyPatch) -> tuple[Msvcrt, Callable[[], Any]]:
-    """What stands in for Windows, and the module of locks as another process has it there."""
+    """Replacements for Windows, and the module of locks as another process has it there."""
     fake = Msvcrt()
     monkeypatch.setitem(sys.modules, "msvcrt", fake)
 

@@ -127,7 +127,7 @@ def test_two_ways_to_one_file(out: Path) -> None:
     with pytest.raises(FileExistsError, match="same file"):
         put_in_place({out / "alias" / "a.csv": b"1", out / "subroutines" / "a.csv": b"2"})
     assert tree(out) == before
-    # What is written is not removed under its other name.
+    # A file that is written is not removed under its other name.
     put_in_place({out / "subroutines" / "gone.csv": b"new"}, [out / "alias" / "gone.csv"])
     assert (out / "subroutines" / "gone.csv").read_bytes() == b"new"
 
@@ -221,7 +221,7 @@ def test_a_device_is_not_replaced(out: Path) -> None:
 
 
 def test_a_file_that_appears_in_between_is_not_overwritten(out: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also what happens where the disk takes Fill.csv and fill.csv for one file."""
+    """Also what happens if the disk takes Fill.csv and fill.csv for one file."""
     really = write._Work.apply
 
     def apply(self: write._Work) -> None:

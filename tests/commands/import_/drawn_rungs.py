@@ -1,4 +1,4 @@
-"""Rungs as people draw them in CLICK, and what a person would write for each."""
+"""Rungs as people draw them in CLICK, and the text that a person would write for each."""
 
 from __future__ import annotations
 

@@ -330,7 +330,7 @@ def counts(files: Mapping[str, str]) -> dict[str, int]:
 
 
 def is_same(before: Mapping[str, str], after: Mapping[str, str]) -> bool:
-    """What the judge says. A drawing that it cannot read is another one."""
+    """The judge's verdict. A drawing that it cannot read is different."""
     try:
         with patch.object(power, "_finish", _without_its_rules):
             if before.keys() != after.keys():
@@ -346,7 +346,7 @@ def is_same(before: Mapping[str, str], after: Mapping[str, str]) -> bool:
 
 @dataclass
 class _Built:
-    """What the import built first, as it was compared."""
+    """The first build of the import, as it was compared."""
 
     chance: random.Random
     damages: bool
@@ -367,7 +367,7 @@ class _Built:
 
 
 def check_refuses(plant: Plant, seed: int, damages: bool) -> None:
-    """What is built otherwise than it was drawn is refused, unless the judge finds it the same."""
+    """A build that differs from the drawing is refused, unless the judge finds it the same."""
     chance = random.Random(seed)
     with tempfile.TemporaryDirectory(prefix="clickgen-import-") as name:
         folder = Path(name)
@@ -425,7 +425,7 @@ GONE: Mapping[str, Callable[[str], str]] = {
 @pytest.mark.parametrize("file", ["main.csv", "subroutines/Sub.csv"])
 @pytest.mark.parametrize("name", GONE)
 def test_rungs_too_many_or_too_few_are_refused(name: str, file: str, tmp_path: Path) -> None:
-    """Each routine is compared as a whole: what a build adds or leaves out belongs to some rung."""
+    """Each routine is compared as a whole: anything that a build adds or leaves out belongs to some rung."""
     (tmp_path / "bundle" / "subroutines").mkdir(parents=True)
     rung = ["R", "X001", *["-"] * 30, "out(C1)"]
     for one, last in (("main.csv", "end()"), ("subroutines/Sub.csv", "return()")):

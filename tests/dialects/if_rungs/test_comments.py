@@ -1,4 +1,4 @@
-"""The comment of a rung: the lines directly above it, also where its file is read statement by statement."""
+"""The comment of a rung: the lines directly above it, also in a file that is read statement by statement."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The places of libcst's nodes are those that its own provider finds, and those that Python's parser says."""
+"""The places of libcst's nodes match those of its own provider, and those of Python's parser."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ PLACED = (
     cst.Comment,
     cst.SubscriptElement,
 )
-"""Kinds of nodes of which each has a place."""
+"""Kinds of nodes that all have a place."""
 
 
 def offsets(text: str) -> list[int]:
@@ -153,7 +153,7 @@ def test_what_python_says(text: str) -> None:
 
 
 def _is_inside_string(node: ast.expr, tree: ast.Module) -> bool:
-    """True for what is in an f-string, whose places Python's versions tell otherwise."""
+    """True for a node in an f-string, whose places differ between Python versions."""
     return any(
         inner is node
         for string in ast.walk(tree)
@@ -247,7 +247,7 @@ DEEP = {
 
 @pytest.mark.parametrize("name", DEEP)
 def test_what_libcst_may_not_read(name: str) -> None:
-    """Its parser goes down with every level, and ends the process where that is too deep."""
+    """Its parser recurses with every level, and ends the process if that is too deep."""
     assert not is_statement(DEEP[name])
 
 

@@ -1,4 +1,4 @@
-"""Statements are read one by one, and come out as they are in the whole file; and where libcst and Python disagree."""
+"""Statements read one by one are as in the whole file; and cases in which libcst and Python disagree."""
 
 from __future__ import annotations
 
@@ -149,7 +149,7 @@ ONLY_PYTHON = {
 
 @pytest.mark.parametrize("name", ONLY_PYTHON)
 def test_what_only_python_takes(name: str) -> None:
-    """It is refused with words, where libcst 1.9 cannot read it."""
+    """It is refused with a message where libcst 1.9 cannot read it."""
     text = ONLY_PYTHON[name]
     ast.parse(text)
     [problem] = problems_of(text)

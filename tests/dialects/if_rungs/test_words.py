@@ -40,7 +40,7 @@ def build(text: str, folder: Path) -> clickgen.BuildResult:
 
 
 def as_rungs(code: str) -> str:
-    """The rungs that a piece of advice stands in: a rung itself, an action, a formula or a condition."""
+    """The rungs for a piece of advice: a rung itself, an action, a formula or a condition."""
     if code.startswith("if "):
         return f"    {code}\n"
     if code.startswith("for ") or code == "next_loop()":

@@ -36,7 +36,7 @@ T = TypeVar("T")
 
 
 def little(work: Callable[[], T], calls: int = 4_000_000) -> T:
-    """What the work gives, which may take so many calls of functions: what a file could make endless is cut off."""
+    """The result of the work, which may take this many calls of functions: endless files are cut off."""
     found: list[T] = []
     count = calls_in(lambda: found.append(work()))
     assert count < calls
