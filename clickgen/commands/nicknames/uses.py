@@ -1,4 +1,4 @@
-"""Where the names of a source file stand, to the character, also inside the strings of formulas."""
+"""Finds the names in a source file, to the character, also inside the strings of formulas."""
 
 from __future__ import annotations
 
@@ -30,49 +30,49 @@ _ESCAPE = re.compile(r"\\(?:[0-7]{1,3}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA
 
 
 class Place(NamedTuple):
-    """Where a name is written: the stretches that hold its characters; more than one where a string is in pieces."""
+    """Where a name is written: the stretches with its characters; more than one if a string is in pieces."""
 
     stretches: tuple[Span, ...]
     is_plain: bool
-    """True behind a dot, where only a plain word can stand."""
+    """True after a dot, where only a plain word is possible."""
     in_formula: bool
 
     def edits(self, name: str) -> tuple[Edit, ...]:
-        """Another name in its place: in the first stretch, the others become empty."""
+        """Put another name in its place: in the first stretch, the others become empty."""
         return tuple(Edit(span, "" if index else name) for index, span in enumerate(self.stretches))
 
 
 @dataclass(frozen=True)
 class FileNames:
-    """Every name that a source file uses or declares, in the order of the text. Members of blocks are apart."""
+    """Every name that a source file uses or declares, in the order of the text. Members of blocks are separate."""
 
     source: SourceFile
     named: tuple[Named, ...]
     blocks: tuple[Named, ...]
-    """Names with an index or a section behind them, and declared blocks."""
+    """Names with an index or a section after them, and declared blocks."""
     formulas: tuple[FormulaText, ...]
     declarations: tuple[Declaration | BlockDeclaration, ...] = ()
     cells: tuple[Cell | Range, ...] = ()
-    """What routines use by its number."""
+    """The cells and ranges that routines use by number."""
 
     def of(self, name: str) -> list[Named]:
         """The uses of a name, in any bank and any case."""
         return [named for named in self.named if named.name.lower() == name.lower()]
 
     def blocks_of(self, name: str) -> list[Named]:
-        """Where a name stands for a block or a part of one."""
+        """The uses of a name for a block or a part of one."""
         return [block for block in self.blocks if block.name.lower() == name.lower()]
 
     def every(self, name: str) -> list[Named]:
-        """Every place of a name, be it a nickname's or a block's, each once and in the order of the text."""
+        """Every place of a name, a nickname's or a block's, each once and in the order of the text."""
         found = {(named.span.line, named.span.col): named for named in (*self.of(name), *self.blocks_of(name))}
         return [found[place] for place in sorted(found)]
 
     def place(self, named: Named) -> Place:
-        """Where one of ``named`` or ``blocks`` has its name."""
+        """The place of the name of one of ``named`` or ``blocks``."""
         node = self._node(named.span)
         if isinstance(node, cst.Subscript) and named.part is not None:
-            # ds.Recipe[3] and ds["Door alarms"][0:4]: the name stands before the index.
+            # ds.Recipe[3] and ds["Door alarms"][0:4]: the name comes before the index.
             node = node.value
         if node is None:
             text, start = self._characters(named.span)
@@ -109,7 +109,7 @@ class FileNames:
         return {}
 
     def _node(self, span: Span) -> Node | None:
-        """The address or the text with this span; None for what is inside a text."""
+        """The address or the text with this span; None for anything inside a text."""
         part = self._layout.parts[bisect_left(self._starts, span.line) - 1]
         if part not in self._read_last:
             self._read_last.clear()
@@ -140,7 +140,7 @@ class FileNames:
 
 
 def read_names(source: SourceFile, problems: Diagnostics) -> FileNames | None:
-    """The names in a file, also in routines that no program imports; None when it is not Python."""
+    """Return the names in a file, also in routines that no program imports; None if it is not Python."""
     content = read_file(source, problems)
     if content is None:
         return None
@@ -178,7 +178,7 @@ def _formulas(routine: Routine) -> Iterator[FormulaText]:
 
 
 def _stretches(text: EmbeddedText, start: int, end: int) -> tuple[Span, ...]:
-    """Where ``value[start:end]`` stands in the file, without the quotes and line ends between its pieces."""
+    """The place of ``value[start:end]`` in the file, without the quotes and line ends between its pieces."""
     source = text.source
     stretches: list[Span] = []
     for line, col in text.positions[start:end]:
@@ -210,7 +210,7 @@ def word_pattern(word: str) -> re.Pattern[str]:
 
 
 def places_in(files: Iterable[FileNames]) -> Callable[[str], list[str]]:
-    """Where these files use or declare a name: ``prog.py:12``. Each file counts once, each line too."""
+    """The places where these files use or declare a name: ``prog.py:12``. Each file counts once, each line too."""
     places: dict[str, dict[str, None]] = {}
     for file in files:
         for named in file.named:
@@ -220,7 +220,7 @@ def places_in(files: Iterable[FileNames]) -> Callable[[str], list[str]]:
 
 
 class ProgramsSay:
-    """What programs say of addresses, beside the names that they use. Each file counts once."""
+    """What programs say of addresses, besides the names that they use. Each file counts once."""
 
     def __init__(self, files: Iterable[FileNames] = ()) -> None:
         self.declared: dict[str, Declaration] = {}
@@ -233,7 +233,7 @@ class ProgramsSay:
             self._add(file)
 
     def by_number(self, address: Address) -> list[str]:
-        """Where an address is used by its number, alone or in a range: ``prog.py:12``."""
+        """The places where an address is used by its number, alone or in a range: ``prog.py:12``."""
         return list(self._by_number.get(address, ()))
 
     def _add(self, file: FileNames) -> None:
