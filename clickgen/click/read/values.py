@@ -24,7 +24,7 @@ _NUMBER = re.compile(r"[0-9]{1,9}")
 
 
 def value_of(param: Param, text: str, span: Span, mode: Mode) -> Value | None:
-    """What an argument says; None when it is nothing that the parameter takes. ``mode`` is that of a formula."""
+    """Return the value of an argument; None if the parameter does not take it. ``mode`` is that of a formula."""
     if param.kind is ParamKind.FORMULA:
         return formula_of(text, mode, span)
     return _READERS[param.kind](param, text, span)
