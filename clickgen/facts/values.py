@@ -15,7 +15,7 @@ _REFUSALS = ("CG301", "CG304", "CG307", "CG308")
 
 
 def refused_operands(problems: Diagnostics) -> set[Span | None]:
-    """The places of operands that their instruction does not take: nothing more is to be said of them."""
+    """The places of operands that their instruction does not take: there is nothing more to report about them."""
     return {problem.span for problem in problems.found if problem.code in _REFUSALS}
 
 
@@ -30,7 +30,7 @@ def value_class(operand: Operand) -> str:
 
 
 def constant_fault(constant: Operand, kind: Kind | None) -> str:
-    """What is wrong with a constant that a value of this kind is to take; "" when nothing is, or it is no constant."""
+    """The fault of a constant for a value of this kind; "" if it has none, or is not a constant."""
     if isinstance(constant, Real) and kind in (Kind.INT16, Kind.INT32, Kind.HEX) and not constant.value.is_integer():
         return f"{constant.text} loses its fraction in a whole number"
     return range_fault(constant, kind)
@@ -88,6 +88,6 @@ def fitting(constant: Operand, kind: Kind | None, text: str, copied: Callable[[s
 
 
 def copies(spec: Spec, source: object, target: object) -> bool:
-    """True where an instruction of the copy family copies from one of these to the other."""
+    """True if an instruction of the copy family copies from one of these to the other."""
     pairs = [pair for variant in spec.variants for pair in variant.pairs]
     return any(form_of(source) in pair.sources and form_of(target) in pair.targets for pair in pairs)
