@@ -1,4 +1,4 @@
-"""A value that is kept over a power cycle and cleared in the first scan all the same."""
+"""A value that is kept over a power cycle but cleared in the first scan."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 
 def _report(facts: Facts, problems: Diagnostics, lost: Mapping[Address, Span]) -> None:
-    """One finding for all that one instruction clears."""
+    """Report one finding for everything that one instruction clears."""
     first, span = next(iter(lost.items()))
     name, bank = facts.nickname(first) or "Total", first.bank.lower()
     written = f"{bank}.{name}" if name.isidentifier() else f'{bank}["{name}"]'
@@ -48,13 +48,13 @@ def _report(facts: Facts, problems: Diagnostics, lost: Mapping[Address, Span]) -
         span,
         f"{facts.listed([*lost])} {are} retentive and cleared here in the first scan: what {they} kept is lost at "
         "every power-up",
-        f"clear {them} on a condition of its own to keep the value; where {they} {are} to begin anew, declare that"
+        f"clear {them} on a condition of its own to keep the value; if {they} should start again, declare that"
         f"{'' if one else ' for each'}:  nickname({written}, {bank}[{first.number}], retentive=False)",
     )
 
 
 def _cleared(facts: Facts, placed: Placed) -> Iterator[tuple[Address, Span]]:
-    """What an action clears in the first scan, and where that is written."""
+    """The addresses that an action clears in the first scan, and where that is written."""
     if placed.spec in (*COUNTERS, *TIMERS):
         owned = placed.action.args.get("counter") or placed.action.args.get("timer")
         pin = placed.action.pin("reset")
@@ -69,7 +69,7 @@ def _cleared(facts: Facts, placed: Placed) -> Iterator[tuple[Address, Span]]:
 
 
 def _holds_at_start(facts: Facts, placed: Placed, condition: Condition) -> bool:
-    """True for what the first scan alone makes true, in a subroutine that is called then."""
+    """True for a condition that only the first scan makes true, in a subroutine that is called then."""
     call, seen = facts.sometimes(placed.routine), facts.seen_through(condition)
     whole = seen if call is None else All((seen, call), condition.span)
     first = Contact(Cell(FIRST_SCAN, condition.span), condition.span)
@@ -77,7 +77,7 @@ def _holds_at_start(facts: Facts, placed: Placed, condition: Condition) -> bool:
 
 
 def _is_meant(facts: Facts, address: Address) -> bool:
-    """True where retention is no accident: a counter's, one that the source declares, one that the bank does not have.
+    """True if retention is intended: a counter's, one that the source declares, one that is not the bank's default.
 
     Most registers are retentive because CLICK makes them so, and clearing a step in the first scan is good practice.
     """
@@ -95,11 +95,11 @@ RULE = Rule(
     CODE,
     check,
     """
-A counter is retentive in CLICK unless the table says No: it goes on counting after a power failure. With the first
-scan in its reset that is undone, and a batch or an hour meter begins anew after every short dip of the supply. The same
-holds for a bit or register that was declared `retentive=True`.
+A counter is retentive in CLICK unless the table says No: it goes on counting after a power failure. The first scan in
+its reset undoes that, and a batch or an hour meter starts again after every short dip of the supply. The same holds for
+a bit or register that was declared `retentive=True`.
 
-If it is to begin anew, `retentive=False` says so, and the rule is silent. Registers that are retentive only because
+If it should start again, `retentive=False` says so, and the rule is silent. Registers that are retentive only because
 CLICK makes them so are left alone: to clear a step in the first scan is good practice.
 """,
     wrong=(

@@ -1,4 +1,4 @@
-"""A subroutine that runs twice in one scan and holds what must run once: timers, counters, edges, one-shots."""
+"""A subroutine that runs twice in one scan but holds things that must run once: timers, counters, edges, one-shots."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 
 def _second_run(facts: Facts, calls: tuple[Placed, ...]) -> tuple[Placed, Span] | None:
-    """A call that may run the subroutine once more in a scan, and the loop or the earlier call that makes it so."""
+    """A call that may run the subroutine once more in a scan, and the loop or the earlier call that causes it."""
     for call in calls:
         if call.loop:
             return call, call.loop.span
@@ -50,7 +50,7 @@ def _second_run(facts: Facts, calls: tuple[Placed, ...]) -> tuple[Placed, Span] 
 
 
 def _once(facts: Facts, routine: Routine) -> tuple[Span, str] | None:
-    """The first thing in a routine that must run once in a scan, and what becomes of it."""
+    """The first thing in a routine that must run once in a scan, and its effect otherwise."""
     for placed in facts.actions:
         if placed.routine is routine:
             if placed.spec in _BOXES:
@@ -69,7 +69,7 @@ RULE = Rule(
     CODE,
     check,
     """
-A subroutine keeps one memory, however often it is called. When two calls run in one scan, or a call stands in a loop, a
+A subroutine keeps one memory, however often it is called. When two calls run in one scan, or a call is in a loop, a
 timer in it may add the time of the scan twice, a counter may count twice, and an edge or a one-shot is there for the
 first of the runs and gone for the others. It is the fault of a timer inside a loop (CG423) by another door.
 

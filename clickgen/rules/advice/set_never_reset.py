@@ -15,11 +15,11 @@ CODE = "CG502"
 def check(facts: Facts, problems: Diagnostics) -> None:
     seen: set[Address] = set()
     for placed in facts.actions:
-        # What the first scan sets is meant to stay on.
+        # A bit that the first scan sets is meant to stay on.
         if placed.spec is not SET or placed.depends_only_on(STARTING):
             continue
         bits = [bit for bit in addresses_of(placed.action.args["address"]) if bit not in seen]
-        # So is what is set once, whatever happens.
+        # So is a bit that is set once, whatever happens.
         if len(bits) == 1 and placed.depends_only_on(STARTING.union(bits)):
             continue
         seen.update(bits)
@@ -50,7 +50,7 @@ RULE = Rule(
     check,
     """
 `set` turns a bit on and nobody turns it off again: the machine runs on although its stop button is pressed, or an alarm
-can never be acknowledged. Look for a `reset` that was forgotten, or that stands on a bit with a similar name.
+can never be acknowledged. Look for a `reset` that was forgotten, or that is on a bit with a similar name.
 
 Any other instruction that writes the bit counts as a reset: `out`, a copy, a pointer, a drum. A bit that is set in the
 first scan, or by nothing but itself, is meant to stay on.

@@ -22,7 +22,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         path, name = declaration.span.path, declaration.named.name
         if path not in whole:
             whole[path] = _is_whole(facts, path)
-        # An initial value is for whatever uses the address beside the program.
+        # An initial value is for whatever uses the address besides the program.
         is_set = declaration.initial is not None or declaration.retentive is not None
         if whole[path] and not is_set and not _SPARE.search(name) and not _is_used(facts, declaration.cell.address):
             problems.add(
@@ -35,9 +35,9 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 
 def _is_whole(facts: Facts, path: str) -> bool:
-    """True when every routine of the file is in the program, and there is one.
+    """True if every routine of the file is in the program, and there is one.
 
-    What several programs share, declarations alone or subroutines of which each takes some, is for none to judge.
+    A file that several programs share, for its declarations or for some subroutines each, is not judged by any of them.
     """
     here = {routine.name for routine in facts.program.routines if routine.span.path == path}
     return bool(here) and here.issuperset(_ROUTINE.findall(facts.sources[path].text))
