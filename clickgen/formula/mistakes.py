@@ -42,7 +42,7 @@ class Spelling:
 
 
 _STORE = 'the result goes to the second argument: calc("ds.A + 1", ds.B)'
-_COMPARE = "comparisons stand in the if above the calculation"
+_COMPARE = "put comparisons in the if above the calculation"
 
 SPELLINGS: dict[str, Spelling] = {
     "**": Spelling("`**` is Python", ("ds.A ** 2",), "^"),
@@ -138,14 +138,14 @@ MISTAKES: tuple[Mistake, ...] = (
         "value",
         (*_BINARY,),
         "`{found}` has no value on its left",
-        "it stands between two values: x {found} y",
+        "it goes between two values: x {found} y",
         ("* ds.A", "AND dh.A", "MOD(ds.A, 2)", "(/ 2)", "^ 2", "XOR(dh.A, dh.B)", "OR"),
     ),
     Mistake("value", ("MEMBER",), "`{found}` lacks its bank", "write ds{found}", (".A", "ds.A + .B")),
     Mistake(
         "value", ("LSQB",), "`[` lacks its bank", "write ds[5]; parentheses are round", ("[5]", "ds.A * [ds.B + 1]")
     ),
-    Mistake("value", ("COMMA",), "nothing stands before the comma", "write LSH(x, n)", ("LSH(, 2)", ", 2")),
+    Mistake("value", ("COMMA",), "there is nothing before the comma", "write LSH(x, n)", ("LSH(, 2)", ", 2")),
     Mistake("value", ("COLON",), "a colon has no place here", "a range is written SUM(ds[1:11])", (": 5", "SUM(:)")),
     Mistake("value", (), "`{found}` has no place here", "a formula needs a value here", ()),
     # -- after a value

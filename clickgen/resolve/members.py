@@ -43,7 +43,7 @@ class _Members(Rewriter):
         self._problems = problems
         self._near = Suggestions()
 
-    # -- where an operand stands --------------------------------------------------------------------------------------
+    # -- the place of an operand --------------------------------------------------------------------------------------
 
     def cell(self, cell: Named | Cell) -> Named | Cell:
         """Resolve where one address is expected."""

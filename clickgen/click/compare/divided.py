@@ -147,10 +147,10 @@ class Run:
             is_last = index + 1 == len(self._parts)
             for box in part.outputs:
                 if len(self._parts) > 1 and loops(box) and not (is_last and box is part.outputs[-1]):
-                    yield f"{said_by(box).token} stands between the rungs"
+                    yield f"{said_by(box).token} is between the rungs"
                 if leaves_early(box) and not is_last:
                     # Within one rung CLICK may run the outputs below it: click-facts [control.return-below]
-                    yield f"{said_by(box).token} stands above outputs of the same rung, and is drawn in a rung before"
+                    yield f"{said_by(box).token} is above outputs of the same rung, and is drawn in an earlier rung"
                 if touched_by(box).meets(dropped):
                     yield f"{said_by(box).token} may touch a scratch bit"
             past.add(part, self.surroundings)

@@ -161,7 +161,7 @@ def _first_difference(one: Sequence[Sequence[int]], other: Sequence[Sequence[int
 def _other_outputs(one: Sequence[Said], other: Sequence[Said]) -> str:
     """The difference between two lists of outputs."""
     if Counter(one) == Counter(other):
-        return f"the outputs stand in another order: {_listed(one)} in the first, {_listed(other)} in the second"
+        return f"the outputs are in another order: {_listed(one)} in the first, {_listed(other)} in the second"
     index = next((n for n, (mine, theirs) in enumerate(zip(one, other, strict=False)) if mine != theirs), None)
     if index is None:
         longer, which = (one, "first") if len(one) > len(other) else (other, "second")

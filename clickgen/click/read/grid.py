@@ -242,7 +242,7 @@ class _Reader:
             elif not PIN.fullmatch(token):
                 self._fault(f"{token!r} is no pin", row.line)
             elif not is_near:
-                self._fault(f"{token} does not stand directly below its instruction", row.line)
+                self._fault(f"{token} is not directly below its instruction", row.line)
             else:
                 box = boxes[-1]
                 if pin_row_of(box.token, token) <= max([0, *(pin_row_of(box.token, pin) for pin, _ in box.pins)]):

@@ -41,7 +41,7 @@ def other_kind(data: bytes, name: str = "") -> str:
     if not data.strip(b"\x00\xef\xbb\xbf \t\r\n"):
         return "empty"
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return "UTF-16 text, and a ladder file UTF-8: save it anew as CSV UTF-8"
+        return "UTF-16 text, and a ladder file UTF-8: save it again as CSV UTF-8"
     if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
         return "a workbook or an archive, not ladder"
     if tuple(map(without_marks, first[:2])) == NICKNAME_COLUMNS[:2]:

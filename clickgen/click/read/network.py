@@ -21,7 +21,7 @@ Place = tuple[int, int]
 """Row and column: of a square, or of the left edge of one."""
 RAIL: Place = (0, 0)
 ONE_WAY_WIRE = (
-    "a wire could carry power back to another output; it is taken to carry it to the right alone, and what stands "
+    "a wire could carry power back to another output; it is assumed to carry it only to the right, and the part "
     "before it is written several times"
 )
 

@@ -79,7 +79,7 @@ class _Reader:
         self._byte()  # CLICK's view
         found = [self._rung(number) for number in range(self._word())]
         if self.at != len(self.data) - (2 if index == _MAIN else 0):
-            raise ProgramFault("the file goes on behind its last rung")
+            raise ProgramFault("the file goes on after its last rung")
         return found
 
     def _rung(self, number: int) -> FileRung:

@@ -131,7 +131,7 @@ def _why_unknown(token: str) -> str:
         return f"names {missing}, which CLICK does not have"
     if token.startswith((f"{RAW.name}(", "math(")):
         fault = fault_of(token)
-        return f"cannot be kept: {fault.message}; {fault.help}" if fault else "stands with inputs that it cannot have"
+        return f"cannot be kept: {fault.message}; {fault.help}" if fault else "has inputs that it cannot have"
     if specs_of(token):
         return "is not written as CLICK writes it: look at its arguments and its inputs"
     return "is no instruction that CLICK is known for"

@@ -133,7 +133,7 @@ def test_what_is_drawn_otherwise_may_be_the_same(one: list[str], other: list[str
         (
             ["X001 T > out(Y001)", ". - > out(Y002)"],
             ["X001 T > out(Y002)", ". - > out(Y001)"],
-            "the outputs stand in another order: out(Y001), out(Y002) in the first, out(Y002), out(Y001) in the second",
+            "the outputs are in another order: out(Y001), out(Y002) in the first, out(Y002), out(Y001) in the second",
         ),
         (
             ["X001 > count_up(CT1,CTD1,preset=5)", "X002 > .down()", "X003 > .reset()"],

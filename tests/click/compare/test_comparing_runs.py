@@ -118,11 +118,11 @@ def test_what_a_split_changes_is_found(parts: list[Sequence[str]]) -> None:
             [["immediate(X001) immediate(X001) > out(Y001)"]],
             "2 and 2 times",
         ),
-        (["X001 T > end()", ". - > out(C1)"], [["X001 > end()"], ["X001 > out(C1)"]], "stands above outputs"),
+        (["X001 T > end()", ". - > out(C1)"], [["X001 > end()"], ["X001 > out(C1)"]], "is above outputs"),
         (
             ["X001 T > return()", ". rise(X002) > out(C1)"],
             [["X001 > return()"], ["X001 rise(X002) > out(C1)"]],
-            "stands above outputs of the same rung",
+            "is above outputs of the same rung",
         ),
         # Scratch bits.
         (
@@ -154,7 +154,7 @@ def test_what_a_split_changes_is_found(parts: list[Sequence[str]]) -> None:
             "may touch a scratch bit",
         ),
         # Loops.
-        (["X001 T > for(3)", ". - > out(C1)"], [["X001 > for(3)"], ["X001 > out(C1)"]], "stands between the rungs"),
+        (["X001 T > for(3)", ". - > out(C1)"], [["X001 > for(3)"], ["X001 > out(C1)"]], "is between the rungs"),
     ],
 )
 def test_a_split_that_may_do_something_else_stays_unknown(

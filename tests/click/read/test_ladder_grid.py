@@ -152,7 +152,7 @@ DAMAGED: dict[str, tuple[str, int, str]] = {
     "a pin without a box": (
         f"{HEAD}\n{ROW.replace('out(C1)', '.reset()')}\n",
         2,
-        ".reset() does not stand directly below its instruction",
+        ".reset() is not directly below its instruction",
     ),
     "a pin of another box": (
         f"{HEAD}\n{ROW}\n{ROW[1:].replace('out(C1)', '.clock()')}\n",

@@ -514,7 +514,7 @@ def test_outputs_below_an_end_are_not_taken_for_skipped(capsys: pytest.CaptureFi
     """No source says whether CLICK still runs the outputs below it in the rung."""
     write_bundle(Path("plant"), main=[wired("X001 T", "end()", "R"), wired(". -", "out(C3)")])
     _, err = ran(capsys, "plant", "-o", "prog.py", code=1)
-    assert "error[CG702]: main rung 1: it cannot be proven the same: end() stands above outputs" in err
+    assert "error[CG702]: main rung 1: it cannot be proven the same: end() is above outputs" in err
 
 
 @pytest.mark.parametrize("text", ["", ladder_text([])])

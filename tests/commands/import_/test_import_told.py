@@ -73,7 +73,7 @@ REFUSED: dict[str, tuple[Drawing, str, str]] = {
             ("X004", ".reset()"),
         ],
         "CG701",
-        "main rung 1: .reset() does not stand directly below its instruction",
+        "main rung 1: .reset() is not directly below its instruction",
     ),
     "a leg that was left over": (
         [("X001 T X002", "out(C1)"), ("X003 . X004 |", "")],
