@@ -1,4 +1,4 @@
-"""CLICK's own names: the data file is the one that the script makes, and lookups go both ways."""
+"""CLICK's own names: the data file is the script's output, and lookups go both ways."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Programs and their fixes, for the tests of both: what is found, what a fix makes of it, and what that means."""
+"""Programs and their fixes, for the tests of both: the findings, the result of a fix, and its meaning."""
 
 from __future__ import annotations
 

@@ -259,7 +259,7 @@ def safety(text: str, folder: Path) -> bool | None:
 
 
 BECOMES = [
-    # Rungs, that look one after the other.
+    # Rungs look one after the other.
     (["if ds.S == 1: copy(1, ds.T)", "elif ds.S == 2: copy(2, ds.T)"], ["if ds.S == 1", "if ds.S == 2"]),
     (["if c.A: out(y[1])", "else: out(y[2])"], ["if c.A", "if nc(c.A)"]),
     (["if nc(c.A): out(y[1])", "else: out(y[2])"], ["if nc(c.A)", "if c.A"]),
@@ -524,7 +524,7 @@ def test_the_rungs_of_a_chain_run_when_its_arms_did(tests: list[str], has_else: 
     note(data.decode())
     after = re.findall(r"^    if (.*):\n        set", data.decode(), re.MULTILINE)
     if len(after) < len(arms):
-        return  # Some arm could never run, or there was but one.
+        return  # Some arm could never run, or there was only one.
     for number, test in enumerate(after):
         wanted = [here and not any(before) for here, *before in zip(tables[number], *tables[:number], strict=True)]
         assert truth_table(test) == wanted

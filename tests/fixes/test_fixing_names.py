@@ -204,7 +204,7 @@ def test_what_other_devices_send_arrives_in_its_own_time(
             is_safe
         ]
         assert verdicts(tmp_path, sub(action).encode() + body(called + arms)) == [is_safe]
-        # Branches look in one moment.
+        # Branches look at the same moment.
         branches = "    if x[8]:\n" + chain(f"if {test}: set(y[1])", "else: set(y[2])", line="        ")
         assert verdicts(
             tmp_path, b"from other import talk\n" + body(called + branches), files={"other": sub(action)}
@@ -264,7 +264,7 @@ def test_a_block_of_one_program_is_no_bit_in_the_other(
     owner: str, flags: tuple[str, ...], capsys: pytest.CaptureFixture[str]
 ) -> None:
     Path(f"{owner}.csv").write_text(HEADER + BITS, "utf-8")
-    for _ in range(2):  # The second time the findings come out of the cache.
+    for _ in range(2):  # The second time the findings come from the cache.
         lib = LIB.format("not c.Bits")
         assert mended(capsys, lib, *flags) == lib
         main(["check", "--output-format", "json", *(flag for flag in flags if flag != "--unsafe-fixes")])

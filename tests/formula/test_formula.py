@@ -1,4 +1,4 @@
-"""The formula room by example: both modes, every construct, and mistakes at their place inside the string."""
+"""Formulas by example: both modes, every construct, and mistakes at their place inside the string."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def click(formula: str, mode: Mode = "decimal") -> str:
 
 
 def mistakes(formula: str, mode: Mode = "decimal") -> list[tuple[str, str]]:
-    """Each problem's code and the text it is shown at."""
+    """Each problem's code and the text that it marks."""
     result, found = read(formula, mode)
     assert result is None
     assert all(problem.message and problem.span is not None for problem in found)

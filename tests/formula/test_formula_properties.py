@@ -1,7 +1,7 @@
-"""The formula room by property: reading what was printed gives it back, CLICK computes what was meant, nothing raises.
+"""Formulas by property: reading a printed one gives it back, CLICK computes what was meant, nothing raises.
 
-CLICK's grouping is known only where usual maths settles it, so the reader of CLICK's form below is run under several
-grammars that agree on usual maths and on nothing else: the printed formula must mean the same to all of them.
+CLICK's grouping is known only where usual maths settles it, so the reader of CLICK's form below runs with several
+grammars that agree only on usual maths: the printed formula must mean the same to all of them.
 """
 
 from __future__ import annotations
@@ -152,7 +152,7 @@ def without_places(thing: Any) -> Any:
 def test_reading_the_printed_source_gives_it_back(formula: Formula) -> None:
     problems = Diagnostics()
     again = parse(print_source(formula), formula.mode, problems)
-    if again is None:  # Only the limits may speak against it.
+    if again is None:  # Only the limits may refuse it.
         assert {problem.code for problem in problems.found} <= {"CG310", "CG311"}
     else:
         assert without_places(again) == without_places(formula)

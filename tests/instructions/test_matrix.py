@@ -250,7 +250,7 @@ def _no_operand(spec: Spec) -> Iterator[Call]:
     for param in spec.params:
         if param.kind is ParamKind.OPERAND:
             for value in _NO_OPERANDS:
-                # None leaves out what can be left out.
+                # None leaves out an argument that may be left out.
                 if value != "None" or param.default is not None:
                     yield Call(_call(spec, {**_given(spec), param.name: value}), "CG113", ())
 

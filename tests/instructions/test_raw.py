@@ -462,7 +462,7 @@ def test_its_word_in_a_ladder_file_is_none_of_ours() -> None:
 
 
 def test_a_token_of_endless_length_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Not even asked about: laddercodec took a quarter of a minute over these blanks."""
+    """It is not even given to laddercodec, which took a quarter of a minute over these blanks."""
     monkeypatch.setattr("clickgen.click.read.kept._fault_in_codec", lambda _: pytest.fail("it was asked"))
     for token in (f"math(DS1{' ' * 60_000}!,DS1,mode=decimal)", f"raw(Email,0x2737,1,60a5={'1' * 60_000})"):
         fault = fault_of(token)

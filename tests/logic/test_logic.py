@@ -84,7 +84,7 @@ ds[1]
 all(dd[1] == 16777217, dd[1] == 16777216.0)
 all(xd[0] == 0x0001, nc(x[1]))
 """.strip().split("\n")
-"""Some state makes these true, or it is not to be decided: three registers in a circle, a register and two others."""
+"""Some state makes these true, or it cannot be decided: three registers in a circle, a register and two others."""
 
 IMPOSSIBLE = """
 all(c[1], nc(c[1]))
@@ -421,7 +421,7 @@ FLOATS = tuple(map(Floats, product(_HALVES, repeat=2)))
 
 
 def _floats(term: Term) -> tuple[Condition, list[bool]]:
-    """A condition of DF registers, and what it is in every state."""
+    """A condition of DF registers, and its value in every state."""
     return read(term.text.replace("ds[", "df[")), [term.holds(state) for state in FLOATS]
 
 

@@ -30,7 +30,7 @@ _LEGAL = {"to_value": _TO_NUMBER, "to_ascii": _TO_NUMBER, "to_binary": _TO_TEXT,
 _PLAIN_TEXT = "to_text(suppress_zero=1,exponential=0,termination_code=none)"
 
 _BLOCK_OPTIONS = ("to_value", "to_ascii")
-"""Those that a block copy has."""
+"""The conversions that a block copy has."""
 
 
 def _token(option: str) -> str:

@@ -57,7 +57,7 @@ _RESET = ("reset=lambda: c[2]", "C2", ".reset()")
 
 
 def _drum(name: str, number: int, codes: str = "", pins: Sequence[str] = _RESET, **changed: Shown) -> Cell:
-    """One output and one step, apart from what is changed. A time drum's accumulator is a timer's and has one owner."""
+    """One output and one step, except for the changes. A time drum's accumulator is a timer's and has one owner."""
     arguments: dict[str, Shown] = {
         "outputs": _listed(cell("C", 5)),
         **(

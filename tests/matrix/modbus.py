@@ -47,7 +47,7 @@ def _same(text: str) -> Shown:
 
 
 def _call(name: str, codes: str = "", changed: dict[str, Shown | None] | None = None) -> Cell:
-    """A send or receive of registers, apart from what is changed or left out (None)."""
+    """A send or receive of registers, except for what is changed or left out (None)."""
     own, busy = _NAMES[name]
     arguments: dict[str, Shown | None] = {
         "target": _same(_TCP),

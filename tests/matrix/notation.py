@@ -1,4 +1,4 @@
-"""How the tables are written: operands with their tokens, what a slot takes, which banks go to which.
+"""The notation of the tables: operands with their tokens, the operands of a slot, which banks go to which.
 
 Nothing here comes from clickgen: banks, limits and tokens are those of docs/click-facts.md.
 """
@@ -173,7 +173,7 @@ Matrices = dict[str, list[Cell]]
 class Takes:
     """The operands that a position takes: banks by form, and forms of constants.
 
-    ``disputed`` banks are taken as one address, with a warning. What is not taken has the code of its form.
+    ``disputed`` banks are taken as one address, with a warning. A refused operand has the code of its form.
     """
 
     cells: str = ""
@@ -214,7 +214,7 @@ def slot(takes: Takes, write: Callable[[Operand], Sequence[str]]) -> list[Cell]:
 
 
 def table(rows: str) -> dict[tuple[str, str], str]:
-    """Rows like ``X Y -> DH``, or ``X Y ?> DS`` for what is disputed, as pairs of kinds with their code."""
+    """Read rows like ``X Y -> DH``, or ``X Y ?> DS`` for a disputed one, as pairs of kinds with their code."""
     pairs: dict[tuple[str, str], str] = {}
     for row in rows.strip().splitlines():
         arrow, verdict = ("?>", "CG312") if "?>" in row else ("->", "")

@@ -50,7 +50,7 @@ def _name(pair: tuple[str, str]) -> str:
 
 
 def _fits(source: str, target: str, length: int) -> bool:
-    """16 bits or 32 by what holds them, two words exactly, any number of characters."""
+    """16 bits or 32 depending on the register that holds them, two words exactly, any number of characters."""
     if (source, target) in _PACK_TEXT:
         return True
     if (source, target) in _PACK_WORDS:

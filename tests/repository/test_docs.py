@@ -1,4 +1,4 @@
-"""The pages for users say what is so: examples build, commands run, shown outputs and tables are the real ones.
+"""The pages for users are true: examples build, commands run, shown outputs and tables are the real ones.
 
 An HTML comment on the line above a fenced block says what the block is, in words separated by commas:
 
@@ -12,14 +12,14 @@ An HTML comment on the line above a fenced block says what the block is, in word
     example: rule         an example of a rule about logic, tested with the rule
     example: spec         an instruction's Spec, which the next examples of the page may use
     file: NAME            a file of the page's folder, and a program
-    ..., part             no program but a file that the next programs of the page import
+    ..., part             not a program but a file that the next programs of the page import
     output: PATH          lines of this file of the page's folder
     tokens                the ladder of the example above, in a page that is made from the code
     ..., gives CG104      the problems that an example has; without it it has none
     ..., frozen           built without choosing addresses
     exit N                on a console block: the exit code of its last command, 0 if nothing is said
 
-What is made from the code is written by ``scripts/docs.py``.
+``scripts/docs.py`` writes the parts that come from the code.
 """
 
 from __future__ import annotations

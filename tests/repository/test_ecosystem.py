@@ -37,7 +37,7 @@ MATCHER = PROJECT / ".github" / "clickgen-problem-matcher.json"
 
 
 def validate(schema: str, text: str, folder: Path) -> None:
-    """Hold YAML against a schema that comes with check-jsonschema, or as pre-commit does it."""
+    """Validate YAML against a schema that comes with check-jsonschema, or as pre-commit does it."""
     path = folder / "example.yml"
     path.write_text(text, "utf-8")
     tool = ["check_jsonschema", "--builtin-schema", f"vendor.{schema}"]

@@ -1,4 +1,4 @@
-"""Which addresses new names and scratch cells get, and what is written to the table."""
+"""The addresses that new names and scratch cells get, and the rows that are written to the table."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """The rules that are on by default say what they should of whole programs, and nothing else.
 
-The programs of ``fixtures/lint`` are good practice but for the defects that ``# <- CG502`` marks. The cases of
-``fixtures/cases`` show features, so they hold findings; each of them was looked at and is right.
+The programs of ``fixtures/lint`` are good practice except for the defects that ``# <- CG502`` marks. The cases of
+``fixtures/cases`` show features, so they have findings; each of them was reviewed and is right.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ GOLDEN: dict[str, dict[str, tuple[int, ...]]] = {
     "wide_and_tall": {"CG513": (45,)},
 }
 """The findings of the golden cases, as lines by case and code: latches with one half, timers looked at without their
-instruction, counters on levels, and what else an example leaves out that shows one thing."""
+instruction, counters on levels, and everything else that an example of one thing leaves out."""
 
 
 def findings(program: Path, only_default: bool = True) -> Counter[tuple[str, int]]:

@@ -1,4 +1,4 @@
-"""Every problem code has a program that calls it forth: that code at that place, with a way out, nothing written."""
+"""Every problem code has a program that provokes it: that code at that place, with a way out, nothing written."""
 
 from __future__ import annotations
 

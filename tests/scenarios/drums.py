@@ -164,7 +164,7 @@ DRUMS: tuple[Scenario, ...] = (
         if ds[1] == 2:
             calc("ds[3] + 1", ds[3])
         """,
-        # C20 comes on in this rung: the drum is reset in the first scan still.
+        # C20 comes on in this rung: the drum is still reset in the first scan.
         scans(1, C1=1, DS1=2).give(DS1=1, Y001=[1, 0], C20=1, DS2=1, DS3=0),
         scans(1).give(DS1=1, DS2=1, DS3=0),
         scans(1, C3=1).give(DS1=2, Y001=[0, 1], DS2=1, DS3=1),

@@ -65,7 +65,7 @@ class Scenario:
     pyrung_cannot: str
     """The message with which pyrung refuses to read the ladder."""
     ends_return: bool
-    """Its steps are run with main as a subroutine and its ends as returns; otherwise, when pyrung refuses, not."""
+    """Run it with main as a subroutine and its ends as returns; otherwise, if pyrung refuses, it does not run."""
 
     @property
     def program(self) -> str:

@@ -47,7 +47,7 @@ def out(tmp_path: Path) -> Path:
 
 
 def plan(out: Path) -> tuple[dict[Path, bytes], list[Path]]:
-    """The next build: one file changed, one as it was, two new ones (one in new folders), one to go."""
+    """The next build: one file changed, one unchanged, two new ones (one in new folders), one to remove."""
     writes = {
         out / "main.csv": b"new main",
         out / "nicknames.csv": b"same",
@@ -192,7 +192,7 @@ def test_a_file_where_a_folder_is_needed(out: Path) -> None:
 
 def test_a_read_only_file(out: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (out / "nicknames.csv").chmod(0o444)
-    # Asked for, since root may write anything.
+    # Simulated, since root may write anything.
     monkeypatch.setattr(os, "access", lambda path, _: Path(path).name != "nicknames.csv")
     refused(PermissionError, out, out / "nicknames.csv", "the file is read-only")
     assert put_in_place({out / "nicknames.csv": b"same"}) == []

@@ -181,7 +181,7 @@ def test_random_programs(files: Given) -> None:
 
 @pytest.mark.parametrize("operator", ["and", "or"])
 def test_long_chains(operator: str) -> None:
-    """libcst nests their terms; nothing here goes down as deep."""
+    """libcst nests their terms; nothing here recurses as deep."""
     context = Context(SourceFile("p.py", f" {operator} ".join(["x[1]"] * 500)), Diagnostics())
     node = context.expression()
     assert isinstance(node, cst.BooleanOperation)
@@ -270,7 +270,7 @@ def test_a_word_directly_beside_a_parenthesis(condition: str, tmp_path: Path) ->
 
 @pytest.mark.parametrize("index", ["*a, b", "a, b", "a,", "1:2, b"])
 def test_several_things_between_brackets_have_a_place_in_every_statement(index: str) -> None:
-    """libcst writes out the statements of a loop itself, and its elements of a subscript are no node together."""
+    """libcst writes out the statements of a loop itself, and its elements of a subscript are not one node together."""
     spans = []
     for head in ("    if x[2]:\n", "    for _ in range(2):\n        if x[2]:\n"):
         indent = " " * (4 * head.count("\n") + 4)

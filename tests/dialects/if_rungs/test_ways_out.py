@@ -36,7 +36,7 @@ def errors(text: str, folder: Path) -> list[Diagnostic]:
 
 
 def mended(text: str, folder: Path, unsafe: bool = False) -> str:
-    """The program after the fixes of its errors, as often as there are some."""
+    """The program after the fixes of its errors, repeated while there are any."""
     for _ in range(6):
         fixes = [one.fix for one in errors(text, folder) if one.fix and (unsafe or one.fix.is_safe)]
         if not fixes:

@@ -1,4 +1,4 @@
-"""Words of the trade and misspelt words: what is suggested builds, and is never a word of another meaning."""
+"""Words of the trade and misspelt words: suggestions build, and are never a word of another meaning."""
 
 from __future__ import annotations
 
@@ -246,7 +246,7 @@ def test_every_name_leads_to_something_that_there_is() -> None:
     assert set(ARGUMENTS.values()) <= {*params, "initial", "retentive", "comment"}
     assert set(UNITS.values()) == {"Tms", "Ts", "Tm", "Th", "Td"}
     assert set(MEMBERS.values()) >= {"bit", "current", "setpoint"}
-    # Banks of CLICK's own are no words of others.
+    # CLICK's own banks are not words of other machines.
     assert not {bank for bank in BANKS if bank in BANKS.values()}
 
 
