@@ -27,7 +27,7 @@ BOXES = ("on_delay", "off_delay", "count_up", "count_down", "shift", "event_drum
 
 @dataclass
 class DrumState:
-    """What a drum remembers of the scan before: its events and its edge inputs."""
+    """A drum's memory of the previous scan: its events and its edge inputs."""
 
     events: list[int]
     jump: bool = False
