@@ -1,4 +1,4 @@
-"""What copies put into a register: constants, other registers, and what these hold in turn."""
+"""The values that copies put into a register: constants, other registers, and what these hold in turn."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _PLAIN = (Shape.VALUE, Shape.FILL, Shape.BLOCK)
 
 
 def put_in(writer: Placed, address: Address) -> Single | None:
-    """The one value that a copy puts into an address; None where the writer is no copy, or one of another kind."""
+    """The one value that a copy puts into an address; None if the writer is not a copy, or one of another kind."""
     if writer.effects.shape not in _PLAIN:
         return None
     source = writer.action.moved
@@ -28,9 +28,9 @@ def put_in(writer: Placed, address: Address) -> Single | None:
 
 
 def origins(facts: Facts, address: Address) -> Iterator[Single]:
-    """The registers and constants that copies, and copies of copies, put into a register as they are.
+    """The registers and constants that copies, and copies of copies, put unchanged into a register.
 
-    A whole number goes into any register as it is, a floating-point number only into another of its bank.
+    A whole number goes unchanged into any register, a floating-point number only into another one of its bank.
     """
     seen = {address}
     waiting = [address]

@@ -1,4 +1,4 @@
-"""Formulas for the rules: where a part stands, and registers in them that hold nothing but 0."""
+"""Formulas for the rules: the place of a part, and registers in them that hold nothing but 0."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from clickgen.logic.conditions import are_exclusive
 from clickgen.text.source import Span
 
 _BANKS = ("DS", "DD", "DH", "DF")
-"""Banks whose registers hold what the program puts there, and what a panel does."""
+"""Banks whose registers hold only what the program or a panel puts there."""
 
 
 class Calculation(NamedTuple):
@@ -41,7 +41,7 @@ def calculations(facts: Facts) -> Iterator[Calculation]:
 
 
 def place_of(facts: Facts, formula: FormulaText, node: Node) -> Span:
-    """Where a part of the formula stands; the whole formula where its literal is more than quotes around it."""
+    """The place of a part of the formula; the whole formula if its literal is more than quotes around it."""
     span = formula.span
     text = facts.text(span)
     if text[:1] not in ('"', "'") or text[:2] in ('""', "''") or "\\" in text or text.count(text[0]) != 2:
@@ -55,9 +55,9 @@ def shown_register(facts: Facts, cell: Cell) -> str:
 
 
 def holds_only_zero(facts: Facts, placed: Placed, cell: Cell) -> str:
-    """``nothing`` or ``nothing but 0``: what the program writes to a register that is 0 where a formula runs.
+    """``nothing`` or ``nothing but 0``: what the program writes to a register that is 0 when a formula runs.
 
-    "" where it may hold another number, as far as the program says.
+    "" if it may hold another number, as far as the program shows.
     """
     if cell.bank not in _BANKS or facts.is_set_up(cell.address):
         return ""
@@ -70,7 +70,7 @@ def holds_only_zero(facts: Facts, placed: Placed, cell: Cell) -> str:
 
 
 def _is_tested(placed: Placed, cell: Cell) -> bool:
-    """True when the formula only runs while the register is not 0."""
+    """True if the formula only runs while the register is not 0."""
     zero = Hex(0, cell.span) if cell.bank == "DH" else Integer(0, cell.span)
     return are_exclusive(placed.condition, Compare("==", cell, zero, cell.span))
 

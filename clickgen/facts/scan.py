@@ -1,4 +1,4 @@
-"""One scan laid flat: the actions of main, and at each call those of the subroutine."""
+"""One flattened scan: the actions of main, and at each call those of the subroutine."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from clickgen.ir.conditions import All
 from clickgen.ir.program import Routine, Rung
 
 _CALLS_MAX = 4
-"""So many calls of one subroutine are followed."""
+"""This many calls of one subroutine are followed."""
 
 
 class Step(NamedTuple):
@@ -23,7 +23,7 @@ class Step(NamedTuple):
     call: Placed | None
     """The call that leads to it; None for an action of the routine with which the scan begins."""
     own: Placed
-    """The action as it stands in its routine."""
+    """The action as it is in its routine."""
 
     @property
     def rung(self) -> Rung:
@@ -32,7 +32,7 @@ class Step(NamedTuple):
 
 
 def scans(facts: Facts) -> Iterator[Iterator[Step]]:
-    """The scan that begins with main, and then each routine by itself whose calls are not followed."""
+    """Yield the scan that begins with main, then each routine whose calls are not followed."""
     followed: Counter[str] = Counter()
     routines = {routine.name: routine for routine in facts.program.subroutines}
     if facts.program.main is not None:

@@ -1,4 +1,4 @@
-"""Whether rungs or branches in the place of elif and else do the same, although they all look and all run.
+"""Decides whether rungs or branches in place of elif and else do the same, although they all look and all run.
 
 A rung of its own looks after the actions of those before it. An output whose rung or branch is off is turned off.
 """
@@ -20,9 +20,9 @@ from clickgen.lower.expand import OffDelays
 
 
 class Hazards:
-    """What the actions of a resolved program change, and what changes by itself.
+    """The changes by the actions of a resolved program, and the cells that change by themselves.
 
-    ``is_whole`` is False when there may be instructions that nobody has read. Arms that the program has no room for
+    ``is_whole`` is False if there may be instructions that nobody has read. Arms that the program has no room for
     are in ``proposals``.
     """
 
@@ -43,7 +43,7 @@ class Hazards:
         self._arriving = self._arriving_in(actions) if is_whole else None
 
     def may_undo(self, arms: Sequence[Alternative]) -> bool:
-        """True when an arm that does not run may undo what an earlier one did: out turns its bit off then."""
+        """True if an arm that does not run may undo what an earlier one did: out turns its bit off then."""
         for earlier, later in combinations(arms, 2):
             loud = [action for action in _all_actions(later.items) if not action.effects.needs_power]
             if loud:
@@ -53,7 +53,7 @@ class Hazards:
         return False
 
     def may_look_again(self, arms: Sequence[Alternative]) -> bool:
-        """True when what each later arm asks is the same before and after the actions of the arms before it."""
+        """True if the condition of each later arm is the same before and after the actions of the arms before it."""
         if self._arriving is None:
             return False
         written = Cells()
@@ -75,7 +75,7 @@ class Hazards:
         return self._written_by(_all_actions(items))
 
     def _written_by(self, actions: Iterable[Action]) -> Cells | None:
-        """The cells that these actions may change; None when that is not known."""
+        """The cells that these actions may change; None if that is not known."""
         cells = Cells()
         for action in actions:
             if action.effects.flow is Flow.LOOP or action.effects.is_unknown or not _is_resolved(action):
@@ -91,7 +91,7 @@ class Hazards:
         return cells
 
     def _arriving_in(self, actions: Iterable[Action]) -> Cells | None:
-        """What other devices bring, in their own time: data, and how a message fared. None when that is not known."""
+        """The cells that other devices change in their own time: data and message status. None if that is not known."""
         cells = Cells()
         for action in actions:
             if action.effects.is_unknown:
@@ -104,7 +104,7 @@ class Hazards:
 
 
 def _all_actions(items: tuple[Item, ...]) -> Iterator[Action]:
-    """Every action, those in the bodies of loops included."""
+    """Yield every action, including those in the bodies of loops."""
     for item in items:
         if isinstance(item, Branch):
             yield from _all_actions(item.items)
@@ -126,7 +126,7 @@ def _is_resolved(action: Action) -> bool:
 
 
 def _is_unsteady(condition: Condition) -> bool:
-    """True when it may be another thing later in the scan, or when looking at it twice is not looking once."""
+    """True if it may be different later in the scan, or if looking at it twice is not looking once."""
     is_moving = any(form_of(operand) in MOVING_BANKS for operand in condition_operands(condition))
     return is_moving or has_edge(condition) or is_volatile(condition)
 

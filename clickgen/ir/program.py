@@ -30,7 +30,7 @@ class FormulaText:
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """A copy's conversion: ``to_text(suppress_zero=False)``. The settings belong to to_text alone."""
+    """A copy's conversion: ``to_text(suppress_zero=False)``. Only to_text has the settings."""
 
     name: str
     span: Span
@@ -38,7 +38,7 @@ class Options:
     exponential: bool = False
     termination_code: int | None = None
     pad: int | None = None
-    """The digits that the person asked for; without zeros suppressed CLICK writes as many as the type has
+    """The digits that the person asked for; if zeros are not suppressed, CLICK writes as many as the type has
     (click-facts [value.number-text])."""
 
 
@@ -46,7 +46,7 @@ class Options:
 class Word:
     """A word of the language in an argument: a unit, a comparison, a subroutine's name, True or False.
 
-    ``is_function`` marks a subroutine's name as that of its function. Once names are resolved, all are CLICK's.
+    ``is_function`` marks a subroutine given by its function's name. After resolving, all names are CLICK's.
     """
 
     value: str | bool
@@ -64,7 +64,7 @@ class Operands:
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """What a drum drives: a row for each step, in it one bit for each output."""
+    """The pattern of a drum: a row for each step, with one bit for each output."""
 
     rows: tuple[tuple[bool, ...], ...]
     span: Span
@@ -72,7 +72,7 @@ class Pattern:
 
 @dataclass(frozen=True, slots=True)
 class KeptToken:
-    """A ladder token as it stands in an old project, and every address that it names (``kept.py`` finds them)."""
+    """A ladder token from an old project, unchanged, and every address that it names (``kept.py`` finds them)."""
 
     text: str
     operands: tuple[Cell | Range | Pointer, ...]
@@ -90,7 +90,7 @@ CONDITION_TYPES = (Contact, Compare, All, Any, Always)
 
 @dataclass(frozen=True, slots=True)
 class Action:
-    """One instruction with its arguments by parameter name; what was left out is absent."""
+    """One instruction with its arguments by parameter name; arguments left out are absent."""
 
     spec: Spec
     args: Mapping[str, Value]
@@ -101,13 +101,13 @@ class Action:
         return isinstance(word, Word) and word.value is True
 
     def word(self, name: str) -> str:
-        """The text of a word argument, or "" when it was left out."""
+        """The text of a word argument, or "" if it was left out."""
         word = self.args.get(name)
         return str(word.value) if isinstance(word, Word) else ""
 
     @property
     def height(self) -> int:
-        """In grid rows, pins included; a kept token has its own."""
+        """The height in grid rows, pins included; a kept token has its own."""
         token = self.args.get("token")
         return rows_of(token.text) if isinstance(token, KeptToken) else self.spec.height
 
@@ -115,7 +115,7 @@ class Action:
     def variant(self) -> Variant:
         """The token form that the operands' banks choose: pack_bits, pack_words or pack_text.
 
-        Raises ValueError where no form takes them, which the rule about copies refuses.
+        Raises ValueError if no form takes them, which the rule about copies refuses.
         """
         variants = self.spec.variants
         if len(variants) == 1:
@@ -221,7 +221,7 @@ class Branch:
 
 @dataclass(frozen=True, slots=True)
 class Loop:
-    """``for _ in range(n):``. ``body`` is None when next_loop() closes it, else the rungs that it closes around."""
+    """``for _ in range(n):``. ``body`` is None if next_loop() closes the loop, else the rungs in it."""
 
     action: Action
     body: tuple[Rung, ...] | None
@@ -249,17 +249,17 @@ class Rung:
 class Routine:
     """main or a subroutine. ``span`` is its ``def`` up to the name.
 
-    ``is_whole`` is False when some of it could not be read: then nothing is said about what it lacks.
+    ``is_whole`` is False if part of it could not be read: then nothing is reported as missing from it.
     """
 
     name: str
-    """What CLICK calls it: ``Auto Mode``."""
+    """The name in CLICK: ``Auto Mode``."""
     rungs: tuple[Rung, ...]
     span: Span
     is_main: bool
     is_whole: bool = True
     function: str = ""
-    """What the source calls it: ``auto_mode``. When nothing is given, CLICK's name."""
+    """The name in the source: ``auto_mode``. Without one, CLICK's name."""
     title: Span | None = None
     """The text of ``@sub("Auto Mode")``; None under ``@sub`` alone."""
 
@@ -268,13 +268,13 @@ class Routine:
 
     @property
     def named_at(self) -> Span:
-        """Where CLICK's name stands."""
+        """The place of CLICK's name."""
         return self.title or self.span
 
 
 @dataclass(frozen=True, slots=True)
 class Declaration:
-    """``nickname(ds.MaxAlarms, ds[5], initial=10, retentive=False, comment="...")``; None is what was left out."""
+    """``nickname(ds.MaxAlarms, ds[5], initial=10, retentive=False, comment="...")``; None for what was left out."""
 
     named: Named
     cell: Cell
@@ -286,7 +286,7 @@ class Declaration:
 
 @dataclass(frozen=True, slots=True)
 class BlockDeclaration:
-    """``nickname(ds.Recipe, ds[100:150])``: a name for a range, whose members go by their index."""
+    """``nickname(ds.Recipe, ds[100:150])``: a name for a range, whose members are named by their index."""
 
     named: Named
     range: Range
@@ -313,13 +313,13 @@ class Program:
     declarations: tuple[Declaration, ...]
     blocks: tuple[BlockDeclaration, ...] = ()
     misimported: frozenset[str] = frozenset()
-    """Functions that an import should bring and does not: they have their problem there."""
+    """Functions that an import should bring and does not: their problem is reported there."""
     offered: Mapping[str, Offer] = field(default_factory=dict)
     """Subroutines that could be imported, by their functions."""
     proposals: tuple[Proposal, ...] = ()
     """The fixes that the text of all its files suggests."""
     is_declared: bool = True
-    """False when a file or a declaration could not be read: then any name may have a meaning that nobody sees."""
+    """False if a file or a declaration could not be read: then any name may have an unknown meaning."""
 
     @property
     def main(self) -> Routine | None:
@@ -331,7 +331,7 @@ class Program:
 
 
 def actions_in(items: tuple[Item, ...]) -> Iterator[Action]:
-    """Every action of a rung in source order, branches included; a loop is its ``for``, without its body."""
+    """Yield every action of a rung in source order, branches included; a loop is its ``for``, without its body."""
     for item in items:
         if isinstance(item, Branch):
             yield from actions_in(item.items)
@@ -342,7 +342,7 @@ def actions_in(items: tuple[Item, ...]) -> Iterator[Action]:
 
 
 def rungs_in(rungs: tuple[Rung, ...]) -> Iterator[Rung]:
-    """Every rung in source order, the bodies of loops included."""
+    """Yield every rung in source order, the bodies of loops included."""
     for rung in rungs:
         yield rung
         for item in loops_in(rung.items):

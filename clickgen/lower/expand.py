@@ -1,4 +1,4 @@
-"""What CLICK has no word for, in the words it has: pointers in formulas, one-shot ranges, jumps, rtof."""
+"""Expands what CLICK has no word for into words it has: pointers in formulas, one-shot ranges, jumps, rtof."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from clickgen.ir.walk import Rewriter
 from clickgen.text.source import Span
 
 _SCRATCH_BANK = {Kind.INT16: "DS", Kind.INT32: "DD", Kind.HEX: "DH", Kind.FLOAT: "DF"}
-"""Where a value of a kind is kept for a formula: the same kind in a bank that every formula takes."""
+"""The bank that keeps a value of a kind for a formula: the same kind, and every formula takes it."""
 
 TakeScratch = Callable[[str, str, Span], Cell]
-"""Bank, purpose and place of a scratch use to its cell."""
+"""Gives the cell for the bank, purpose and place of a scratch use."""
 
 
 @dataclass(frozen=True, slots=True)
 class Own:
-    """An action that stands on a condition of its own, not on its rung's."""
+    """An action with a condition of its own, not that of its rung."""
 
     condition: Condition
     action: Action
@@ -36,7 +36,7 @@ Expanded = Action | Own
 
 
 def expand(action: Action, take: TakeScratch, delays: OffDelays) -> Iterator[Expanded]:
-    """An action in instructions that CLICK has, most often itself."""
+    """Yield an action in instructions that CLICK has, most often itself."""
     for single in _range(action):
         for plain in _formula(single, take):
             for expanded in delays.expand(plain):
@@ -53,7 +53,7 @@ def copied_first(action: Action) -> list[Ref]:
 
 
 def _formula(action: Action, take: TakeScratch) -> list[Action]:
-    """A formula that reads a pointer or an XD/YD word: each is copied to a scratch register first, in the same rung."""
+    """Copy each pointer or XD/YD word that a formula reads to a scratch register first, in the same rung."""
     text = action.args.get("formula")
     wanted = {operand_token(ref): ref for ref in copied_first(action)}
     if not wanted or not isinstance(text, FormulaText):
@@ -74,7 +74,7 @@ def _formula(action: Action, take: TakeScratch) -> list[Action]:
 
 
 def _range(action: Action) -> list[Action]:
-    """A coil on a range of one bit, and a one-shot coil on any range: one coil for each bit.
+    """Expand a coil on a range of one bit, and a one-shot coil on any range: one coil for each bit.
 
     click-facts [coil.oneshot]
     """
@@ -89,7 +89,7 @@ def _range(action: Action) -> list[Action]:
 
 
 def _jump(action: Action, take: TakeScratch) -> list[Expanded]:
-    """A drum that jumps to a constant step: CLICK jumps to the step that a DS register holds.
+    """Expand a drum that jumps to a constant step: CLICK jumps to the step that a DS register holds.
 
     click-facts [drum.inputs]
     """
@@ -104,7 +104,7 @@ def _jump(action: Action, take: TakeScratch) -> list[Expanded]:
 
 
 class OffDelays(Rewriter):
-    """Retentive off-delay timers: which timers they are, and the scratch bits that stand for them.
+    """Retentive off-delay timers: which ones there are, and the scratch bits that implement them.
 
     CLICK's retained timer is an on-delay only (click-facts [timer.no-rtof]). Bit E follows the rung; a retentive
     on-delay runs while E is off; bit Q is on while E is, or while Q was and the timer has not elapsed. Reading the
@@ -139,13 +139,13 @@ class OffDelays(Rewriter):
         return cell if output is None else Cell(output.address, cell.span)
 
     def action(self, action: Action) -> Action:
-        """Only what reads the bit means Q; the timer instruction itself keeps its number."""
+        """Replace the bit by Q only where it is read; the timer instruction itself keeps its number."""
         changed = super().action(action)
         owned = {param.name: action.args[param.name] for param in action.spec.owns if param.name in action.args}
         return Action(action.spec, {**changed.args, **owned}, action.span) if owned else changed
 
     def expand(self, action: Action) -> list[Expanded]:
-        """The instructions that stand for an rtof; any other instruction as it is."""
+        """Return the instructions that implement an rtof; any other instruction is unchanged."""
         bits = self.bits_of(action)
         timer, built_from = action.owned, action.spec.built_from
         if not bits or timer is None or built_from is None:

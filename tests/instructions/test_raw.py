@@ -1,4 +1,4 @@
-"""What the language has no word for: kept to the letter, and nothing is taken for granted about what it does."""
+"""Tokens that the language has no word for: kept to the letter, with no assumptions about what they do."""
 
 from __future__ import annotations
 
@@ -227,7 +227,7 @@ def test_what_cannot_be_kept_is_refused_with_a_way_out(token: str, tmp_path: Pat
 
 
 def test_a_coil_in_the_binary_form_is_no_way_around_the_word() -> None:
-    """laddercodec shows the binary form of a coil as raw where it is asked to; read back it is a coil."""
+    """laddercodec shows the binary form of a coil as raw on request; read back it is a coil."""
     from laddercodec.csv.converter import af_node_to_token
     from laddercodec.csv.token_parser import parse_af_token
     from laddercodec.instructions.raw import RawInstruction, find_blob_boundary
@@ -359,7 +359,7 @@ KEPT_LATER = "raw(Odd,0x2799,1,60aa=DS5,0000=)"
     [
         # Two scratch bits: the rung's condition and the counter's input.
         (f"    if c.Go:\n{KEPT}{COUNTER}", 4),
-        # What stands behind the counter is in a part of its own, and sees the condition as it was.
+        # The rest after the counter is in a part of its own, and sees the condition as it was.
         (f"    if c.Go:\n{COUNTER}{KEPT}", 2),
         (f"    if True:\n{KEPT}        ctu(ct.N, 5, reset=lambda: sc[1])\n", 3),
         (f"    if True:\n{KEPT}        set(c.A)\n", 1),
@@ -474,7 +474,7 @@ def test_its_word_in_a_ladder_file_is_none_of_ours() -> None:
 
 
 def test_a_token_of_endless_length_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Not even asked about: laddercodec took a quarter of a minute over these blanks."""
+    """It is not even given to laddercodec, which took a quarter of a minute over these blanks."""
     monkeypatch.setattr("clickgen.click.read.kept._fault_in_codec", lambda _: pytest.fail("it was asked"))
     for token in (f"math(DS1{' ' * 60_000}!,DS1,mode=decimal)", f"raw(Email,0x2737,1,60a5={'1' * 60_000})"):
         fault = fault_of(token)

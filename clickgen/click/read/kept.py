@@ -1,4 +1,4 @@
-"""Instructions that are kept as their ladder tokens: which these are, and that laddercodec leaves them as they are."""
+"""Instructions that are kept as their ladder tokens: which these are, and that laddercodec leaves them unchanged."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ _FORMULA = "math"
 _FIELDS = re.compile(r"raw\([A-Za-z]\w*,0x[0-9a-f]{4,8},[1-9]\d{0,2}(?:,.*)?\)")
 """``raw(Email,0x2737,1,60a5=1)``. The older form, a number of many digits, would hide the addresses in it."""
 _LONG_RUN = re.compile(r"\[\d{4,}\]=")
-"""So many empty fields no instruction has (the longest that is known, 250)."""
+"""No instruction has this many empty fields (the most that are known: 250)."""
 _LENGTH_MAX = 16_384
-"""Far more than any instruction has. laddercodec looks at every blank of a formula as often as there are blanks."""
+"""Far more than any instruction has. laddercodec's work on a formula grows with the square of its blanks."""
 _UNPRINTED = ("Cc", "Cs", "Zl", "Zp")
 _NOWHERE = Span("", 1, 1, 1, 2)
 
 
 class Fault(NamedTuple):
-    """Why a token cannot be kept, and the way out."""
+    """The reason why a token cannot be kept, and the way out."""
 
     message: str
     help: str
@@ -53,7 +53,7 @@ class Fault(NamedTuple):
 
 
 def raw_of(token: str, span: Span) -> Action | None:
-    """An instruction to keep as it is; None when its token cannot be kept."""
+    """Return an instruction to keep unchanged; None if its token cannot be kept."""
     if fault_of(token) is not None:
         return None
     return kept(kept_token(embedded(token, span), span))
@@ -61,9 +61,10 @@ def raw_of(token: str, span: Span) -> Action | None:
 
 @lru_cache(maxsize=4096)
 def fault_of(token: str) -> Fault | None:
-    """Why a token cannot be kept; None for one that can.
+    """The reason why a token cannot be kept; None for one that can.
 
-    Kept is what the language has no word for: ``raw(...)``, and formulas that clickgen would print otherwise.
+    Tokens are kept if the language has no word for them: ``raw(...)``, and formulas that clickgen would print
+    otherwise.
     """
     if len(token) > _LENGTH_MAX:
         return Fault(f"it has {len(token)} characters, and no instruction has so many", "draw the rung again in CLICK")
@@ -102,7 +103,7 @@ def _formulas() -> dict[str, Spec]:
 
 
 def _fault_of_formula(token: str) -> Fault | None:
-    """A formula is kept when it goes to a register that can be written, and clickgen would print it otherwise."""
+    """A formula can be kept if it goes to a writable register and clickgen would print it otherwise."""
     call = call_of(token)
     spec = _formulas().get(call.keywords.get("mode", "")) if call else None
     if call is None or spec is None or len(call.arguments) != 2 or not call.keywords.keys() <= {"mode", "oneshot"}:
@@ -126,7 +127,7 @@ def _is_writable(destination: Cell) -> bool:
 
 
 def _fault_in_codec(token: str) -> Fault | None:
-    """The token goes through laddercodec as a ladder file does, into the binary form and back."""
+    """Pass the token through laddercodec as a ladder file does, into the binary form and back."""
     try:
         written = _written_back(token)
     except (ValueError, TypeError, KeyError, IndexError, AttributeError, OverflowError, struct.error) as error:
@@ -139,7 +140,7 @@ def _fault_in_codec(token: str) -> Fault | None:
 
 
 def _written_back(token: str) -> str:
-    """What becomes of a token; of two forms, the one that differs."""
+    """The token after the round trip; of two forms, the one that differs."""
     from laddercodec import Rung, decode, encode
     from laddercodec.csv.converter import af_node_to_token
     from laddercodec.csv.token_parser import parse_af_token

@@ -1,4 +1,4 @@
-"""The routines of a project on their way into a program: each drawn rung with what became of it."""
+"""The routines of a project on their way into a program: each drawn rung and its result."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from clickgen.text.source import Span
 
 @dataclass
 class RungImport:
-    """One drawn rung and what it becomes in the program: one rung, or several where a build draws it as several.
+    """One drawn rung and its form in the program: one rung, or several if a build draws it as several.
 
-    Without any it cannot be kept, and ``faults`` say why. ``drawn`` is None for what stands in the place of damaged
+    Without any it cannot be kept, and ``faults`` say why. ``drawn`` is None for a placeholder for damaged
     text between the rungs of a file.
     """
 
@@ -29,14 +29,14 @@ class RungImport:
     rungs: tuple[Rung, ...] = ()
     notes: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
-    """What a person should know of the rung, and what is said of details that do nothing."""
+    """Remarks on the rung for a person, and on details that do nothing."""
     faults: list[tuple[str, LadderProblem]] = field(default_factory=list)
-    """Why it cannot be kept, each with the code of its problem."""
+    """The reasons why it cannot be kept, each with the code of its problem."""
     is_settled: bool = False
-    """True when it has been written as a build draws it, so that a second import gives the same source."""
+    """True if it has been written as a build draws it, so that a second import gives the same source."""
 
     def lose(self, code: str, reason: str) -> None:
-        """It cannot be kept after all."""
+        """Record that it cannot be kept after all."""
         assert self.drawn is not None
         self.rungs, self.notes, self.remarks = (), (), ()
         self.faults.append((code, LadderProblem(reason, self.drawn.file, self.drawn.line, self.drawn.number)))
@@ -91,7 +91,7 @@ def _piece(drawn: DrawnRung) -> RungImport:
 
 
 def _between(project: Project, routine: DrawnRoutine) -> Iterator[LadderProblem]:
-    """What is wrong in the files of a routine outside of its rungs; main has what belongs to no routine."""
+    """The problems in the files of a routine outside its rungs; main has those that belong to no routine."""
     files = {rung.file for rung in routine.rungs} | {routine.file}
     others = {file for other in project.routines for file in (other.file, *(rung.file for rung in other.rungs))}
     for problem in project.problems:
@@ -103,7 +103,7 @@ def _between(project: Project, routine: DrawnRoutine) -> Iterator[LadderProblem]
 
 
 def as_routines(routines: Iterable[ImportedRoutine]) -> list[Routine]:
-    """The routines as they are written, marked rungs in the places of those that could not be kept."""
+    """The routines as they are written, with marked rungs in place of those that could not be kept."""
     return [
         _routine(routine, [rung for piece in routine.pieces for rung in piece.rungs or (_marked(piece),)])
         for routine in routines
@@ -111,7 +111,7 @@ def as_routines(routines: Iterable[ImportedRoutine]) -> list[Routine]:
 
 
 def as_proof(routines: Iterable[ImportedRoutine]) -> list[Routine]:
-    """The routines as a build takes them: a NOP in the place of each rung that could not be kept, and what is missing.
+    """The routines for a build: a NOP in place of each rung that could not be kept, and the missing parts added.
 
     Main ends with ``end()``, a subroutine with ``return``, every subroutine that is called exists, and there is a main.
     """
@@ -138,7 +138,7 @@ def as_proof(routines: Iterable[ImportedRoutine]) -> list[Routine]:
 
 
 def missing_subroutines(routines: Iterable[ImportedRoutine]) -> list[str]:
-    """The subroutines that are called and not there."""
+    """The subroutines that are called but do not exist."""
     routines = list(routines)
     known = {routine.name for routine in routines}
     called = dict.fromkeys(name for routine in routines for piece in routine.pieces for name in calls_of(piece))
@@ -154,7 +154,7 @@ def calls_of(piece: RungImport) -> Iterator[str]:
 
 
 def is_complete(routine: ImportedRoutine) -> bool:
-    """True when the routine ends as CLICK wants it: main somewhere with ``end()``, a subroutine with ``return``.
+    """True if the routine ends as CLICK wants it: main somewhere with ``end()``, a subroutine with ``return``.
 
     click-facts [control.end, control.return]
     """
@@ -175,7 +175,7 @@ def _routine(routine: ImportedRoutine, rungs: list[Rung]) -> Routine:
 
 
 def _nothing(piece: RungImport) -> Rung:
-    """What stands for a rung that could not be kept while the others are compared."""
+    """The placeholder for a rung that could not be kept while the others are compared."""
     return _rung(_span(piece), nothing(_span(piece)))
 
 

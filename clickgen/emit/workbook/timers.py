@@ -67,13 +67,13 @@ def _line(project: Project, action: Action, bit: Address) -> Cells:
 
 
 def _kind(project: Project, action: Action, bit: Address) -> str:
-    """The instruction of the source; what clickgen built an rtof from says so in its scratch bits."""
+    """The instruction of the source; the scratch bits of an rtof say that clickgen built it from one."""
     is_rtof = any(row.comment.startswith(f"rtof {bit}: ") for row in project.built.scratch)
     return "rtof" if is_rtof else action.spec.name
 
 
 def _setpoint(project: Project, action: Action) -> tuple[Value, Value]:
-    """The setpoint; and of a register what it begins with."""
+    """The setpoint; for a register, also its initial value."""
     setpoint = action.args["setpoint"]
     if isinstance(setpoint, Integer):
         return setpoint.value, None

@@ -19,7 +19,7 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 CODE = "CG552"
 
 _COPIES_MAX = 8
-"""A register that gets its value through more copies than this is not looked into."""
+"""A register that gets its value through more copies than this is not examined."""
 
 
 def find(facts: Facts) -> Findings:
@@ -45,7 +45,7 @@ def find(facts: Facts) -> Findings:
 
 
 _Parts = dict[Address, Part | None]
-"""What is known of the registers that were asked for."""
+"""The known parts of the registers that were asked for."""
 
 
 def _check_comparison(facts: Facts, compare: Compare, parts: _Parts) -> Findings:
@@ -54,7 +54,7 @@ def _check_comparison(facts: Facts, compare: Compare, parts: _Parts) -> Findings
         left, op, right = right, MIRRORED[op], left
     if not isinstance(left, Cell) or not isinstance(right, Integer | Real):
         return
-    # A register alone is compared with a 0 that stands nowhere.
+    # A register alone is compared with an unwritten 0.
     if right.span == left.span:
         return
     if left.address not in parts:
@@ -75,7 +75,7 @@ def _check_comparison(facts: Facts, compare: Compare, parts: _Parts) -> Findings
 
 
 def _outcome(part: Part, op: str, value: float) -> bool | None:
-    """What a comparison with the clock always is; None where it depends, or where it only bounds a range."""
+    """The constant result of a comparison with the clock; None if it varies, or only bounds a range."""
     outcomes = {HOLDS[op](one, value) for one in range(part.low, part.high + 1)}
     if len(outcomes) > 1:
         return None
@@ -86,7 +86,7 @@ def _outcome(part: Part, op: str, value: float) -> bool | None:
 
 
 def _part(facts: Facts, address: Address) -> Part | None:
-    """The part of the time that a register holds: one of the clock's own, or one that copies of it alone write."""
+    """The part of the time that a register holds: one of the clock's own, or one that only copies of it write."""
     for _ in range(_COPIES_MAX):
         if address in CLOCK:
             return CLOCK[address] if address not in SETS_CLOCK else None

@@ -20,16 +20,16 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 CODE = "CG543"
 
 _MANY = 100
-"""Of more coils or latches of one bit than this the rest is not compared."""
+"""If one bit has more coils or latches than this, the rest is not compared."""
 
 
 class _Latch(NamedTuple):
-    """A set or reset of a bit, with where it comes among all actions of the program."""
+    """A set or reset of a bit, with its place among all actions of the program."""
 
     placed: Placed
     at: int
     is_range: bool
-    """True where it is one of several bits that one instruction sets or resets."""
+    """True if it is one of several bits that one instruction sets or resets."""
 
 
 class _Loss(NamedTuple):
@@ -39,7 +39,7 @@ class _Loss(NamedTuple):
     coil: Placed
     latch: Placed
     is_later: bool
-    """True when the latch comes after the coil."""
+    """True if the latch comes after the coil."""
     is_held: bool
     """True for a reset that works for as long as its rung is on."""
 
@@ -59,7 +59,7 @@ def find(facts: Facts) -> Findings:
                 if bit in coils:
                     latches[bit].append(_Latch(placed, at, len(bits) > 1))
     judge = _Judge(facts)
-    # A range is spoken of once, with all bits in which it is undone, a single bit once with each coil.
+    # A range is reported once, with all bits in which it is undone, a single bit once with each coil.
     losses: dict[tuple[int, ...], list[_Loss]] = defaultdict(list)
     for bit, own in coils.items():
         for coil, at in own[:_MANY] if bit in latches else ():
@@ -74,18 +74,18 @@ def find(facts: Facts) -> Findings:
 
 
 class _Judge:
-    """Says which latches a coil undoes."""
+    """Decides which latches a coil undoes."""
 
     def __init__(self, facts: Facts) -> None:
         self._facts, self._pulses = facts, Pulses(facts)
         self._reset: dict[Address, bool] = {}
 
     def loss(self, bit: Address, coil: Placed, at: int, latch: _Latch) -> _Loss | None:
-        """How out undoes the latch, in the same scan or in a later one; None where the two work together."""
+        """How out undoes the latch, in the same scan or in a later one; None if the two work together."""
         facts, placed = self._facts, latch.placed
         if placed.depends_only_on(STARTING) or not self._runs_with(coil, placed):
             return None
-        # A coil that seals itself in takes up what the latch did.
+        # A coil that seals itself in keeps what the latch did.
         if any(bit in addresses_of(operand) for way in facts.ways_to(coil) for operand in condition_operands(way)):
             return None
         loss = _Loss(bit, coil, placed, latch.at > at, False)
@@ -104,7 +104,7 @@ class _Judge:
         return loss if is_lost else None
 
     def _is_answered(self, coil: Placed, latch: Placed) -> bool:
-        """True where what turns the coil off also takes away what the coil waits for: it does not come on again."""
+        """True if whatever turns the coil off also removes what the coil waits for: it does not come on again."""
         for address in looked_at(coil.condition):
             for writer in self._facts.writers(address) if isinstance(address, Address) else ():
                 turns_on = writer.effects.follows_power or writer.action.turns
@@ -113,10 +113,10 @@ class _Judge:
         return False
 
     def _runs_with(self, coil: Placed, placed: Placed) -> bool:
-        """True where both are in one routine, or where the coil runs in every scan and the latch may run in the same.
+        """True if both are in one routine, or if the coil runs in every scan and the latch may run in the same.
 
-        An output that several routines drive is CG522's. A reset in another routine turns off what a subroutine that is
-        no longer called has left on.
+        CG522 reports an output that several routines drive. A reset in another routine turns off what a subroutine
+        that is no longer called has left on.
         """
         facts = self._facts
         if coil.routine is placed.routine:
@@ -134,7 +134,7 @@ class _Judge:
         return bool(operands) and all(form_of(operand) == "X" for operand in operands)
 
     def _is_reset(self, bit: Address) -> bool:
-        """True where something resets this bit alone."""
+        """True if something resets this bit alone."""
         if bit not in self._reset:
             resets = (one for one in self._facts.writers(bit) if one.action.turns is False)
             alone = (one for one in resets if isinstance(_target(one), Cell))
@@ -142,12 +142,12 @@ class _Judge:
         return self._reset[bit]
 
     def _serves_others(self, reset: Placed) -> bool:
-        """True where a reset of a range has bits to turn off that something else than out turns on."""
+        """True if a reset of a range has bits to turn off that something other than out turns on."""
         return not self._latched.isdisjoint(addresses_of(reset.action.driven))
 
     @cached_property
     def _latched(self) -> frozenset[Address]:
-        """The bits that something else than out and reset writes."""
+        """The bits that something other than out and reset writes."""
         return frozenset(
             address
             for use in self._facts.uses.every

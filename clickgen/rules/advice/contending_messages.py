@@ -23,9 +23,9 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 CODE = "CG546"
 
 _MANY = 50
-"""A message is compared with so many others on its port before it."""
+"""A message is compared with this many others on its port before it."""
 _READY = frozenset(Address("SC", number) for number in (90, 100, 102))
-"""_Port_1_Ready_Flag to _Port_3_Ready_Flag: who asks one of them waits for the port (click-facts [system.ready])."""
+"""_Port_1_Ready_Flag to _Port_3_Ready_Flag: whoever looks at one waits for the port (click-facts [system.ready])."""
 _OWN_FLAGS = ("sending", "receiving", "success", "error")
 
 
@@ -67,7 +67,7 @@ _Way = tuple[Condition, ...]
 
 
 def _ways(facts: Facts, placed: Placed) -> list[_Way]:
-    """What must hold for a message to go out, for each call that leads to it."""
+    """The conditions for a message to go out, for each call that leads to it."""
     own = facts.ways_to(placed)
     if placed.routine.is_main:
         return [own]
@@ -75,14 +75,14 @@ def _ways(facts: Facts, placed: Placed) -> list[_Way]:
 
 
 def _waits(way: _Way, other: Placed) -> bool:
-    """True where a message looks at what the other one reports, or at whether the port is ready."""
+    """True if a message looks at what the other one reports, or at whether the port is ready."""
     flags = {bit for name in _OWN_FLAGS for bit in addresses_of(other.action.args.get(name))} | _READY
     contacts = (leaf for condition in way for leaf in leaves(condition) if isinstance(leaf, Contact))
     return any(isinstance(one.operand, Cell) and one.operand.address in flags for one in contacts)
 
 
 def _hangs_on_step(facts: Facts, way: _Way) -> bool:
-    """True where a bit that is handed on decides: whoever sets it resets another one in the same rung."""
+    """True if a token bit decides: whatever sets it resets another one in the same rung."""
     for term in terms_of(*way):
         if not isinstance(term, Contact) or not isinstance(term.operand, Cell) or term.negated:
             continue

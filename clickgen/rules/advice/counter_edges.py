@@ -1,4 +1,4 @@
-"""A counter whose inputs are levels: vendor and simulator disagree whether it counts scans or edges
+"""A counter whose inputs are levels: vendor and simulator disagree on whether it counts scans or edges
 (click-facts [counter.edges])."""
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 CODE = "CG501"
 
 _COILS_MAX = 100
-"""A coil is compared with so many coils of the same bit before it."""
+"""A coil is compared with this many coils of the same bit before it."""
 
 
 def find(facts: Facts) -> Findings:
@@ -51,11 +51,11 @@ ABOUT = Code(
 With two of them the later rung decides alone, and the earlier one does nothing but flicker: a classic reason why a
 motor does not start although its rung is green. CLICK warns about it too (C1001).
 
-Subroutines that are never called in the same scan may drive the same bit: their calls must stand on conditions that
+Subroutines that are never called in the same scan may drive the same bit: their calls must have conditions that
 exclude each other; a coil of main that `out` alone drives counts as its condition. When one of them changes the step
 that the calls look at, both run in that one scan; the rule takes this for intended, because a sequence hands over so.
-What never runs, a subroutine that nothing calls or a rung behind an unconditional `end()`, drives nothing: rules of
-their own speak of these.
+A subroutine that nothing calls, or a rung after an unconditional `end()`, never runs and drives nothing: other rules
+report these.
 """,
     wrong=(
         Wrong(

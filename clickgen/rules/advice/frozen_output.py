@@ -1,4 +1,4 @@
-"""An output coil or a timer in a subroutine that does not run in every scan: it stays as it is while nobody looks."""
+"""An output coil or a timer in a subroutine that does not run in every scan: it stays unchanged meanwhile."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 CODE = "CG545"
 
 _LABELS_MAX = 5
-"""So many further places a finding names."""
+"""A finding names this many further places."""
 
 _Frozen = list[tuple[Placed, Address]]
 
@@ -40,10 +40,8 @@ def find(facts: Facts) -> Findings:
             yield from _report(facts, routine, outputs, fault, help)
         if timers:
             named = facts.listed(_bits(timers))
-            stand, go = ("stands", "goes") if len(_bits(timers)) == 1 else ("stand", "go")
-            fault = (
-                f"while {routine.name} is not called, {named} {stand} still, and {go} on from there with the next call"
-            )
+            stop, go = ("stops", "goes") if len(_bits(timers)) == 1 else ("stop", "go")
+            fault = f"while {routine.name} is not called, {named} {stop}, and {go} on from there with the next call"
             help = "put the timer into a rung that every scan looks at, with the condition of the call in its own"
             yield from _report(facts, routine, timers, fault, help)
         if lasting:
@@ -107,7 +105,7 @@ def _timers_of(facts: Facts, routine: Routine, is_retentive: bool) -> Iterator[t
         is_timer = effects.is_timed and effects.done is not None and bool(effects.reset_by) is is_retentive
         if not is_timer or timer is None:
             continue
-        # Whoever writes the current value starts it anew.
+        # Any instruction that writes the current value starts it again.
         others = (one for one in facts.writers(current_value(timer.address)) if one.action is not placed.action)
         if not any(others) and not facts.uses.is_pointed("TD", is_written=True):
             yield placed, timer
@@ -138,7 +136,7 @@ The rule goes by the harm:
 - A Y stays on, whoever looks at it.
 - A C bit matters where a rung looks at it while the subroutine is not called, and where nothing in the program reads
   it: then it is for a panel. A bit that only its own subroutine reads matters where the next call looks at it before it
-  is written anew. A coil that seals itself in starts by itself then.
+  is written again. A coil that seals itself in then starts by itself.
 - `ton` and `tof` go on from where they were, which makes the next delay too short, also where only their own subroutine
   reads them.
 - `rton` and `rtof` are meant to wait. They matter where something outside looks at them, because their reset does not

@@ -47,7 +47,7 @@ def find(facts: Facts) -> Findings:
 
 
 def _changes_without(facts: Facts, address: Address, name: str, sometimes: dict[str, Any]) -> bool:
-    """True when a bit may change in a scan in which the subroutine does not run."""
+    """True if a bit may change in a scan in which the subroutine does not run."""
     uses = facts.uses.writes(address)
     writers = {use.routine.name for use in uses}
     if not writers or facts.uses.is_pointed(address.bank, True):
@@ -72,7 +72,7 @@ Take the edge in main, where every scan sees it. `set` a bit there when the pres
 subroutine reset it; `out` a bit there when a press in another mode must count for nothing.
 
 Bits that change only while the subroutine runs too, and the ticks of CLICK's clocks, are left alone. What `send` and
-`receive` report changes in its own time, so it may change in between wherever they stand. A conditional `end()` or
+`receive` report changes in its own time, so it may change in between wherever they are. A conditional `end()` or
 `return` in front is not seen.
 """,
     wrong=(

@@ -28,11 +28,11 @@ _CERTAIN = ("+", "-", "*", "/", "AND", "OR", "XOR", "LSH", "RSH", "LRO", "RRO")
 """The operators that give a result whatever their operands are (click-facts [math.division, math.overflow])."""
 _COPY_FLAGS = frozenset(filter(None, map(parse_address, COPY_FLAGS)))
 _FLAGS = _COPY_FLAGS | frozenset(filter(None, map(parse_address, (*MATH_FLAGS, "SC46"))))
-"""The system bits that a write may be there for, its value aside; SC46 is CLICK's _Math_Operation_Error
+"""The system bits that may be the purpose of a write, apart from its value; SC46 is CLICK's _Math_Operation_Error
 (click-facts [scan.flags])."""
 _RUNGS_MAX = 20
 _RANGES_MAX = 8
-"""A write further back is not looked for."""
+"""An earlier write is not considered."""
 
 
 def find(facts: Facts) -> Findings:
@@ -75,12 +75,12 @@ class _Walk:
         self._cells: dict[str, dict[int, _Write]] = defaultdict(dict)
         self._ranges: dict[str, list[_Write]] = defaultdict(list)
         self._changed: list[list[Extent]] = []
-        """What each rung has written: bank, first and last number."""
+        """The stretches that each rung has written: bank, first and last number."""
         self._left: set[int] = set()
-        """The rungs with a call or a loop: behind it their conditions may not hold any more."""
+        """The rungs with a call or a loop: after it their conditions may not hold any more."""
 
     def enter(self, looked_at: list[Operand]) -> None:
-        """Every condition of a rung is looked at before its first action, those of pins too."""
+        """Enter a rung: all its conditions are looked at before its first action, those of pins too."""
         self._changed.append([])
         for operand in looked_at:
             self._read(operand)
@@ -166,12 +166,12 @@ class _Walk:
             )
 
     def _is_for_flags(self, lost: Action, action: Action) -> bool:
-        """True when the program looks at a flag that the lost action may raise, or that the other one leaves alone."""
+        """True if the program looks at a flag that the lost action may raise, or that the other one leaves alone."""
         looked_at = _flags_of(lost) & self._flags
         return bool(looked_at) and (_may_raise_flags(lost) or not looked_at <= _flags_of(action))
 
     def _always_follows(self, write: _Write, placed: Placed) -> bool:
-        """True when the second write runs in every scan in which the first one does."""
+        """True if the second write runs in every scan in which the first one does."""
         one, other = write.placed.condition, placed.condition
         if len(self._changed) - write.rung > _RUNGS_MAX:
             return False
@@ -185,12 +185,12 @@ class _Walk:
             changed = [extent for rung in self._changed[write.rung - 1 :] for extent in rung]
             if any(self._changes.may_change(operand, changed) for operand in condition_operands(other)):
                 return False
-        # What never runs at all is CG507's.
+        # CG507 reports a write that never runs at all.
         return implies(one, other) and can_hold(one)
 
 
 def _begins_with(path: Condition, other: Condition) -> bool:
-    """True when ``path`` is ``other``, or a branch below it: one power flow decides both."""
+    """True if ``path`` is ``other``, or a branch below it: one power flow decides both."""
     terms = {id(term) for term in terms_of(path)}
     return all(id(term) in terms for term in terms_of(other))
 
@@ -201,7 +201,7 @@ def _puts_value(effects: Effects) -> bool:
 
 
 def _replaces(action: Action) -> bool:
-    """True when the instruction, once it runs, surely writes its whole target."""
+    """True if the instruction, once it runs, certainly writes its whole target."""
     if action.flag("oneshot") or "options" in action.args or isinstance(action.moved, Pointer):
         return False
     source, target = action.moved, form_of(action.moved_to)
@@ -211,28 +211,28 @@ def _replaces(action: Action) -> bool:
             isinstance(node, Call) or (isinstance(node, Binary) and node.op not in _CERTAIN) for node in nodes
         )
     if action.effects.shape is Shape.PACK and isinstance(source, Range) and form_of(source) in BITS:
-        # What becomes of the bits above those that are packed is not certain (click-facts [copy.pack-high-bits]).
+        # It is not certain what happens to the bits above the packed ones (click-facts [copy.pack-high-bits]).
         return len(source) == (32 if target in ("DD", "DF") else 16)
-    # A text that is no number leaves the target as it is (click-facts [copy.no-number]).
+    # A text that is not a number leaves the target unchanged (click-facts [copy.no-number]).
     return not _becomes_text(action) and (form_of(source) != "TXT" or target == "TXT")
 
 
 def _becomes_text(action: Action) -> bool:
-    """True for a number that is copied to a text without a word about how: no source says how much that fills
+    """True for a number that is copied to a text without an option: no source says how much that fills
     (click-facts [value.number-text-length])."""
     is_copy = action.effects.shape is Shape.VALUE and "options" not in action.args
     return is_copy and form_of(action.moved_to) == "TXT" and form_of(action.moved) not in ("TXT", TEXT, CHARACTER)
 
 
 def _flags_of(action: Action) -> frozenset[Address]:
-    """The flags that an instruction may change; a formula changes those of copies too where it reads pointers."""
+    """The flags that an instruction may change; a formula also changes those of copies if it reads pointers."""
     if action.effects.shape is Shape.FORMULA:
         return _FLAGS
     return frozenset(filter(None, map(parse_address, action.effects.flags)))
 
 
 def _may_raise_flags(action: Action) -> bool:
-    """False for what cannot fail: a constant, or a value of the target's own bank, is copied as it is."""
+    """False for a copy that cannot fail: a constant, or a value of the target's own bank, is copied unchanged."""
     moved = action.moved
     if isinstance(moved, Cell | Range) and moved.bank == form_of(action.moved_to):
         return False
@@ -244,7 +244,7 @@ ABOUT = Code(
     Severity.WARNING,
     "a value is overwritten before anything reads it",
     """
-Two instructions write the same address, and whenever the first one runs, the second one runs behind it, in the same
+Two instructions write the same address, and whenever the first one runs, the second one runs after it, in the same
 rung or a few rungs further down, before anything has looked at the value. The first one does nothing. Mostly a line
 was copied and its address not changed, so another address misses its value.
 

@@ -1,4 +1,4 @@
-"""A timer or counter that is looked at and that no instruction drives."""
+"""A timer or counter that is looked at but that no instruction drives."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def _number(address: Address) -> Address:
 
 
 def _is_driven(facts: Facts, address: Address) -> bool:
-    """True for what an instruction owns, and for a current value that any other writes."""
+    """True if an instruction owns it, and for a current value that any other instruction writes."""
     return bool(facts.uses.writes(address)) or facts.uses.is_pointed(address.bank, is_written=True)
 
 

@@ -1,4 +1,4 @@
-"""A subroutine that runs twice in one scan and holds what must run once: timers, counters, edges, one-shots."""
+"""A subroutine that runs twice in one scan but holds things that must run once: timers, counters, edges, one-shots."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def find(facts: Facts) -> Findings:
 
 
 def _second_run(facts: Facts, calls: tuple[Placed, ...]) -> tuple[Placed, Span] | None:
-    """A call that may run the subroutine once more in a scan, and the loop or the earlier call that makes it so."""
+    """A call that may run the subroutine once more in a scan, and the loop or the earlier call that causes it."""
     for call in calls:
         if call.loop:
             return call, call.loop.span
@@ -46,7 +46,7 @@ def _second_run(facts: Facts, calls: tuple[Placed, ...]) -> tuple[Placed, Span] 
 
 
 def _once(facts: Facts, routine: Routine) -> tuple[Span, str] | None:
-    """The first thing in a routine that must run once in a scan, and what becomes of it."""
+    """The first thing in a routine that must run once in a scan, and its effect otherwise."""
     for placed in facts.actions:
         if placed.routine is routine:
             if placed.effects.keeps:
@@ -66,7 +66,7 @@ ABOUT = Code(
     Severity.WARNING,
     "a subroutine with timers or edges may run twice in a scan",
     """
-A subroutine keeps one memory, however often it is called. When two calls run in one scan, or a call stands in a loop, a
+A subroutine keeps one memory, however often it is called. When two calls run in one scan, or a call is in a loop, a
 timer in it may add the time of the scan twice, a counter may count twice, and an edge or a one-shot is there for the
 first of the runs and gone for the others. It is the fault of a timer inside a loop (CG423) by another door.
 

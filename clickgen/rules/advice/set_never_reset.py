@@ -13,11 +13,11 @@ CODE = "CG502"
 def find(facts: Facts) -> Findings:
     seen: set[Address] = set()
     for placed in facts.actions:
-        # What the first scan sets is meant to stay on.
+        # A bit that the first scan sets is meant to stay on.
         if placed.action.turns is not True or placed.depends_only_on(STARTING):
             continue
         bits = [bit for bit in addresses_of(placed.action.driven) if bit not in seen]
-        # So is what is set once, whatever happens.
+        # So is a bit that is set once, whatever happens.
         if len(bits) == 1 and placed.depends_only_on(STARTING.union(bits)):
             continue
         seen.update(bits)
@@ -49,7 +49,7 @@ ABOUT = Code(
     "a bit is set and never reset",
     """
 `set` turns a bit on and nobody turns it off again: the machine runs on although its stop button is pressed, or an alarm
-can never be acknowledged. Look for a `reset` that was forgotten, or that stands on a bit with a similar name.
+can never be acknowledged. Look for a `reset` that was forgotten, or that is on a bit with a similar name.
 
 Any other instruction that writes the bit counts as a reset: `out`, a copy, a pointer, a drum. A bit that is set in the
 first scan, or by nothing but itself, is meant to stay on.

@@ -25,14 +25,14 @@ CODE = "CG542"
 class _Write(NamedTuple):
     action: Action
     path: tuple[Condition, ...]
-    """The conditions that it stands under, its rung's first."""
+    """The conditions above it, its rung's first."""
     extents: list[Extent]
 
 
 class _Look(NamedTuple):
     condition: Condition
     path: tuple[Condition, ...]
-    """What is in series with it."""
+    """The conditions in series with it."""
     what: str
 
 
@@ -44,7 +44,7 @@ def find(facts: Facts) -> Findings:
 
 
 def _rungs_with_several(rungs: tuple[Rung, ...]) -> Iterator[Rung]:
-    """The rungs, those of loops' bodies too, in which something can come before a branch or a box."""
+    """Yield the rungs, those of loops' bodies too, in which something can come before a branch or a box."""
     for rung in rungs:
         if len(rung.items) > 1 or any(isinstance(item, Branch) for item in rung.items):
             yield rung
@@ -69,13 +69,13 @@ def _judge(facts: Facts, writes: _Writes, rung: Rung) -> Findings:
 
 
 class _Written:
-    """What the actions of a rung have written so far, by address: a contact asks those alone that may concern it."""
+    """The writes of a rung's actions so far, by address: a contact asks only for those that may concern it."""
 
     def __init__(self) -> None:
         self._writes: list[_Write] = []
         self._at: dict[tuple[str, int], list[int]] = {}
         self._wide: dict[str, list[int]] = {}
-        """Those that write a long stretch of a bank."""
+        """The writes over a long stretch of a bank."""
 
     def add(self, write: _Write) -> None:
         index = len(self._writes)
@@ -102,7 +102,7 @@ _Step = tuple[Action, tuple[Condition, ...]] | _Look
 
 
 def _steps(items: tuple[Item, ...], path: tuple[Condition, ...]) -> Iterator[_Step]:
-    """What a rung does and looks at, in the order of the source."""
+    """Yield what a rung does and looks at, in the order of the source."""
     for item in items:
         if isinstance(item, Branch):
             yield _Look(item.condition, (*path, item.condition), "branch")
@@ -120,7 +120,7 @@ def _is_stale(look: _Look, leaf: Contact | Compare, write: _Write) -> bool:
     seen = [one for one in operands if meets(write.extents, one)]
     if not seen:
         return False
-    # Steps and toggles in the branches of one rung want the value from before.
+    # Steps and toggles in the branches of one rung want the earlier value.
     if any(_reads(condition, seen) for condition in write.path):
         return False
     return not are_exclusive(*write.path, *look.path)
@@ -137,7 +137,7 @@ def _takes_its_time(effects: Effects) -> bool:
 
 
 class _Writes:
-    """What an action surely writes in this scan: flags of CLICK too, and for a call what its routine always writes."""
+    """The addresses that an action certainly writes in this scan: CLICK's flags too, and a called routine's writes."""
 
     def __init__(self, facts: Facts) -> None:
         self._facts = facts
@@ -161,7 +161,7 @@ class _Writes:
         return self._by_routine[name]
 
     def _surely(self, routine: Routine) -> Iterator[Extent]:
-        """What a run of a subroutine writes in any case, down to where it may be left."""
+        """The addresses that a run of a subroutine writes in any case, up to where it may be left."""
         for placed in self._facts.actions_of(routine):
             if placed.effects.leaves:
                 return
@@ -199,7 +199,7 @@ Give the branch a rung of its own below, with the condition of the first one in 
 rungs above it have written.
 
 Branches that step on from each other, `if c.A: reset(c.A)` beside `if nc(c.A): set(c.A)`, want the value from before:
-where the action stands under a condition on the same address itself, the rule is silent. It is silent too about timers,
+if the action's own condition looks at the same address, the rule is silent. It is silent too about timers,
 drums and messages, which change in some later scan in any case.
 """,
     wrong=(

@@ -1,4 +1,4 @@
-"""Bare numbers of states that stand in many places: whoever renumbers a step misses one."""
+"""Bare numbers of states in many places: whoever renumbers a step misses one."""
 
 from __future__ import annotations
 

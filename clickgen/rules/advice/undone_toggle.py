@@ -29,11 +29,11 @@ from clickgen.text.source import Span
 CODE = "CG544"
 
 _BITS_MAX = 16
-"""A set or reset of more bits than this is no toggle."""
+"""A set or reset of more bits than this is not a toggle."""
 _BEFORE_MAX = 4
-"""So many writes of one address before an action are looked at."""
+"""This many writes of one address before an action are looked at."""
 _RUNGS_MAX = 20
-"""A rung further up is not looked for."""
+"""A rung further up is not considered."""
 
 
 @dataclass(eq=False, slots=True)
@@ -69,7 +69,7 @@ class _Write(NamedTuple):
 
 
 class _Slot(NamedTuple):
-    """A rung in its scan: what it looks at and what it has written, with the ids of the actions that did."""
+    """A rung in its scan: its reads and its writes, with the ids of the actions that wrote."""
 
     rung: Rung
     looked_at: list[list[Extent]]
@@ -86,18 +86,18 @@ def find(facts: Facts) -> Findings:
 
 
 class _Shared:
-    """What the walks through a program look up."""
+    """Shared look-ups of the walks through a program."""
 
     def __init__(self, facts: Facts) -> None:
         self.facts = facts
         self.found: list[Diagnostic] = []
         self.changes, self.pulses = Changes(facts), Pulses(facts)
         self.said: set[int] = set()
-        """The rungs that were spoken of."""
+        """The rungs that were reported."""
         self.reads: dict[int, list[Extent]] = defaultdict(list)
-        """What each rung looks at and reads."""
+        """The stretches that each rung looks at and reads."""
         self.reads_of: dict[str, list[Extent]] = defaultdict(list)
-        """The same of each routine."""
+        """The same for each routine."""
         for use in facts.uses.every:
             if not use.is_written:
                 extents = extents_written(use.operand)
@@ -164,7 +164,7 @@ class _Walk:
             self._report(address, first, second)
 
     def _comes_next(self, address: Address, first: _Write, second: _Write) -> bool:
-        """True for one in a rung further down that runs in the same scan, as far as loops, returns and ends go."""
+        """True for a write in a rung further down that runs in the same scan, as far as loops, returns and ends go."""
         if max(first.frame.barrier, self._base.barrier) > first.at:
             return False
         if first.frame is second.frame:
@@ -176,7 +176,7 @@ class _Walk:
         return first.step.rung is not second.step.rung or (call is not None and not _looks(call.condition, address))
 
     def _seen_through(self, condition: Condition, first: _Write, second: _Write) -> Condition:
-        """A condition with what drives it in the place of each coil whose rung stands between the two writes."""
+        """A condition with each coil whose rung is between the two writes replaced by what drives it."""
         if isinstance(condition, All):
             return All(tuple(self._seen_through(term, first, second) for term in condition.terms), condition.span)
         driven = self._facts.seen_through(condition)
@@ -186,7 +186,7 @@ class _Walk:
         return driven if first.slot < self._slot_of.get(id(writer.rung), -1) < second.slot else condition
 
     def _follows(self, address: Address, first: _Write, second: _Write, condition: Condition) -> bool:
-        """True when the second action, under this condition, always runs in a scan in which the first one has run."""
+        """True if the second action, under this condition, always runs in a scan in which the first one has run."""
         own, span = id(first.placed.action), second.placed.action.span
         after = _holds(address, first, span)
         between = self._slots[first.slot : second.slot]
@@ -206,7 +206,7 @@ class _Walk:
             return False
         if self._has_pulse(first.step) and self._has_pulse(second.step):
             return True
-        # On a level the second rung may be one that takes back what the first did for the rungs between.
+        # On a level, the second rung may undo what the first did for the rungs between.
         is_put_back = implies(first.placed.condition, _holds(address, second, span))
         return is_put_back and not self._is_read_between(address, first, second)
 
@@ -221,7 +221,7 @@ class _Walk:
         return meets(changed, operand)
 
     def _is_read_between(self, address: Address, first: _Write, second: _Write) -> bool:
-        """True when a rung between the two looks at the address, or a subroutine may."""
+        """True if a rung between the two looks at the address, or a subroutine may."""
         cell = Cell(address, second.placed.action.span)
         own = {id(rung) for write in (first, second) for rung in (write.step.rung, write.placed.rung)}
         between = (slot for slot in self._slots[first.slot + 1 : second.slot] if id(slot.rung) not in own)
@@ -229,7 +229,7 @@ class _Walk:
 
     def _report(self, address: Address, first: _Write, second: _Write) -> None:
         call, there = second.step.call, first.placed.action.span
-        # Where the call asks, its rung is the one to change.
+        # If the call has the condition, its rung is the one to change.
         rung = call.rung if call and not _looks(second.step.own.condition, address) else second.placed.rung
         if id(rung) in self._shared.said:
             return
@@ -258,7 +258,7 @@ def _looks(condition: Condition, address: Address) -> bool:
 
 
 def _constants(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
-    """The addresses into which an action puts a constant, or turns on or off."""
+    """The addresses into which an action puts a constant, or which it turns on or off."""
     turns = placed.action.turns
     if turns is not None:
         bits = addresses_of(placed.action.driven)
@@ -274,7 +274,7 @@ def _constants(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
 
 
 def _calculated(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
-    """A register that gets a constant, or is worked out of its own number where the condition says which: a step."""
+    """A register that gets a constant, or is calculated from its own number if the condition fixes that: a step."""
     target = placed.action.moved_to
     if not isinstance(target, Cell):
         return
@@ -298,7 +298,7 @@ def _same(one: _Write, other: _Write) -> bool:
 
 
 def _holds(address: Address, write: _Write, span: Span) -> Condition:
-    """What a write leaves behind, as a condition."""
+    """The result of a write, as a condition."""
     cell = Cell(address, span)
     if write.value is None:
         return Contact(cell, span, negated=not write.is_on)
@@ -323,9 +323,9 @@ ABOUT = Code(
     "a rung undoes in the same scan what a rung before it did",
     """
 A rung sees what the rungs above it have written in the same scan, and an edge is there for all of them. Two rungs that
-are to take turns, one that turns a bit on when it is off and one that turns it off when it is on, both run in one scan:
+should take turns, one that turns a bit on when it is off and one that turns it off when it is on, both run in one scan:
 the first turns the bit on, the second finds it on and turns it off again. The lamp never comes on, whatever is pressed.
-In the same way one press walks through all steps of a sequence whose rungs stand in the order of the steps.
+In the same way one press walks through all steps of a sequence whose rungs are in the order of the steps.
 
 Make branches of one rung of them, below the condition that they share. CLICK looks at all conditions of a rung before
 the first action of the rung runs, so only one branch acts. For steps it is enough to put the last step first.

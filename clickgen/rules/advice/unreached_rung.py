@@ -12,7 +12,7 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 CODE = "CG516"
 
 _IDLE = (Flow.END, Flow.RETURN, Flow.PASS)
-"""What is not missed: a routine may end twice, and end in a note."""
+"""Instructions that nobody misses: a routine may end twice, and end in a note."""
 
 
 def find(facts: Facts) -> Findings:
@@ -44,7 +44,7 @@ def _report(facts: Facts, missed: Missed) -> Findings:
         CODE,
         place,
         f"{what} never reached: the {word} of {line} always leaves before it",
-        f"move the {word} behind it, give it a condition, or remove what stands behind it",
+        f"move the {word} after it, give it a condition, or remove what comes after the {word}",
         (Label(left.span, "always leaves here"),),
     )
 
@@ -54,9 +54,9 @@ ABOUT = Code(
     Severity.WARNING,
     "a rung is never reached",
     """
-An `end()` in main, or a `return` in a subroutine, that stands under no condition, or under the contact that is always
-on, ends the routine in every scan. What stands behind it is in the CLICK and never runs: its outputs stay as they were,
-its timers stand still. Mostly an `end()` from a test was left in, or new rungs were added below the last one.
+An `end()` in main, or a `return` in a subroutine, that has no condition, or only the contact that is always
+on, ends the routine in every scan. What comes after it is in the CLICK but never runs: its outputs stay as they were,
+its timers stop. Mostly an `end()` from a test was left in, or new rungs were added below the last one.
 
 Under a condition it leaves whenever that condition is on. Actions after it in the same rung, and branches there, need
 the same condition, so they never run either: write them before the `return`, or give the `return` a branch of its own.

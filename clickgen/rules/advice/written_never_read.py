@@ -1,4 +1,4 @@
-"""An address that is written and never read: work for nothing, or for a panel."""
+"""An address that is written and never read: wasted work, or for a panel."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def find(facts: Facts) -> Findings:
 
 
 def _by_the_way(facts: Facts) -> set[Address]:
-    """What an instruction must have beside what it is there for, or reads itself: a drum's step, a search's result."""
+    """The addresses that an instruction needs on the side, or reads itself: a drum's step, a search's result."""
     found: set[Address] = set()
     for placed in facts.actions:
         reports = {name: addresses_of(placed.action.args.get(name)) for name in placed.effects.reports}

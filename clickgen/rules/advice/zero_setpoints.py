@@ -46,7 +46,7 @@ def _what_happens(effects: Effects) -> str:
 
 
 def _empty_steps(placed: Placed) -> list[tuple[int, Single]]:
-    """The steps that last no time and yet drive an output."""
+    """The steps that take no time but drive an output."""
     presets, pattern = placed.action.args.get("presets"), placed.action.args.get("pattern")
     if not (isinstance(presets, Operands) and isinstance(pattern, Pattern)):
         return []
@@ -70,7 +70,7 @@ The rule speaks only where the program uses the timer's bit. A timer with the se
 stopwatch: its current value keeps counting past the setpoint, and a comparison or a panel reads that.
 
 A step of a time drum that lasts 0 and drives an output does not keep it on for longer than a scan. A step of 0 that
-drives nothing is left alone: that is how a step is taken out without counting the others anew.
+drives nothing is left alone: that is how a step is taken out without renumbering the others.
 """,
     wrong=(
         Wrong(

@@ -1,4 +1,4 @@
-"""Arguments that stand for something else: values and conditions given to coils, decimal commas, swapped ends."""
+"""Arguments given in place of something else: values and conditions for coils, decimal commas, swapped ends."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _BITS = {"true": True, "1": True, "on": True, "false": False, "0": False, "off":
 
 
 class Misgiven(NamedTuple):
-    """A problem with an argument, where it is more than that the instruction does not take it."""
+    """A problem with an argument, if there is more to say than that the instruction does not take it."""
 
     code: str
     node: Node
@@ -42,7 +42,7 @@ class Misgiven(NamedTuple):
 
 
 def misgiven(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiven | None:
-    """What is wrong with the arguments of a call, where it says what was meant; None for a call that may be right."""
+    """The fault in the arguments of a call, if they show what was meant; None for a call that may be right."""
     if context.is_trial or not arguments(node):
         return None
     if spec.effects.is_coil:
@@ -65,7 +65,7 @@ def _of_coil(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiv
         return None
     value = own(context, rest[0]) if rest else ""
     if not bank.is_bit:
-        # Of pointers and immediates the rules speak: no coil takes one of a register.
+        # Rules report pointers and immediates: no coil takes one of a register.
         return _of_register(context, spec, first, bank, value, fits) if _is_plain(first) else None
     if not rest or (spec.effects.follows_power and not _is_number(rest[0])):
         return None
@@ -91,7 +91,7 @@ def _of_coil(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiv
 
 
 def _by_value(spec: Spec, value: str) -> str:
-    """``set`` or ``reset`` for a bit that is given a value; "" for no value of a bit."""
+    """``set`` or ``reset`` for a value given for a bit; "" for any other value."""
     state = _BITS.get(value.lower())
     if state is None:
         return ""
@@ -152,7 +152,7 @@ def _of_condition(context: Context, spec: Spec, first: Node) -> Misgiven | None:
         message = f"{own(context, first)} is a condition, and {spec.name} takes an address"
         if why_unwritable(bit):
             condition = shown if is_on else f"nc({shown})"
-            help = f"a condition stands in the if: write if {condition}: {spec.name}(c.Name)"
+            help = f"a condition belongs in the if: write if {condition}: {spec.name}(c.Name)"
             return Misgiven("CG113", first, message, help)
         if is_on:
             return Misgiven("CG113", first, message, f"write {spec.name}({shown})")
@@ -171,14 +171,14 @@ def _of_condition(context: Context, spec: Spec, first: Node) -> Misgiven | None:
     condition = as_condition(context, first)
     if not condition:
         return None
-    help = f"a condition stands in the if: write if {condition}: {spec.name}(c.Name)"
+    help = f"a condition belongs in the if: write if {condition}: {spec.name}(c.Name)"
     if name == "re" and isinstance(first, cst.Call) and spec.effects.follows_power and len(arguments(first)) == 1:
         help = f"for one scan alone write out({own(context, arguments(first)[0])}, oneshot=True)"
     return Misgiven("CG113", first, f"{own(context, first)} is a condition, and {spec.name} takes an address", help)
 
 
 def _turned(node: Node) -> tuple[Node, bool] | None:
-    """A bit that is negated or compared with a constant, and whether that leaves it as it is."""
+    """A bit that is negated or compared with a constant, and whether the result equals the bit."""
     if isinstance(node, cst.UnaryOperation) and isinstance(node.operator, _NEGATIONS):
         return node.expression, False
     if isinstance(node, cst.Call) and called(node) == "nc" and len(arguments(node)) == 1:
@@ -242,6 +242,6 @@ def _of_source(context: Context, source: Node, target: Node, fits: Fits) -> Misg
             condition = own(context, turned[0]) if turned[1] else f"nc({own(context, turned[0])})"
         action = f"out({shown})" if bank.is_bit else f"copy(1, {shown})"
         if condition and fits(action):
-            help = f"a condition stands in the if: write if {condition}: {action}"
+            help = f"a condition belongs in the if: write if {condition}: {action}"
             return Misgiven("CG113", source, f"{text} is a condition, and a copy reads a value", help)
     return None

@@ -38,7 +38,7 @@ class WithNames(Rewriter):
         return cell if name is None else Named(cell.bank, name, cell.span)
 
     def action(self, action: Action) -> Action:
-        """The ends of a search keep their numbers where only one has a name: then they are written as a slice."""
+        """Keep the numbers of a search's ends if only one has a name: then they are written as a slice."""
         changed = super().action(action)
         finds = action.effects.finds
         ends = (finds.start, finds.end) if finds is not None else ()
@@ -80,7 +80,7 @@ def operand_text(operand: Operand) -> str:
 
 
 def quoted(text: str) -> str:
-    """A text as a literal: in double quotes, unless single ones save escapes."""
+    """Return a text as a literal: in double quotes, unless single ones save escapes."""
     escaped = "".join(map(_escaped, text))
     if '"' in escaped and "'" not in escaped:
         return f"'{escaped}'"
@@ -153,7 +153,7 @@ def _search_parts(action: Action) -> list[Piece]:
 
 
 def value_piece(action: Action, param: Param) -> Piece:
-    """One argument; those of a pin aside."""
+    """One argument, except those of a pin."""
     value = action.args[param.name]
     if isinstance(value, Operand):
         return Atom(operand_text(value))
