@@ -63,7 +63,7 @@ def rung(number: int) -> str:
 
 
 def program(rungs: int, per_routine: int = PER_ROUTINE) -> str:
-    """A program of so many rungs in routines of so many, beside a main that calls them."""
+    """A program of this many rungs in routines of this many, and a main that calls them."""
     routines = []
     names = []
     for start in range(0, rungs, per_routine):
@@ -77,7 +77,7 @@ def program(rungs: int, per_routine: int = PER_ROUTINE) -> str:
 
 
 def clean_program(rungs: int) -> str:
-    """A program of so many rungs in which there is nothing to find."""
+    """A program of this many rungs without any problem."""
     body = "\n".join(
         f"    # Motor {n}\n    if all(c[{n + 1}], nc(x[{n % 16 + 1}])):\n        out(c[{n + 1001}])\n"
         for n in range(rungs)
@@ -86,7 +86,7 @@ def clean_program(rungs: int) -> str:
 
 
 def project(rows: int, folder: Path) -> Path:
-    """A program that uses half of the names of an address table of so many rows."""
+    """A program that uses half of the names of an address table of this many rows."""
     banks = [bank for bank in BANKS.values() if bank.allocatable and bank.name not in ("X", "Y")]
     share = rows / sum(bank.last for bank in banks)
     names = {bank: [f"{bank.name}_value_{n}" for n in range(1, round(bank.last * share) + 1)] for bank in banks}
@@ -136,7 +136,7 @@ def compare(command: Sequence[str], other: Sequence[str], before: Callable[[], N
 
 
 def imports(folder: Path, clickgen: Sequence[str]) -> tuple[float, float]:
-    """Importing a bundle without and with verification, each as a share of what pyrung takes for the same."""
+    """Importing a bundle without and with verification, each as a share of pyrung's time for the same."""
     path, bundle = folder / "imported" / "p500.py", folder / "bundle"
     path.parent.mkdir()
     # 33 subroutines of 14 source rungs, each a little more than one CLICK rung.

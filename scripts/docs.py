@@ -20,7 +20,7 @@ from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, Advice
 from clickgen.instructions import FAMILIES, control
 from clickgen.instructions.spec import Spec
-from clickgen.problems.codes import Severity
+from clickgen.problems.codes import CODES, Severity, entry_of
 from clickgen.problems.declared import Code
 from clickgen.rules import registry
 
@@ -38,7 +38,7 @@ _PART = re.compile(r"(<!-- made from the code: (\w+) -->\n).*?(<!-- end -->)", r
 
 
 def made() -> dict[Path, str]:
-    """Every page that is made from the code or has a part that is, with the text that it should have."""
+    """Every page that is made from the code, fully or in part, with the text that it should have."""
     pages = {INSTRUCTIONS / f"{spec.name}.md": instruction_page(spec) for _, specs in families() for spec in specs}
     pages[INSTRUCTIONS / "README.md"] = index()
     pages[MATCHER] = problem_matcher()
@@ -67,7 +67,7 @@ def code_table() -> str:
 
 
 def problem_matcher() -> str:
-    """How GitHub reads the concise format, with the severity that each code has."""
+    """The patterns for GitHub to read the concise format, with the severity of each code."""
     words = {Severity.ERROR: ("errors", "error"), Severity.WARNING: ("warnings", "warning")}
     words[Severity.INFO] = ("notes", "notice")
     matchers = []
@@ -85,7 +85,7 @@ def _with_origin(page: str) -> str:
 
 
 def stale() -> dict[Path, str | None]:
-    """The pages that are not as the code says, with the text that each should have; None where none should be."""
+    """The pages that differ from the code, with the text that each should have; None for one that should not exist."""
     pages = made()
     changed = {path: text for path, text in pages.items() if not path.is_file() or path.read_text("utf-8") != text}
     there = [path for folder in MADE_FOLDERS for path in folder.glob("*")]
@@ -93,6 +93,8 @@ def stale() -> dict[Path, str | None]:
 
 
 def main() -> None:
+    # The examples are built, perhaps by a rule that is new.
+    CODES.update(map(entry_of, registry.table().splitlines()))
     for folder in MADE_FOLDERS:
         folder.mkdir(exist_ok=True)
     for path, text in sorted(stale().items()):
@@ -104,7 +106,7 @@ def main() -> None:
 
 
 def families() -> Iterator[tuple[str, tuple[Spec, ...]]]:
-    """Each family of instructions by its title; return, for and pass are among them, though nothing calls these."""
+    """Each family of instructions by its title; return, for and pass are included, though nothing calls these."""
     for family in FAMILIES:
         title = re.split("[:(]", family.__doc__ or "")[0].strip()
         yield title, (*family.SPECS, control.RETURN, control.FOR, control.NOP) if family is control else family.SPECS
@@ -179,7 +181,7 @@ def codes_table() -> str:
 
 
 def trade_tables() -> str:
-    """What is written as a condition, an action and in a formula elsewhere, and here."""
+    """The words for conditions, actions and formulas elsewhere, with their equivalents here."""
     parts = []
     for title, words in (("As a condition", CONDITIONS), ("As an action", ACTIONS), ("In a formula", FORMULAS)):
         rows: dict[Advice, list[str]] = {}

@@ -1,4 +1,4 @@
-"""``clickgen explain NAME``: what a code means, what an instruction takes, what a word of the trade is here."""
+"""``clickgen explain NAME``: the meaning of a code, the operands of an instruction, a word of the trade here."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print the page; returns the exit code."""
+    """Print the page; return the exit code."""
     written = " ".join(options.name)
     if not written:
         print(_overview(), end="")
@@ -43,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _page(written: str) -> str:
-    """The page of a code, an instruction, a topic or a word of the trade; "" where there is none."""
+    """The page of a code, an instruction, a topic or a word of the trade; "" if there is none."""
     name = written.lower().removesuffix("()")
     if written.upper() in CODES:
         return plain(explanation(declared(written.upper())))
@@ -59,7 +59,7 @@ def _page(written: str) -> str:
 
 
 def _word(name: str) -> str:
-    """What a word of another machine is here, in a condition, as an action and in a formula."""
+    """The meaning of a word of another machine here, in a condition, as an action and in a formula."""
     return "".join(f"{line}\n" for line in default().explain_word(name))
 
 

@@ -1,4 +1,4 @@
-"""Which programs a command works on: those that are named, else every configured one."""
+"""Chooses the programs that a command works on: those that are named, else every configured one."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from clickgen.workspace import CouldNotRun
 
 @dataclass(frozen=True)
 class Job:
-    """One program: where it is, what with, and the folder that it is built into."""
+    """One program: its place, its settings, and the folder that it is built into."""
 
     program: str
     settings: Settings
@@ -22,7 +22,7 @@ class Job:
 
     @property
     def folders(self) -> list[Path]:
-        """Where files are written: beside the program and its table, and in the output folder."""
+        """The places where files are written: beside the program and its table, and in the output folder."""
         from clickgen.emit.registry import folders
 
         table = Path(os.path.realpath(self.settings.table_of(Path(self.program))))
@@ -30,14 +30,14 @@ class Job:
 
 
 def settings_of(config: str | None) -> Config:
-    """The settings in the file that is named, else those that hold in the working folder. Raises CouldNotRun."""
+    """Return the settings in the named file, else those of the working folder. Raises CouldNotRun."""
     return read_config(Path(config)) if config else find_config(Path.cwd())
 
 
 def jobs(
     programs: Sequence[str], nicknames: str | None = None, frozen: bool = False, config: str | None = None
 ) -> list[Job]:
-    """The programs that are named, else all that the settings name. Raises CouldNotRun when there are none."""
+    """Return the named programs, else all that the settings name. Raises CouldNotRun if there are none."""
     settings = settings_of(config)
     if programs:
         return [_job(program, settings.program(Path(program)), nicknames, frozen, settings) for program in programs]
@@ -54,7 +54,7 @@ def _job(program: str, own: ProgramSettings, nicknames: str | None, frozen: bool
 
 
 def settle(found: Sequence[Job], config: str | None) -> None:
-    """Put back what a killed command left half written where these and the configured programs are.
+    """Put back what a killed command left half written near these and the configured programs.
 
     Raises CouldNotRun and OSError.
     """
@@ -71,6 +71,6 @@ def put_back(folders: Iterable[Path]) -> None:
 
 
 def near(path: Path) -> Path:
-    """A path as seen from the working folder, where it lies below."""
+    """A path relative to the working folder, if it is below."""
     absolute, here = path.absolute(), Path.cwd()
     return absolute.relative_to(here) if absolute.is_relative_to(here) else path

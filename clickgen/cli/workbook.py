@@ -38,7 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the workbook of a program; returns the exit code."""
+    """Write the workbook of a program; return the exit code."""
     (job,) = jobs([options.program], options.nicknames, config=options.config)
     settle([job], options.config)
     path = place_of(options.output, job.program, job.folder)

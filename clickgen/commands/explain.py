@@ -1,6 +1,6 @@
 """What a code means, as Markdown, made of what declares it: a rule, or a page of ``problems/explanations``.
 
-And, from the pages of the documentation, an instruction and a part of the language.
+Also, from the pages of the documentation, an instruction and a part of the language.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def documentation() -> Path:
 
 
 def instruction_page(name: str) -> str:
-    """The page of an instruction, by its name. Raises KeyError where there is none."""
+    """Return the page of an instruction, by its name. Raises KeyError if there is none."""
     if name not in instructions():
         raise KeyError(name)
     text = (documentation() / "instructions" / f"{name}.md").read_text("utf-8")
@@ -48,15 +48,14 @@ def instruction_page(name: str) -> str:
 
 
 def instructions() -> dict[str, str]:
-    """What each instruction does, return, for and pass among them."""
-    from clickgen.instructions import INSTRUCTIONS
-    from clickgen.instructions.control import FOR, NOP, RETURN
+    """A line on each instruction, including return, for and pass."""
+    from clickgen.instructions import every
 
-    return {spec.name: spec.summary for spec in (*INSTRUCTIONS.values(), RETURN, FOR, NOP)}
+    return {spec.name: spec.summary for spec in every()}
 
 
 def topics() -> dict[str, str]:
-    """The parts of the language page, each by its title in small letters; the instructions are a list."""
+    """The parts of the language page, each by its title in lower case; the instructions are a list."""
     text = (documentation() / "language.md").read_text("utf-8")
     parts = re.split(r"^## ", text, flags=re.MULTILINE)[1:]
     pages = {part.partition("\n")[0].lower(): f"# {part}" for part in parts}
@@ -66,7 +65,7 @@ def topics() -> dict[str, str]:
 
 
 def plain(markdown: str) -> str:
-    """Markdown for a terminal: without comments and fences, examples indented."""
+    """Return Markdown for a terminal: without comments and fences, examples indented."""
     text = re.sub(r"<!--.*?-->\n", "", markdown)
     text = re.sub(
         r"^```\w*\n(.*?)^```$", lambda match: textwrap.indent(match[1].rstrip(), "    "), text, flags=re.DOTALL | re.M

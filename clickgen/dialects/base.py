@@ -212,12 +212,12 @@ class Spelling(ABC):
 
     def no_opposite(self, shown: str, is_negated: bool = False) -> str:
         """The way out for what has no opposite; ``is_negated`` where a ``not`` asks for it, not an else."""
-        from clickgen.instructions.coils import OUT
+        from clickgen.instructions.offered import COIL
 
         nothing, then = "nothing", "test the bit"
         if is_negated:
             nothing, then = "nothing in the language", f"write {self.off('...')} of that bit"
-        out = self.call(OUT, "...")
+        out = self.call(COIL, "...")
         return f"{nothing} is the opposite of {shown}: put it on a bit with {out} in a rung before, and {then}"
 
     @property

@@ -6,10 +6,8 @@ import re
 
 from clickgen.device.system import WRITABLE_SD, system_nicknames
 from clickgen.dialects.base import Spelling
-from clickgen.instructions.copies import COPY
-from clickgen.instructions.counters import CTU
+from clickgen.instructions.offered import COPY, CTU, RTON, TON
 from clickgen.instructions.spec import Spec
-from clickgen.instructions.timers import RTON, TON
 
 _CLOCK = re.compile(r"_RTC_(?!New_)", re.IGNORECASE)
 _COILS = ("set", "reset", "out")

@@ -7,8 +7,7 @@ import re
 from clickgen.device.banks import BANKS, Kind
 from clickgen.facts.facts import Facts
 from clickgen.facts.values import range_fault
-from clickgen.instructions.copies import COPY, COPY_PACK
-from clickgen.instructions.data import SEARCH
+from clickgen.instructions.offered import COPY, COPY_PACK, SEARCH
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, CharCode, Constant, Hex, Integer, Real, Single, Text
 from clickgen.text.source import Span
@@ -21,13 +20,13 @@ _NOWHERE = Span("", 0, 0, 0, 0)
 
 
 def same_kind(facts: Facts, compare: Compare) -> str:
-    """The comparison as it is right, or with the rung that copies one of its sides before."""
+    """The corrected comparison, or the comparison with a rung before it that copies one of its sides."""
     left, right = compare.left, compare.right
     if isinstance(left, Constant):
         return _with_constant(facts, compare, left, right)
     if isinstance(right, Constant):
         return _with_constant(facts, compare, right, left)
-    # The decimal side stays: of the other a copy is compared.
+    # The decimal side stays: the other side is copied and the copy compared.
     ranks = {Kind.TEXT: 2, Kind.HEX: 1}
     copied, kept = sorted((left, right), key=lambda side: -ranks.get(_kind(side), 0))
     option = {"options": "to_value"} if _kind(copied) is Kind.TEXT else {}
@@ -41,7 +40,7 @@ def _kind(register: Single) -> Kind:
 
 
 def _written(facts: Facts, compare: Compare, side: Single, text: str) -> str:
-    """The comparison with this text in the place of one of its sides."""
+    """The comparison with this text in place of one of its sides."""
     texts = [text if one is side else facts.text(one.span) for one in (compare.left, compare.right)]
     return facts.spell.compared(texts[0], compare.op, texts[1])
 
@@ -85,7 +84,7 @@ def searched_for(facts: Facts, searched: str, text: str) -> tuple[str, str]:
 
 
 def _reads(text: Text, kind: Kind) -> bool:
-    """True for a text that is a number to read, and no character."""
+    """True for a text that is a number to read, not a character."""
     return (_HEX if kind is Kind.HEX else _NUMBER).fullmatch(text.value) is not None
 
 
@@ -107,7 +106,7 @@ def _number_of(constant: Constant, kind: Kind) -> int | float | None:
 
 
 def _shown(facts: Facts, number: int | float | None, kind: Kind) -> str:
-    """A number as the language writes it beside a register of this kind; "" where it does not fit."""
+    """A number as the language writes it beside a register of this kind; "" if it does not fit."""
     if number is None:
         return ""
     if kind is Kind.HEX:

@@ -1,4 +1,4 @@
-"""Operands that their instruction does not take. One rule says so; the others have nothing more to say about them."""
+"""Operands that their instruction does not take. One rule says so; the others say nothing more about them."""
 
 from __future__ import annotations
 

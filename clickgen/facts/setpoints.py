@@ -1,4 +1,4 @@
-"""A setpoint that CLICK does not take, in a unit in which it does: 5.5 seconds are 5500 ms."""
+"""Hints for a setpoint that CLICK does not take, in a unit in which it does: 5.5 seconds are 5500 ms."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from clickgen.device.banks import FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, VALUE_CLASSES, Kind
 from clickgen.dialects.base import Spelling
-from clickgen.instructions.copies import COPY
+from clickgen.instructions.offered import COPY
 from clickgen.instructions.spec import Spec
 from clickgen.ir.operands import CharCode, Hex, Integer, Operand, Real, Text, form_of
 from clickgen.resolve.constants import kind_of
@@ -23,7 +23,7 @@ def value_class(operand: Operand) -> str:
 
 
 def constant_fault(constant: Operand, kind: Kind | None) -> str:
-    """What is wrong with a constant that a value of this kind is to take; "" when nothing is, or it is no constant."""
+    """The fault of a constant for a value of this kind; "" if it has none, or is not a constant."""
     if isinstance(constant, Real) and kind in (Kind.INT16, Kind.INT32, Kind.HEX) and not constant.value.is_integer():
         return f"{constant.text} loses its fraction in a whole number"
     return range_fault(constant, kind)
@@ -84,6 +84,6 @@ def fitting(constant: Operand, kind: Kind | None, text: str, spell: Spelling, co
 
 
 def copies(spec: Spec, source: object, target: object) -> bool:
-    """True where an instruction of the copy family copies from one of these to the other."""
+    """True if an instruction of the copy family copies from one of these to the other."""
     pairs = [pair for variant in spec.variants for pair in variant.pairs]
     return any(form_of(source) in pair.sources and form_of(target) in pair.targets for pair in pairs)

@@ -1,8 +1,8 @@
-"""The fixes that the text suggests get their verdict: safe, not safe, or none.
+"""Gives the fixes that the text suggests their verdict: safe, not safe, or none.
 
-A fix is safe only where the resolved program proves it: every name that it speaks of is a known address, what it turns
-round has an opposite, the conditions that it writes hold exactly when the arms ran, and nothing that stands between two
-rungs changes what the later one asks.
+A fix is safe only if the resolved program proves it: every name in it is a known address, the conditions that it
+reverses have an opposite, those that it writes hold exactly when the arms ran, and nothing between two
+rungs changes the condition of the later one.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def judge_proposals(
 ) -> None:
     """Give each problem with a proposal its fix and its help.
 
-    ``written`` are the proposals as the text has them, in the order of those in ``resolved``. In a part of a program
+    ``written`` has the proposals as the text has them, in the order of those in ``resolved``. In a part of a program
     other files will declare names.
     """
     pairs = {(one.code, one.span): (one, known) for one, known in zip(written, resolved.proposals, strict=True)}
@@ -95,7 +95,7 @@ class _Judge:
     # -- blocks -------------------------------------------------------------------------------------------------------
 
     def _may_be_block(self, leaf: Contact | Compare) -> bool:
-        """True for a name that nothing declares, where not all that declares could be understood."""
+        """True for a name that nothing declares, if not everything that declares could be understood."""
         if self._is_declared or not isinstance(leaf, Contact):
             return False
         bit = _bit(leaf)
@@ -115,17 +115,17 @@ class _Judge:
         return not hazards.may_undo(proposal.arms) and (proposal.is_branch or hazards.may_look_again(proposal.arms))
 
     def _has_opposite(self, leaf: Contact | Compare) -> bool:
-        """True where the opposite holds exactly when the leaf does not.
+        """True if the opposite holds exactly when the leaf does not.
 
         A DF register may hold no number (NaN), after a root of a negative number, a word that was packed into it or a
-        message. What CLICK's comparisons are then, no source says: neither of two opposite ones may hold, or both.
+        message. No source says what CLICK's comparisons give then: neither of two opposite ones may hold, or both.
         """
         if isinstance(leaf, Contact):
             return isinstance(_bit(leaf), Cell) and self._is_known(leaf.operand)
         return not _is_float(leaf) and self._is_known(leaf.left) and self._is_known(leaf.right)
 
     def _is_known(self, operand: Operand) -> bool:
-        """True for what is an address for sure, or a constant."""
+        """True for a certain address, or a constant."""
         if isinstance(operand, Named):
             return False
         if isinstance(operand, Immediate):
@@ -136,7 +136,7 @@ class _Judge:
 
 
 def _hides_instruction(problem: Diagnostic) -> bool:
-    """True for an error behind which an instruction may stand that nobody has read."""
+    """True for an error that may hide an instruction that nobody has read."""
     return problem.is_error and problem.code.startswith("CG1") and problem.code not in _CONDITIONS
 
 
@@ -149,7 +149,7 @@ def _bit(leaf: Contact) -> Named | Cell | Range:
 
 
 def _is_block(written: Contact | Compare, resolved: Contact | Compare) -> bool:
-    """True for a range, and for a name that turned out to be one, be it in the wrong place or bank."""
+    """True for a range, and for a name that turned out to be one, even in the wrong place or bank."""
     for said, operand in zip(condition_operands(written), condition_operands(resolved), strict=True):
         bit = operand.target if isinstance(operand, Immediate) else operand
         named = said.target if isinstance(said, Immediate) else said

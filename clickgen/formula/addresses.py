@@ -1,6 +1,6 @@
 """Addresses inside a formula: lark's tokens for the reader of addresses, and its faults at their places.
 
-Whether a formula takes the operand is checked elsewhere; here it only has to exist.
+Another module checks whether a formula takes the operand; here it only has to exist.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ READER = AddressReader(SPELL)
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """An address as written; ``ref`` is None when its mistake was told."""
+    """An address as written; ``ref`` is None once its mistake has been reported."""
 
     ref: Named | Cell | Pointer | Range | None
     start: int

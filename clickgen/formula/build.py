@@ -1,6 +1,7 @@
-"""From the rules of ``grammar/formula.lark`` to nodes: one method for each rule, called while lark parses.
+"""Turns the rules of ``grammar/formula.lark`` into nodes: one method for each rule, called while lark parses.
 
-Mistakes that are no syntax errors are told here, all of them; parsing goes on with a ``Told`` in place of the part.
+Mistakes that are not syntax errors are reported here, all of them; parsing goes on with a ``Told`` in place of the
+part.
 """
 
 from __future__ import annotations
@@ -37,14 +38,14 @@ class Slice:
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """What stands for a part whose mistake was told."""
+    """Placeholder for a part whose mistake has been reported."""
 
     start: int
     end: int
 
 
 Part = Node | Slice | Told
-"""What a rule of the grammar gives. No Slice or Told is left in a formula without mistakes."""
+"""The result of a rule of the grammar. A formula without mistakes has no Slice or Told left."""
 
 
 class Builder:
@@ -56,14 +57,14 @@ class Builder:
     loose: list[Slice]
 
     def begin(self, report: Report, mode: Mode) -> None:
-        """Forget the last formula."""
+        """Forget the previous formula."""
         self.report = report
         self.mode = mode
         self.operands = []
         self.loose = []
 
     def finish(self) -> None:
-        """Tell of ranges that ended outside SUM."""
+        """Report ranges that ended up outside SUM."""
         for part in self.loose:
             help = f"SUM({self.report.text.value[part.start : part.end]}) adds it up"
             self.report.add("CG116", part.start, part.end, "a range has a place only in SUM", help)
@@ -138,11 +139,11 @@ class Builder:
         if name in ALL_FUNCTIONS:
             message, help = self._other_mode(name)
         elif found:
-            # An argument that calculates would need parentheses of its own.
+            # An argument that is a calculation would need parentheses of its own.
             is_plain = all(isinstance(part, Operand | Number | HexNumber) for part in arguments)
             whole = self.report.text.value
             texts = [whole[part.start : part.end] for part in arguments]
-            # Only of a function that is the whole formula the result goes where that of the formula goes.
+            # The result of a function goes where that of the formula goes only if the function is the whole formula.
             is_whole = whole.lstrip().startswith(token.value) and whole.rstrip().endswith(")") and whole.count("(") == 1
             help = self.report.foreign(name, texts, self.report.target if is_whole else "") if is_plain else found
         else:

@@ -1,4 +1,4 @@
-"""A syntax error that lark found, told as the table of mistakes tells it."""
+"""Explains a syntax error that lark found, in the words of the table of mistakes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _NATIVE_RANGE = re.compile(r"(\w+)\s*:\s*(\w+)")
 
 
 def explain(error: UnexpectedInput, mode: Mode, report: Report) -> None:
-    """Add the one problem that a syntax error is."""
+    """Add the one problem for a syntax error."""
     value = report.text.value
     start = error.pos_in_stream if error.pos_in_stream is not None and error.pos_in_stream >= 0 else len(value)
     found = "$END"
@@ -119,7 +119,7 @@ def _closing(value: str, opening: int) -> int:
 
 
 def situation_of(expected: set[str]) -> Situation:
-    """What the terminals that lark would have taken mean to a person."""
+    """The meaning, to a person, of the terminals that lark would have taken."""
     if "LPAR" in expected and "NUMBER" in expected:
         return "value"
     if "OR" in expected or "COMMA" in expected or "LPAR" in expected:
@@ -128,7 +128,7 @@ def situation_of(expected: set[str]) -> Situation:
 
 
 def find_mistake(situation: Situation, found: str, before: str, touching: bool) -> Mistake:
-    """The first entry that fits. ``before`` is the word or sign that stands before, empty at the start."""
+    """The first entry that fits. ``before`` is the word or sign before the error, empty at the start."""
     for mistake in MISTAKES:
         if (
             mistake.situation == situation
@@ -143,7 +143,7 @@ def find_mistake(situation: Situation, found: str, before: str, touching: bool) 
 def spelling_at(value: str, start: int, unreadable: bool) -> tuple[int, str] | None:
     """A sign of another language that covers the place of the error, and where it starts.
 
-    A quote counts only where it is ``unreadable``, which means that it has no partner.
+    A quote counts only if it is ``unreadable``, which means that it has no partner.
     """
     for at in (start, start - 1):
         for width in (2, 1):
@@ -164,7 +164,7 @@ def _explain_spelling(spelling: Spelling, start: int, end: int, mode: Mode, repo
 
 
 def _native_range(value: str, colon: int) -> str:
-    """The advice for ``DS1 : DS10``, as CLICK writes ranges."""
+    """The advice for ``DS1 : DS10``, CLICK's notation for ranges."""
     for match in _NATIVE_RANGE.finditer(value):
         if match.start() <= colon < match.end():
             first, last = parse_address(match.group(1)), parse_address(match.group(2))

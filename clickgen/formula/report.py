@@ -23,7 +23,7 @@ def unknown(*_: object) -> str:
 
 @dataclass
 class Report:
-    """What is wrong with one formula so far."""
+    """The problems of one formula so far."""
 
     text: EmbeddedText
     target: str = ""

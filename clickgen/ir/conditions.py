@@ -9,9 +9,9 @@ from clickgen.ir.operands import Cell, Immediate, Named, Range, Single
 from clickgen.text.source import Span
 
 OPPOSITE = {"==": "!=", "!=": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
-"""The comparison that holds where another does not."""
+"""The comparison that holds when another does not."""
 MIRRORED = {"==": "==", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
-"""The comparison that says the same with its sides exchanged."""
+"""The comparison that means the same with its sides exchanged."""
 
 
 class Edge(Enum):
@@ -22,7 +22,7 @@ class Edge(Enum):
 
     @property
     def word(self) -> str:
-        """For a message: ``rising`` or ``falling``."""
+        """The word for a message: ``rising`` or ``falling``."""
         return "rising" if self is Edge.RISE else "falling"
 
 

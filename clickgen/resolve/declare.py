@@ -21,7 +21,7 @@ from clickgen.text.source import Span
 
 
 class Meaning(NamedTuple):
-    """What a nickname stands for and who says so; without words it is the place."""
+    """The meaning of a nickname and who gives it; without words, the place gives it."""
 
     address: Address
     said_by: str
@@ -30,16 +30,16 @@ class Meaning(NamedTuple):
 
 @dataclass
 class Declared:
-    """What the declarations of a program say."""
+    """The declarations of a program."""
 
     meanings: dict[str, Meaning] = field(default_factory=dict)
     """By the lowercase name."""
     rows: list[Row] = field(default_factory=list)
-    """What the table lacks, or says otherwise than the source."""
+    """Rows that the table lacks, or that differ there from the source."""
     misdeclared: set[str] = field(default_factory=set)
     """The lowercase names of wrong declarations: they get no other address either."""
     addresses: list[Address] = field(default_factory=list)
-    """Every declared address, that of a wrong declaration included: nothing is allocated there."""
+    """Every declared address, including those of wrong declarations: nothing is allocated there."""
 
 
 def declare(
@@ -85,7 +85,7 @@ class _Declarations:
                 self.declared.misdeclared.add(lower)
 
     def warn_of_words(self) -> None:
-        """Nicknames in the table that ClickNick's importer loses (click-facts [nickname-file.lost])."""
+        """Warn of nicknames in the table that ClickNick's importer loses (click-facts [nickname-file.lost])."""
         for row in self.table.rows:
             if row.nickname:
                 self._warn_of_word(row.address, row.nickname, self.table.span(row))
@@ -203,11 +203,11 @@ class _Declarations:
 
 
 PROGRAM = "PROG.py"
-"""Stands in a command for the program and its table, which the pipeline knows."""
+"""Placeholder in a command for the program and its table, which the pipeline knows."""
 
 
 def rename_command(old: str, new: str) -> str:
-    """The command that gives the table the new name of what a declaration names anew."""
+    """The command that renames a name in the table to the one that a declaration gives."""
     return f"clickgen nicknames rename {shlex.quote(old)} {shlex.quote(new)} {PROGRAM}"
 
 
@@ -220,7 +220,7 @@ def name_program(words: str, problems: Diagnostics) -> None:
 
 
 def initial_of(constant: Constant, address: Address, problems: Diagnostics) -> str | None:
-    """An initial value in CLICK's form; None with a problem where the address cannot begin with it."""
+    """Return an initial value in CLICK's form; None, with a problem, if the address cannot begin with it."""
     initial = format_initial(address.kind, _python_value(typed(constant, address.kind)))
     if initial is None or not initial.isprintable():
         problems.add(

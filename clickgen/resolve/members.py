@@ -1,4 +1,4 @@
-"""Members of blocks become addresses: ``ds.Recipe[3]`` a cell, ``ds.Recipe[0:10]`` and ``ds.Recipe`` a range."""
+"""Turns members of blocks into addresses: ``ds.Recipe[3]`` a cell, ``ds.Recipe[0:10]`` and ``ds.Recipe`` a range."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from clickgen.table.blocks import Block, unclosed_block
 def without_members(
     program: Program, blocks: Mapping[str, Block], table: AddressTable, spell: Spelling, problems: Diagnostics
 ) -> Program:
-    """The program with addresses in the place of blocks and their members.
+    """Return the program with addresses in place of blocks and their members.
 
-    What names no member stays a ``Named`` with a part, and has its problem. Where a nickname is spelled like a block,
+    A reference to no member stays a ``Named`` with a part, and has its problem. If a nickname is spelled like a block,
     the bare name is the nickname's.
     """
     return _Members(blocks, table, spell, problems).program(program)
@@ -31,7 +31,7 @@ def without_members(
 def proposal_without_members(
     proposal: Proposal, blocks: Mapping[str, Block], table: AddressTable, spell: Spelling
 ) -> Proposal:
-    """The same for a proposal, which is no part of the program: what is wrong with its members is not reported."""
+    """Do the same for a proposal, which is not part of the program: faults in its members are not reported."""
     return _Members(blocks, table, spell, Diagnostics()).proposal(proposal)
 
 
@@ -45,10 +45,10 @@ class _Members(Rewriter):
         self._problems = problems
         self._near = Suggestions()
 
-    # -- where an operand stands --------------------------------------------------------------------------------------
+    # -- the place of an operand --------------------------------------------------------------------------------------
 
     def cell(self, cell: Named | Cell) -> Named | Cell:
-        """One address is expected."""
+        """Resolve where one address is expected."""
         found = self._found(cell)
         if isinstance(found, Range):
             assert isinstance(cell, Named)
@@ -60,7 +60,7 @@ class _Members(Rewriter):
         return found
 
     def operand(self, operand: Operand) -> Operand:
-        """One address or a range is expected."""
+        """Resolve where one address or a range is expected."""
         if isinstance(operand, Named):
             return self._found(operand)
         if isinstance(operand, Immediate) and isinstance(operand.target, Named):
@@ -68,7 +68,7 @@ class _Members(Rewriter):
         return super().operand(operand)
 
     def contact(self, contact: Contact) -> Contact:
-        """An edge belongs to one bit."""
+        """Resolve a contact: an edge belongs to one bit."""
         if contact.edge and isinstance(contact.operand, Named):
             return replace(contact, operand=self.cell(contact.operand))
         return super().contact(contact)
@@ -135,7 +135,7 @@ class _Members(Rewriter):
         return self._missing(named, first, last) or Range(named.bank, first, last, named.span)
 
     def _missing(self, named: Named, first: int, last: int) -> Named | None:
-        """A member that CLICK does not have, refused: a mark may reach over a gap of X or Y."""
+        """Refuse a member that CLICK does not have: a mark may span a gap of X or Y."""
         bank = BANKS[named.bank]
         missing = next((n for n in range(min(first, last), max(first, last) + 1) if not bank.has(n)), None)
         if missing is None:

@@ -1,4 +1,4 @@
-"""Where each address comes from: the source, the address table, CLICK's own names, or allocation; first match wins."""
+"""Finds the address of each name: the source, the address table, CLICK's own names, allocation; first match wins."""
 
 from __future__ import annotations
 
@@ -32,23 +32,23 @@ from clickgen.text.wording import counted
 
 @dataclass(frozen=True)
 class Resolved:
-    """A program without names, and what became of them."""
+    """A program without names, and the result of resolving them."""
 
     program: Program
     rows: tuple[Row, ...]
     """The rows that the table lacks: declared and allocated names."""
     allocated: tuple[Row, ...]
-    """Those of ``rows`` whose address clickgen chose."""
+    """The ``rows`` whose address clickgen chose."""
     allocator: Allocator
     table: AddressTable
     blocks: Mapping[str, Block]
     """By their lowercase names."""
     proposals: tuple[Proposal, ...] = ()
-    """Those of the program, in the same order, with addresses where they are known."""
+    """The proposals of the program, in the same order, with addresses where they are known."""
     chosen: frozenset[Address] = frozenset()
     """The addresses of names, proposals included, that nothing declares: clickgen chose or would choose them."""
     is_declared: bool = True
-    """False when something that could declare a name was not understood: then such a name may mean anything."""
+    """False if something that could declare a name was not understood: then such a name may mean anything."""
 
 
 def resolve(
@@ -67,7 +67,7 @@ def resolve(
     before = _faults(problems)
     declared = declare(program.declarations, table, dialect.spell, problems)
     blocks = declare_blocks(program.blocks, table, declared, dialect.spell, problems)
-    # Every problem of the table may hide a row or a block, the warnings among them.
+    # Any problem of the table, even a warning, may hide a row or a block.
     is_declared = program.is_declared and _faults(problems) == before and not _doubts_table(problems)
     operands = list(program_operands(program))
     if blocks or any(name.part is not None for name in _names_in(operands)):
@@ -109,7 +109,7 @@ def _doubts_table(problems: Diagnostics) -> bool:
 
 
 def _guard_scratch(program: Program, table: AddressTable, problems: Diagnostics) -> None:
-    """A program that uses one of clickgen's own scratch cells: both would write it."""
+    """Refuse a program that uses one of clickgen's own scratch cells: both would write it."""
     scratch = {row.address: row for row in table.rows if is_scratch(row)}
     if not scratch:
         return
@@ -171,7 +171,7 @@ class _Resolver:
         """(bank, lowercase name) of what an instruction keeps for itself, such as a drum's accumulator."""
 
     def beside(self) -> _Resolver:
-        """One that goes on from here for what is no part of the program: nothing is said or kept of its names."""
+        """Return a resolver that starts from here for what is not part of the program; it reports and keeps nothing."""
         other = copy(self)
         other.problems, other.allocated = Diagnostics(), []
         other.meanings, other.addresses = dict(self.meanings), dict(self.addresses)
@@ -206,7 +206,7 @@ class _Resolver:
         return operand.address if isinstance(operand, Cell) else None
 
     def _give_known(self, use: Named) -> bool:
-        """True when the name has a meaning already, be it a wrong one for this bank."""
+        """Return True if the name has a meaning already, even a wrong one for this bank."""
         lower = use.name.lower()
         meaning = self.meanings.get(lower)
         if meaning is None:
@@ -223,7 +223,7 @@ class _Resolver:
         return True
 
     def _ambiguous(self, use: Named, addresses: tuple[Address, ...]) -> None:
-        """One of CLICK's own names that may mean one of several addresses."""
+        """Report one of CLICK's own names that may mean one of several addresses."""
         written = " or ".join(map(self.spell.cell, addresses))
         pin = self.spell.declaration(self.spell.operand(use), self.spell.cell(addresses[0]))
         self.problems.add(
@@ -340,12 +340,12 @@ class _Resolver:
 
 
 def _taken(table: AddressTable) -> Iterator[Address]:
-    """The addresses of a table. An export of CLICK may list every address; a row of it that says nothing takes none."""
+    """The addresses of a table. A CLICK export may list every address; an empty row of it takes none."""
     return (row.address for row in table.rows if row.cell is not None or not row.is_default)
 
 
 def _named(operands: Iterable[Operand]) -> Iterable[Named]:
-    # What stands for no member of a block has its problem.
+    # A reference to no member of a block has its problem.
     return (name for name in _names_in(operands) if name.part is None)
 
 
@@ -367,7 +367,7 @@ def _owned(program: Program) -> Iterator[tuple[str, str]]:
 
 
 class _Names(Rewriter):
-    """Replaces names by cells, functions by CLICK's names for them, and gives constants their types."""
+    """Replaces names by cells and functions by CLICK's names for them, and gives constants their types."""
 
     def __init__(self, addresses: dict[tuple[str, str], Address], functions: Mapping[str, str]) -> None:
         self.addresses = addresses

@@ -101,13 +101,13 @@ def _report_rows(run: list[Row], table: AddressTable, spell: Words, problems: Di
 
 
 def _written_once(row: Row, spell: Words) -> str:
-    """How a program gives an address its first value, in words."""
+    """The words for how a program gives an address its first value."""
     first_scan = spell.name("SC", "_1st_SCAN")
     return f"{'set it' if row.address.kind is Kind.BIT else 'copy the value'} where {first_scan} is on"
 
 
 def _runs(addresses: Iterable[Address]) -> Iterator[list[Address]]:
-    """Addresses that follow each other in a bank, together."""
+    """Yield runs of consecutive addresses of a bank."""
     run: list[Address] = []
     for address in sorted(addresses, key=lambda address: address.sort_key):
         if run and (address.bank, address.number) != (run[-1].bank, run[-1].number + 1):

@@ -53,7 +53,7 @@ def judged(text: str, folder: Path) -> int:
 
 
 def judged_and_told(text: str, folder: Path, reserved: str = "") -> tuple[int, list[str]]:
-    """The work of a check, and the codes of what it finds; some addresses may be reserved."""
+    """The work of a check, and the codes of its findings; some addresses may be reserved."""
     (folder / "p.py").write_text(text, "utf-8")
     settings = f'reserved = ["{reserved}"]\n' if reserved else ""
     (folder / "clickgen.toml").write_text(f'{settings}[check.per-file-ignores]\n"**/q*.py" = ["CG5"]\n', "utf-8")
@@ -109,7 +109,7 @@ def test_blocks_inside_each_other_are_gone_through_once(tmp_path: Path) -> None:
 
 
 def test_a_long_range_costs_little_more_than_a_short_one(tmp_path: Path) -> None:
-    """Its addresses are made once, and a coil in it asks for its own bit alone."""
+    """Its addresses are made once, and a coil in it asks only for its own bit."""
     text = "def main():\n    if x[1]:\n        out(c[1])\n    if x[2]:\n        set(c[1:{}])\n" + END
     judged(text.format(10), tmp_path)
     small, large = (judged(text.format(n), tmp_path) for n in (500, 1000))
@@ -144,13 +144,13 @@ def test_patterns_with_many_stars_are_quick() -> None:
     ids=["quote", "double", "triple", "import", "quotes", "triples", "marks"],
 )
 def test_a_long_line_is_no_long_look(text: str) -> None:
-    """Each of these took minutes: the end of a text was looked for again at every quote."""
+    """Each of these took minutes: the end of a text was searched for again at every quote."""
     assert not is_program(text)
 
 
 @pytest.mark.parametrize("digits", ["9" * 100_000, "-" + "9" * 100_000 + ".", "1." + "9" * 100_000])
 def test_a_long_number_is_no_long_look(digits: str) -> None:
-    """Some of these took a minute: where a number that is none ends was tried at every digit."""
+    """Some of these took a minute: the end of something that is not a number was tried at every digit."""
     span = Span("main.csv", 1, 1, 1, 2)
     assert condition_of(digits, span) is None
     assert condition_of(f"DS1=={digits}x", span) is None
@@ -166,7 +166,7 @@ def test_marks_and_styles_are_looked_for_in_what_can_hold_them() -> None:
 
 
 def test_scratch_cells_that_cannot_be_placed_are_not_drawn(tmp_path: Path) -> None:
-    """Each of these rungs takes ten scratch bits; four hundred fill what is free, and the rest is not drawn."""
+    """Each of these rungs takes ten scratch bits; four hundred fill the free addresses, and the rest is not drawn."""
     rungs = "    if nc(c[1:301]):\n        set(y[1])\n"
     sources = ("def main():\n" + rungs * n + END for n in (4, 80))
     (few, _), (many, codes) = (judged_and_told(source, tmp_path, "C401..C2000") for source in sources)
@@ -200,7 +200,7 @@ def unknown_calls(n: int) -> str:
 
 
 def test_unknown_names_are_not_all_compared_with_all_names(tmp_path: Path) -> None:
-    """The first hundred get a suggestion where there is one."""
+    """The first hundred get a suggestion if there is one."""
     small, large = (judged(unknown_calls(n), tmp_path) for n in (200, 400))
     assert large < 2.4 * small
 

@@ -277,7 +277,7 @@ def test_the_functions_of_the_package_stay_functions(tmp_path: Path) -> None:
 
 
 def _built(folder: Path, capsys: pytest.CaptureFixture[str], *names: str) -> list[str]:
-    """What a build of a program with these control relays says, from the count of new addresses on."""
+    """The messages of a build of a program with these control relays, from the count of new addresses on."""
     rungs = "".join(f"    if x[1]:\n        out(c.{name})\n" for name in names)
     (folder / "prog.py").write_text(f"def main():\n{rungs}    if True:\n        end()\n")
     capsys.readouterr()
@@ -368,7 +368,7 @@ def test_a_table_that_is_named_and_not_there_says_how_to_begin_one(
     assert (folder / "prog.csv").exists()
 
 
-# -- files that are no programs ---------------------------------------------------------------------------------------
+# -- files that are not programs --------------------------------------------------------------------------------------
 
 PROJECT = "clickgen import the folder of the Scr*.tmp files"
 NO_PROGRAMS = [

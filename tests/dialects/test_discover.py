@@ -1,4 +1,4 @@
-"""Which files a check looks at: what is a program, what belongs to one, what is left out."""
+"""The files that a check looks at: programs, files that belong to one, and files left out."""
 
 from __future__ import annotations
 
@@ -446,7 +446,7 @@ def test_a_pattern_that_can_never_meet_is_refused(key: str, pattern: str) -> Non
     ids=json.dumps,
 )
 def test_a_damaged_entry_is_no_cache(damage: dict[str, object]) -> None:
-    """Also where it bears the mark of this user: the mark says who wrote it, not that it is sound."""
+    """Even with the mark of this user: the mark says who wrote it, not that it is sound."""
     file = write("p.py", CLEAN)
     cache, key = Cache(Path.cwd() / "cache"), key_of("p.py")
     cache.put(key, Cached((), ("p.py",)), {"p.py": file.read_bytes()})

@@ -1,4 +1,4 @@
-"""The formula room by example: both modes, every construct, and mistakes at their place inside the string."""
+"""Formulas by example: both modes, every construct, and mistakes at their place inside the string."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def read(formula: str, mode: Mode) -> tuple[Formula | None, list[Diagnostic]]:
 
 
 def native(ref: Named | Cell | Pointer | Range) -> str:
-    """CLICK's text of an operand; names stand for themselves."""
+    """CLICK's text of an operand; names are unchanged."""
     if isinstance(ref, Range):
         return f"{ref.bank}{ref.first} : {ref.bank}{ref.last}"
     if isinstance(ref, Cell):
@@ -51,7 +51,7 @@ def click(formula: str, mode: Mode = "decimal") -> str:
 
 
 def mistakes(formula: str, mode: Mode = "decimal") -> list[tuple[str, str]]:
-    """Each problem's code and the text it is shown at."""
+    """Each problem's code and the text that it marks."""
     result, found = read(formula, mode)
     assert result is None
     assert all(problem.message and problem.span is not None for problem in found)
@@ -203,7 +203,7 @@ def test_decimal_number_in_hex_warns() -> None:
         ("0x10000 + 65536 + 1.5", "hex", [("CG302", "0x10000"), ("CG302", "65536"), ("CG302", "1.5")]),
         ("1e39 + 1e-39 + 1e999999", "decimal", [("CG302", "1e39"), ("CG302", "1e-39"), ("CG302", "1e999999")]),
         ("2147483648", "decimal", [("CG302", "2147483648")]),
-        # what was told before a syntax error stays told
+        # a problem reported before a syntax error stays
         ("di.A + ds[0] + ", "decimal", [("CG113", "di"), ("CG201", "ds[0]"), ("CG116", "+")]),
     ],
 )

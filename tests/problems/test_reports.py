@@ -1,4 +1,4 @@
-"""What a check found, in every format: held against the schema or the rules of whoever reads it."""
+"""The findings of a check in every format: compared with the schema or the rules of their reader."""
 
 from __future__ import annotations
 
@@ -237,7 +237,7 @@ def parse_command(line: str) -> Command:
 
 
 def commands(report: Report) -> list[Command]:
-    """What a runner that reads the output line by line makes of it."""
+    """The problems that a runner finds in the output, line by line."""
     return [parse_command(line) for line in re.split("\r\n|\r|\n", render("github", report))[:-1]]
 
 
@@ -312,7 +312,7 @@ def test_columns_stand_only_where_the_runner_takes_them(report: Report) -> None:
 
 
 def findings_of(text: str) -> Report:
-    """A finding wherever a line of the text says ``out``, with the number of a line in its message."""
+    """A finding at every line of the text that has ``out``, with the number of a line in its message."""
     lines = text.split("\n")
     found = [
         Diagnostic("CG501", f"as in line {n - 1}", Span("p.py", n, line.index("out") + 1, n, len(line) + 1))

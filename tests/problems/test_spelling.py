@@ -1,4 +1,4 @@
-"""Which names are one by a slip of the hand, and which somebody chose."""
+"""Names that are the same but for a slip of the hand, and names that somebody chose."""
 
 from __future__ import annotations
 

@@ -53,9 +53,10 @@ FLOORS = (
     "start",
     "dsl",
 )
-"""The rooms from the ground up, each by its dotted name: what is below knows nothing of what is above.
+"""The rooms from the ground up, each by its dotted name: a room knows nothing of those above it.
 
-A room is what has no longer name here: ``click.read`` is one, and ``click`` is the rest of that folder.
+A module belongs to the room with the longest name here: ``click.read`` is one, and ``click`` is the rest of that
+folder.
 """
 LINES_MAX = 400
 LONG = {
@@ -67,7 +68,7 @@ LONG = {
     "resolve.resolve",
     "rules.advice.undone_toggle",
 }
-"""Files that are to be divided. The list only shrinks."""
+"""Files that should be divided. The list only shrinks."""
 HEAVY = {"libcst", "lark", "openpyxl", "laddercodec"}
 
 
@@ -76,7 +77,7 @@ def name_of(path: Path) -> str:
 
 
 def room_of(name: str) -> str:
-    """The room that a module is in; "" for one that no floor has."""
+    """The room of a module; "" for one that no floor has."""
     return max((room for room in FLOORS if f"{name}.".startswith(f"{room}.")), key=len, default="")
 
 

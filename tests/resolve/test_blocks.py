@@ -266,7 +266,7 @@ def test_a_mark_is_what_pyclickplc_takes_for_one(comment: str) -> None:
 def test_a_fix_does_not_take_a_block_of_elsewhere_for_a_bit(
     where: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """``not c.Flags`` is not ``nc(c.Flags)`` where Flags are several bits."""
+    """``not c.Flags`` is not ``nc(c.Flags)`` if Flags are several bits."""
     monkeypatch.chdir(tmp_path)
     text = "def main():\n    if not c.Flags:\n        out(y[1])\n    if True:\n        end()\n"
     if where == "wiring":

@@ -138,6 +138,12 @@ def test_every_code_is_declared_once_and_in_the_table() -> None:
         assert registry.declared(name) == code
 
 
+@pytest.mark.parametrize("folder", Folder)
+def test_rules_are_in_the_order_of_their_codes(folder: Folder) -> None:
+    first = [min((code.name for code in rule.codes), default="") for rule in registry.rules(folder)]
+    assert first == sorted(first)
+
+
 def test_the_codes_that_a_rule_borrows_are_declared_elsewhere() -> None:
     for rule in every_rule():
         assert not {code.name for code in rule.codes} & set(rule.also)

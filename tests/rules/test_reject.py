@@ -1,4 +1,4 @@
-"""Every problem code has a program that calls it forth: that code at that place, with a way out, nothing written."""
+"""Every problem code has a program that provokes it: that code at that place, with a way out, nothing written."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from clickgen.text.source import Span
 REJECT = Path(__file__).parents[2] / "fixtures" / "reject"
 PROGRAM, TABLE = "prog.py", "nicknames.csv"
 LIST, WORKBOOK = "io.csv", "io.xlsx"
-"""A workbook stands in a fixture as the rows of its one sheet."""
+"""A fixture holds a workbook as the rows of its one sheet."""
 
 _EXPECT = re.compile(r"# expect: ((?:CG\d{3} (?:\w+\.\w+:)?\d+:\d+(?:, )?)+)\n")
 _FLAGS = re.compile(r"^# flags: (\w+)$", re.MULTILINE)

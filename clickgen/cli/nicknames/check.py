@@ -24,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Tell the problems of names, addresses and the table; others are counted, for ``clickgen check`` tells them."""
+    """Report the problems of names, addresses and the table; count the others, which ``clickgen check`` reports."""
     from clickgen.commands.nicknames.sync import sync
 
     found = jobs_of(options)

@@ -1,4 +1,4 @@
-"""A formula as CLICK shows it, ``SUM ( DS1 : DS10 ) + DS100 * 2``, to the formula of a program."""
+"""Turns a formula as CLICK shows it, ``SUM ( DS1 : DS10 ) + DS100 * 2``, into the formula of a program."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _WORDS = re.compile(
 
 
 def formula_of(text: str, mode: Mode, span: Span) -> FormulaText | None:
-    """The formula that CLICK would show so again, token by token; None where a program cannot write that."""
+    """Return the formula that CLICK would show the same, token by token; None if a program cannot write it."""
     written: list[str] = []
     shown: list[str] = []
     for match in _WORDS.finditer(text):

@@ -1,7 +1,7 @@
-"""A ladder CSV to rungs: rows of squares, the boxes of the output column with their pins, comments.
+"""Reads a ladder CSV as rungs: rows of squares, the boxes of the output column with their pins, comments.
 
-What laddercodec reads is read the same way, a wire through blank squares included (click-facts [grid.blank-wires]).
-What is damaged becomes a problem of its rung, or of the file where it belongs to none.
+It reads everything as laddercodec does, a wire through blank squares included (click-facts [grid.blank-wires]).
+Damage becomes a problem of its rung, or of the file if it belongs to none.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _WIRES = {"": (False, False), "-": (True, False), "T": (True, True), "|": (False
 
 @dataclass(frozen=True, slots=True)
 class Square:
-    """One cell of the grid: does it carry power right, through which contact, and down at its left edge."""
+    """One cell of the grid: whether it carries power right, through which contact, and down at its left edge."""
 
     right: bool = False
     down: bool = False
@@ -56,7 +56,7 @@ class DrawnBox:
 class DrawnRung:
     """One rung. ``number`` counts from 1 in its routine; ``line`` is 0 in a binary file.
 
-    Of a rung with problems, ``rows`` and ``boxes`` are what could be read.
+    For a rung with problems, ``rows`` and ``boxes`` have what could be read.
     """
 
     number: int
@@ -67,23 +67,23 @@ class DrawnRung:
     boxes: tuple[DrawnBox, ...]
     problems: tuple[LadderProblem, ...] = ()
     notes: tuple[str, ...] = ()
-    """What a person should know of how the rung was read."""
+    """Notes for a person on how the rung was read."""
 
     @property
     def span(self) -> Span:
-        """The place of the rung. In a binary file its number stands for the line: no two rungs have one place."""
+        """The place of the rung. In a binary file its number replaces the line: no two rungs have one place."""
         line = self.line or self.number
         return Span(self.file, line, 1, line, 2)
 
     def numbered(self, number: int) -> DrawnRung:
-        """The same rung at another place of its routine."""
+        """Return the same rung at another place of its routine."""
         problems = tuple(problem.in_rung(number) for problem in self.problems)
         return replace(self, number=number, problems=problems)
 
 
 @dataclass(frozen=True)
 class Ladder:
-    """What a file holds; ``problems`` are those that belong to no rung."""
+    """The contents of a file; ``problems`` has those that belong to no rung."""
 
     rungs: tuple[DrawnRung, ...]
     problems: tuple[LadderProblem, ...]
@@ -98,7 +98,7 @@ _PLAIN = {text: Square(*wires) for text, wires in _WIRES.items() if not wires[1]
 
 
 def decode_ladder(data: bytes, file: str) -> str:
-    """The text of a ladder file (UTF-8, with or without a byte order mark). Raises LadderProblem."""
+    """Return the text of a ladder file (UTF-8, with or without a byte order mark). Raises LadderProblem."""
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -107,7 +107,7 @@ def decode_ladder(data: bytes, file: str) -> str:
 
 
 def read_ladder(text: str, file: str) -> Ladder:
-    """The rungs of a ladder CSV. Never raises."""
+    """Return the rungs of a ladder CSV. Never raises."""
     reader = _Reader(file)
     for row, fields in reader.records(text):
         reader.record(row, fields)
@@ -127,12 +127,12 @@ class _Reader:
     comment: list[str] = field(default_factory=list)
     comment_row: int = 0
     rung_row: int = 0
-    """The line of the open rung; 0 when none is open."""
+    """The line of the open rung; 0 if none is open."""
     rows: list[DrawnRow] = field(default_factory=list)
     faults: list[LadderProblem] = field(default_factory=list)
 
     def records(self, text: str) -> Iterator[tuple[int, list[str]]]:
-        """The lines below the header that are not empty, each with the number of its first one."""
+        """Yield the lines below the header that are not empty, each with the number of its first one."""
         reader = csv.reader(io.StringIO(text.removeprefix("\ufeff"), newline=""), strict=True)
         is_open, row = False, 1
         try:
@@ -203,7 +203,7 @@ class _Reader:
         self.faults.append(LadderProblem(message, self.file, row))
 
     def close(self) -> None:
-        """The open rung is complete."""
+        """Complete the open rung."""
         if not self.rung_row:
             return
         boxes = self._boxes()
@@ -242,7 +242,7 @@ class _Reader:
             elif not PIN.fullmatch(token):
                 self._fault(f"{token!r} is no pin", row.line)
             elif not is_near:
-                self._fault(f"{token} does not stand directly below its instruction", row.line)
+                self._fault(f"{token} is not directly below its instruction", row.line)
             else:
                 box = boxes[-1]
                 if pin_row_of(box.token, token) <= max([0, *(pin_row_of(box.token, pin) for pin, _ in box.pins)]):
@@ -256,9 +256,9 @@ def _lines(text: str) -> list[str]:
 
 
 def _joined(rows: Sequence[DrawnRow]) -> tuple[DrawnRow, ...]:
-    """The rows with each downward wire led on through blank squares, up to a row that meets it from the left.
+    """Return the rows with each downward wire continued through blank squares, up to a row that meets it from the left.
 
-    So laddercodec reads a file; the last row is left alone.
+    laddercodec reads a file the same way; the last row is left alone.
     """
     joined = list(rows)
     for index in range(len(joined) - 2):
@@ -272,7 +272,7 @@ def _joined(rows: Sequence[DrawnRow]) -> tuple[DrawnRow, ...]:
 
 
 def _height(rows: Sequence[DrawnRow]) -> tuple[int, int]:
-    """The rows of a rung with every box at its full height, and how many of them follow the last one written."""
+    """Return the rows of a rung with every box at full height, and how many of them follow the last one written."""
     total = free = 0
     is_loose = False
     for row in rows:

@@ -1,4 +1,4 @@
-"""One check of a repository: judge, select, silence, mend."""
+"""One check of a repository: judge, select, silence, fix."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
     from clickgen.text.source import SourceFile
 
 _ROUNDS_MAX = 10
-"""Fixes may make room for others; so often, and a fix that undoes another ends."""
+"""Fixes may make room for others; this many rounds, also in case one fix undoes another."""
 
 
 class Request(NamedTuple):
-    """What to check and how. ``stdin`` is the text of the only path, which need not exist then."""
+    """The files to check and the settings. ``stdin`` is the text of the only path, which need not exist then."""
 
     config: Config
     selection: Selection = Selection()
@@ -41,13 +41,13 @@ class Request(NamedTuple):
     stdin: bytes | None = None
     progress: Callable[[int, int], None] = lambda *_: None
     baseline: Baseline | None = None
-    """What is known already: neither told nor mended nor silenced."""
+    """Known findings: neither reported nor fixed nor silenced."""
     elsewhere: Callable[[Target], frozenset[str]] | None = None
-    """What the other programs around the table of one name: asked where a name seems to have left."""
+    """The names that the other programs around the table of one use: called if a name seems to have left."""
 
 
 class Outcome(NamedTuple):
-    """What was found in the files that were ``checked``, read in ``workspace``, with the changes of fixes in it."""
+    """The findings in the files that were ``checked``, read in ``workspace``, with the changes of fixes in it."""
 
     findings: tuple[Diagnostic, ...]
     checked: tuple[str, ...]
@@ -63,7 +63,7 @@ class Outcome(NamedTuple):
 
     @property
     def line_of(self) -> Callable[[str, int], str]:
-        """The text of a line of a file as it was judged; "" where there is none."""
+        """The text of a line of a file as it was judged; "" if there is none."""
 
         @cache
         def lines(path: str) -> list[str]:
@@ -89,7 +89,7 @@ class Outcome(NamedTuple):
 
 
 def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
-    """Check, and with ``fix`` mend in memory what can be mended. Raises CouldNotRun."""
+    """Check, and with ``fix`` apply fixes in memory. Raises CouldNotRun."""
     given = {os.path.realpath(request.paths[0]): request.stdin} if request.stdin is not None else {}
     workspace = Workspace(given)
     found, empty = discover(request.paths, request.config, request.exclude, request.force_exclude, workspace)
@@ -129,7 +129,7 @@ def add_ignores(outcome: Outcome) -> Outcome:
     return outcome._replace(fixed=count, before=before, after=after)
 
 
-# -- looking ----------------------------------------------------------------------------------------------------------
+# -- checking ---------------------------------------------------------------------------------------------------------
 
 
 def _look(request: Request, found: Sequence[Target], workspace: Workspace) -> Outcome:
@@ -165,7 +165,7 @@ def _heard(
     judged: Mapping[Target, Cached],
     workspace: Workspace,
 ) -> tuple[list[Diagnostic], list[Diagnostic]]:
-    """The findings that no comment silences, and what is wrong with such comments."""
+    """The findings that no comment silences, and the problems of such comments."""
     speaking = {path: data for path in checked if b"clickgen" in (data := workspace.read(path)).lower()}
     if not speaking:
         return findings, []
@@ -179,7 +179,7 @@ def _heard(
         if source is not None:
             sources.append(source)
             directives += dialect_of(path, data).directives(source, problems)
-    # What the settings silence needs no comment either.
+    # A finding that the settings silence needs no comment either.
     ignored = _Ignored(request.config)
     waiting = [finding for finding in findings if not ignored(finding)]
     left, _ = silenced(waiting, directives)
@@ -196,7 +196,7 @@ def _decoded(path: str, data: bytes) -> SourceFile | None:
 
 
 class _Ignored:
-    """Which warnings the settings silence in their files; each file meets each pattern once."""
+    """The warnings that the settings silence in their files; each file meets each pattern once."""
 
     def __init__(self, config: Config) -> None:
         self._root = config.root
@@ -221,11 +221,11 @@ def _judged_codes(request: Request, path: str, judged: Mapping[Target, Cached]) 
     return [code for code in CODES if request.selection.wants(code) and (whole or not code.startswith("CG5"))]
 
 
-# -- mending ----------------------------------------------------------------------------------------------------------
+# -- fixing -----------------------------------------------------------------------------------------------------------
 
 
 def _mended(outcome: Outcome, workspace: Workspace, unsafe: bool) -> dict[str, tuple[bytes, bytes, int]]:
-    """The source files that the fixes change: each before and after, and how many fixes went in.
+    """The source files that the fixes change: each before and after, and how many fixes were applied.
 
     A fix changes one file, which is one of those that were checked.
     """

@@ -15,25 +15,25 @@ from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.rungs import import_rung
 from clickgen.device.banks import Address, parse_address
 from clickgen.emit.rung_words import Names, condition_lines, item_lines
-from clickgen.instructions.control import END, NEXT, NOP, RETURN
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import Always, Compare
 from clickgen.ir.operands import Cell, Operand
 from clickgen.ir.program import Action, Rung
 
 _ROOM = "\ue000"
-"""Keeps room for a nickname behind its address, so that both sides of a difference are broken at the same places."""
+"""Keeps room for a nickname after its address, so that both sides of a difference break at the same places."""
 _NAMED = re.compile(rf"({ADDRESS}){_ROOM}+")
 _ADDRESS = re.compile(rf"(?<![\w.\"]){ADDRESS}(?!\w)")
 _FEATURE = re.compile(r'"[^"]*"|[^\s(),"]+')
 _COMMON = frozenset(("if", "and", "or", "not", "always"))
-_ALONE = (END.name, RETURN.name, NEXT.name, NOP.name)
+_ALONE = (Flow.END, Flow.RETURN, Flow.NEXT, Flow.PASS)
 
 
 @dataclass(frozen=True)
 class WordedRung:
     """A rung and its words: ``lines`` without names, but with room for them. ``number`` counts in its routine.
 
-    Where scratch cells have the numbers of the other side, ``origin`` is the rung with its own.
+    If scratch cells have the numbers of the other side, ``origin`` is the rung with its own.
     """
 
     routine: str
@@ -56,14 +56,14 @@ class WordedRung:
 
     @cached_property
     def features(self) -> frozenset[str]:
-        """What two rungs have in common when they resemble each other: comment, whole lines, and the words in them."""
+        """The features by which two rungs resemble each other: comment, whole lines, and the words in them."""
         lines = [line.replace(_ROOM, "").strip() for line in self.lines]
         words = {word for line in lines for word in _FEATURE.findall(line)}
         return frozenset({*lines, *words, *(f"| {line}" for line in self.comment)} - _COMMON)
 
     @cached_property
     def outputs(self) -> tuple[Said, ...]:
-        """What the rung drives, in the order of its rows."""
+        """The outputs of the rung, in the order of its rows."""
         return tuple(said_by(box) for box in outputs_of(self.drawn))
 
     @property
@@ -73,7 +73,7 @@ class WordedRung:
 
     @cached_property
     def cells(self) -> tuple[str, ...]:
-        """The rung as it is drawn, a line for each row."""
+        """The rung as drawn, a line for each row."""
         pins = {row: token for box in self.drawn.boxes for token, row in box.pins}
         tokens = {box.row: box.token for box in self.drawn.boxes} | pins
         return tuple(_cells(row, tokens.get(n, row.output)) for n, row in enumerate(self.drawn.rows))
@@ -87,7 +87,7 @@ class Wording:
 
     def rung(self, routine: str, number: int, drawn: DrawnRung) -> WordedRung:
         try:
-            # What a comment says is no logic, and some comments cannot stand in a program.
+            # A comment is not logic, and some comments are not possible in a program.
             rung = import_rung(replace(drawn, comment="")).rung
         except LadderProblem:
             bare = WordedRung(routine, number, drawn, (), False)
@@ -99,7 +99,7 @@ class Wording:
         yield from item_lines("  ", rung.items, self._names)
 
     def cells(self, rung: WordedRung) -> tuple[str, ...]:
-        """The rung as it is drawn, with room for names."""
+        """The rung as drawn, with room for names."""
         return tuple(map(self._with_room, rung.shown.cells))
 
     def _with_room(self, line: str) -> str:
@@ -136,14 +136,14 @@ def named(line: str, names: Names) -> str:
 
 
 def without(line: str, address: Address, word: str) -> str:
-    """A line with a word in the place of an address, except in quotes."""
+    """A line with a word in place of an address, except in quotes."""
     parts = line.split('"')
     parts[::2] = (re.sub(rf"(?<!\w){address}(?!\w){_ROOM}*", word, part) for part in parts[::2])
     return '"'.join(parts)
 
 
 def _is_plain(rung: Rung) -> bool:
-    actions = [item for item in rung.items if isinstance(item, Action) and item.spec.name in _ALONE]
+    actions = [item for item in rung.items if isinstance(item, Action) and item.effects.flow in _ALONE]
     return isinstance(rung.condition, Always) and len(actions) == len(rung.items)
 
 

@@ -1,4 +1,4 @@
-"""The nicknames that an imported program is written with, and the address table that stands beside it."""
+"""The nicknames in an imported program, and the address table beside it."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ Names = Mapping[Address, str]
 
 @dataclass(frozen=True)
 class Nicknames:
-    """The table without the names that a program cannot use, what is written in place of addresses, and problems.
+    """The table without the names that a program cannot use, the text in place of addresses, and problems.
 
-    Errors among the problems are those that a build would have, too.
+    The errors among the problems are those that a build would report too.
     """
 
     table: AddressTable
@@ -38,7 +38,7 @@ class Nicknames:
 
     @property
     def is_given(self) -> bool:
-        """False where there is no address table, and CLICK's own names are all there are."""
+        """False if there is no address table, and CLICK's own names are all there are."""
         return self.path is not None
 
 
@@ -49,10 +49,10 @@ def no_nicknames() -> Nicknames:
 
 
 def nicknames_of(path: Path, shown: str, is_kept: bool = False) -> Nicknames:
-    """The names of an address table, which stays as it is when it ``is_kept``. Raises CouldNotRun when it is none.
+    """Return the names of an address table, unchanged if it ``is_kept``. Raises CouldNotRun if it is not a table.
 
-    A name that CLICK does not take, or that two addresses have, is left out of the table: what it would mean in a
-    program, nobody can say. So are the names that clickgen gave to its own cells in an earlier build.
+    A name that CLICK does not take, or that two addresses have, is left out of the table: nobody can say what it would
+    mean in a program. So are the names that clickgen gave to its own cells in an earlier build.
     """
     try:
         data = bytes_of_table(path, shown)
@@ -85,13 +85,13 @@ def _place(problem: Diagnostic) -> tuple[str, int]:
 
 
 def _left_out(problem: Diagnostic) -> Diagnostic:
-    which = "both addresses stand" if problem.code == "CG602" else "the address stands"
-    way_out = f"{which} without a name in the program; give each a legal name of its own, and import again"
+    which = "both addresses are" if problem.code == "CG602" else "the address is"
+    way_out = f"{which} in the program without a name; give each a legal name of its own, and import again"
     return Diagnostic("CG706", problem.message, problem.span, way_out, problem.labels)
 
 
 def _unusable(table: AddressTable) -> list[Row]:
-    """The rows whose nicknames have no one meaning, and those of clickgen's own cells."""
+    """The rows whose nicknames do not have one clear meaning, and those of clickgen's own cells."""
     holders: dict[str, list[Row]] = {}
     for row in table.rows:
         holders.setdefault(row.nickname.lower(), []).append(row)
@@ -127,12 +127,12 @@ def _is_known(row: Row) -> bool:
 
 
 def names_of(table: AddressTable) -> Names:
-    """What a program can write in place of an address, and mean that address; CLICK's own names included."""
+    """The name that a program can write for an address and mean just that; CLICK's own names included."""
     names: dict[Address, str] = {}
     for row in table.rows:
         if row.nickname and table.by_nickname[row.nickname.lower()] is row:
             names[row.address] = row.nickname
-    # CLICK's own points go by CLICK's names: what a table calls them, no build writes.
+    # CLICK's own points have CLICK's names: no build writes the table's names for them.
     for name, address in system_nicknames().values():
         holder = table.by_nickname.get(name.lower())
         if (holder is None or holder.address == address) and find_system_name(name) == (name, address):

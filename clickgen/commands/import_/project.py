@@ -1,4 +1,4 @@
-"""An import from its beginning to its end, in memory: read, write as source, build, compare, report."""
+"""An import from beginning to end, in memory: read, write as source, build, compare, report."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from clickgen.commands.import_.routines import (
 )
 from clickgen.config import Settings
 from clickgen.dialects.registry import default
-from clickgen.instructions.control import END, RETURN
+from clickgen.instructions.offered import END, RETURN
 from clickgen.ir.program import Routine, Rung
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.source import SourceFile, Span
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Target:
-    """Where the program is to stand, and what a build of it would be told.
+    """The place for the program, and the settings for a build of it.
 
     ``program`` is its main file; ``is_folder`` gives each subroutine a file of its own beside it.
     """
@@ -47,18 +47,18 @@ class Target:
     program: Path
     is_folder: bool = False
     is_shown: bool = False
-    """True for a program that stands nowhere, and so declares its names itself."""
+    """True for a program without a place, which therefore declares its names itself."""
     settings: Settings = field(default_factory=Settings)
 
     @property
     def table(self) -> Path:
-        """The address table that a build would take."""
+        """The address table that a build would use."""
         return self.settings.table_of(self.program)
 
 
 @dataclass(frozen=True)
 class ImportResult:
-    """What an import made, in memory. ``files`` is what is to be written, the address table included."""
+    """The result of an import, in memory. ``files`` has the files to write, the address table included."""
 
     source: Path
     target: Target
@@ -68,7 +68,7 @@ class ImportResult:
     sources: tuple[SourceFile, ...]
     """The ladder files that were read as text."""
     verdict: Verdict | None
-    """None where nothing was to be verified."""
+    """None if nothing was to be verified."""
     names: int
     """The addresses that have a nickname."""
     named_by: Path | None
@@ -76,29 +76,29 @@ class ImportResult:
 
     @property
     def rungs(self) -> int:
-        """The rungs that the source has."""
+        """The number of rungs in the source."""
         return sum(routine.count for routine in self.routines)
 
     @property
     def left_out(self) -> int:
-        """The marked rungs in the places of those that could not be kept."""
+        """The marked rungs in place of those that could not be kept."""
         return sum(not piece.rungs for routine in self.routines for piece in routine.pieces)
 
     @property
     def is_whole(self) -> bool:
-        """True when nothing is missing that CLICK wants in a program."""
+        """True if nothing is missing that CLICK wants in a program."""
         has_main = any(routine.is_main for routine in self.routines)
         return has_main and not any(problem.code == "CG707" for problem in self.diagnostics)
 
     @property
     def ok(self) -> bool:
-        """True when nothing is an error."""
+        """True if there is no error."""
         return not any(problem.is_error for problem in self.diagnostics)
 
     def write(self, replaces: bool = False) -> list[Path]:
-        """Put the files in place, all of them or none; returns those that really changed.
+        """Put the files in place, all of them or none; return those that really changed.
 
-        Raises CouldNotRun where a file stands that says something else, unless this ``replaces`` it (an address table
+        Raises CouldNotRun if an existing file differs, unless this ``replaces`` it (an address table
         is never replaced), and OSError.
         """
         taken = [path for path, data in self.files.items() if _holds_otherwise(path, data)]
@@ -123,11 +123,11 @@ def _holds_otherwise(path: Path, data: bytes) -> bool:
 def import_project(
     source: Path, target: Target, nicknames: Path | None = None, keep_going: bool = False, verifies: bool = True
 ) -> ImportResult:
-    """Import what ``source`` holds: a bundle, a ladder CSV, a clipboard capture, CLICK's program files.
+    """Import the contents of ``source``: a bundle, a ladder CSV, a clipboard capture, CLICK's program files.
 
-    ``nicknames`` names the address table to take names from; without it that of the bundle, else the one that stands
-    where the program is to stand. What cannot be kept is an error; with ``keep_going`` a marked rung stands in its
-    place. Nothing is written (see ``ImportResult.write``). Raises CouldNotRun when there is nothing to import.
+    ``nicknames`` names the address table to take names from; without it that of the bundle, else the one at the
+    place for the program. A rung that cannot be kept is an error; with ``keep_going`` a marked rung takes its
+    place. Nothing is written (see ``ImportResult.write``). Raises CouldNotRun if there is nothing to import.
     """
     project = read_project(source)
     for routine in project.routines:
@@ -151,7 +151,7 @@ def _nicknames(project: Project, target: Target, given: Path | None) -> Nickname
 
 @dataclass
 class _Import:
-    """An import under way."""
+    """An import in progress."""
 
     project: Project
     target: Target
@@ -161,10 +161,10 @@ class _Import:
     problems: list[Diagnostic] = field(default_factory=list)
 
     def verified(self) -> Verdict:
-        """Build and compare. Rungs that a build refuses, or that do not come back, are no longer kept.
+        """Build and compare. Rungs that a build refuses, or that come back different, are no longer kept.
 
-        Without some of its rungs a program may be refused for another reason, and a rung that a build draws otherwise
-        may be written otherwise: so this goes on until nothing changes.
+        Without some of its rungs a program may be refused for another reason, and a rung that a build draws differently
+        may be written differently: so this repeats until nothing changes.
         """
         from clickgen.click.compare.same import Likeness
         from clickgen.commands.import_.proof import verdict_of
@@ -196,7 +196,7 @@ class _Import:
         return next((_named(*pair).removesuffix(": ") for pair in pieces), "")
 
     def _refuse(self, routine: ImportedRoutine | None, problem: Diagnostic) -> None:
-        """What belongs to no rung. The address table has told its own faults."""
+        """Report a problem that belongs to no rung. The address table has reported its own faults."""
         if any((own.code, own.message) == (problem.code, problem.message) for own in self.nicknames.problems):
             return
         place = LadderProblem(problem.message, routine.file) if routine else None
@@ -211,7 +211,7 @@ class _Import:
         return build(self.target.program, settings=self.target.settings, workspace=Workspace(overlay))
 
     def _table(self) -> dict[Path, bytes]:
-        """The address table where it is to stand; none where names were not given, or are declared in the program."""
+        """The address table at its place; none if names were not given, or are declared in the program."""
         is_written = self.nicknames.is_given and not self.target.is_shown
         return {self.target.table: self.nicknames.table.to_bytes()} if is_written else {}
 
@@ -227,7 +227,7 @@ class _Import:
     # -- reporting ----------------------------------------------------------------------------------------------------
 
     def result(self, verdict: Verdict | None) -> ImportResult:
-        """What there is to write and to say; without ``keep_going`` an error leaves nothing to write."""
+        """Return the files to write and the report; without ``keep_going`` an error leaves nothing to write."""
         table = self.nicknames.table
         files = {path: text.encode() for path, text in self._texts(as_routines(self.routines)).items()}
         files |= self._table()
@@ -296,11 +296,11 @@ _HELP = {
 
 
 _LOOPS = ("CG407", "CG408", "CG409", "CG422", "CG425")
-"""What is said of one end of a loop when the other is not there."""
+"""The codes for one end of a loop without the other."""
 
 
 def _settle(redrawn: Redrawn) -> bool:
-    """Write a rung as a build draws it, so that a second import gives the same source; False when it stays.
+    """Write a rung as a build draws it, so that a second import gives the same source; return False if it stays.
 
     A rung that needs scratch cells stays as it was drawn: nobody would write it with them.
     """

@@ -1,4 +1,4 @@
-"""The programs around an address table: those that a command names, and every other one that would feel a change."""
+"""The programs around an address table: those that a command names, and every other one that a change would affect."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from clickgen.workspace import CouldNotRun, Workspace
 
 
 class Job(Protocol):
-    """A program that a command works on, and what it is built with."""
+    """A program that a command works on, and its settings for a build."""
 
     @property
     def program(self) -> str: ...
@@ -27,7 +27,7 @@ class Job(Protocol):
 
 
 class SourceNames(NamedTuple):
-    """A source file of a program, the names in it, and what is wrong with it."""
+    """A source file of a program, the names in it, and its problems."""
 
     source: SourceFile
     names: FileNames | None
@@ -37,7 +37,7 @@ class SourceNames(NamedTuple):
 
 @dataclass(frozen=True)
 class Program:
-    """A program, or a part of one that no program imports, with every file that it is made of."""
+    """A program, or a part of one that no program imports, with every file in it."""
 
     path: str
     settings: Settings
@@ -67,9 +67,9 @@ class Program:
 def programs_around(
     jobs: Sequence[Job], config: Config, files: Workspace, tables: Iterable[Path] = ()
 ) -> list[Program]:
-    """The programs of the jobs, those around them and their tables, and the configured ones; each once.
+    """Return the programs of the jobs, those around them and their tables, and the configured ones; each once.
 
-    ``tables`` are further tables to look around. Raises CouldNotRun when a program cannot be read.
+    ``tables`` are further tables to look around. Raises CouldNotRun if a program cannot be read.
     """
     places = [table.parent for table in tables]
     for job in jobs:
@@ -85,7 +85,7 @@ def programs_around(
 
 
 def _around(folders: Iterable[str], config: Config) -> Iterator[Target]:
-    # What nobody wants to have checked uses the table all the same.
+    # A program that is excluded from checks uses the table all the same.
     config = config._replace(check=CheckSettings())
     for program in config.programs:
         if program.path.is_file():

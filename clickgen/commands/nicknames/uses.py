@@ -18,33 +18,33 @@ from clickgen.text.source import SourceFile
 
 @dataclass(frozen=True)
 class FileNames:
-    """Every name that a source file uses or declares, in the order of the text. Members of blocks are apart."""
+    """Every name that a source file uses or declares, in the order of the text. Members of blocks are separate."""
 
     source: SourceFile
     dialect: Dialect
     named: tuple[Named, ...]
     blocks: tuple[Named, ...]
-    """Names with an index or a section behind them, and declared blocks."""
+    """Names with an index or a section after them, and declared blocks."""
     formulas: tuple[FormulaText, ...]
     declarations: tuple[Declaration | BlockDeclaration, ...] = ()
     cells: tuple[Cell | Range, ...] = ()
-    """What routines use by its number."""
+    """The cells and ranges that routines use by number."""
 
     def of(self, name: str) -> list[Named]:
         """The uses of a name, in any bank and any case."""
         return [named for named in self.named if named.name.lower() == name.lower()]
 
     def blocks_of(self, name: str) -> list[Named]:
-        """Where a name stands for a block or a part of one."""
+        """The uses of a name for a block or a part of one."""
         return [block for block in self.blocks if block.name.lower() == name.lower()]
 
     def every(self, name: str) -> list[Named]:
-        """Every place of a name, be it a nickname's or a block's, each once and in the order of the text."""
+        """Every place of a name, a nickname's or a block's, each once and in the order of the text."""
         found = {(named.span.line, named.span.col): named for named in (*self.of(name), *self.blocks_of(name))}
         return [found[place] for place in sorted(found)]
 
     def place(self, named: Named) -> Place:
-        """Where one of ``named`` or ``blocks`` has its name."""
+        """The place of the name of one of ``named`` or ``blocks``."""
         return self._places.place(named)
 
     def comments_with(self, word: str) -> int:
@@ -102,7 +102,7 @@ def _formulas(routine: Routine) -> Iterator[FormulaText]:
 
 
 def places_in(files: Iterable[FileNames]) -> Callable[[str], list[str]]:
-    """Where these files use or declare a name: ``prog.py:12``. Each file counts once, each line too."""
+    """The places where these files use or declare a name: ``prog.py:12``. Each file counts once, each line too."""
     places: dict[str, dict[str, None]] = {}
     for file in files:
         for named in file.named:
@@ -112,7 +112,7 @@ def places_in(files: Iterable[FileNames]) -> Callable[[str], list[str]]:
 
 
 class ProgramsSay:
-    """What programs say of addresses, beside the names that they use. Each file counts once."""
+    """What programs say of addresses, besides the names that they use. Each file counts once."""
 
     def __init__(self, files: Iterable[FileNames] = ()) -> None:
         self.declared: dict[str, Declaration] = {}
@@ -131,7 +131,7 @@ class ProgramsSay:
         return f"{self._dialects[span.path].spell.declaration()} at {span.path}:{span.line}"
 
     def by_number(self, address: Address) -> list[str]:
-        """Where an address is used by its number, alone or in a range: ``prog.py:12``."""
+        """The places where an address is used by its number, alone or in a range: ``prog.py:12``."""
         return list(self._by_number.get(address, ()))
 
     def _add(self, file: FileNames) -> None:

@@ -1,4 +1,4 @@
-"""Sheets into the bytes of a workbook, every text as text."""
+"""Writes sheets into the bytes of a workbook, every text as text."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ from clickgen.emit.workbook.sheet import Cells, Column, Look, Marked, Sheet, Val
 
 ROWS_MAX = 1_048_576
 TEXT_MAX = 32_767
-"""What Excel holds in a sheet and in a cell."""
+"""Excel's limits for a sheet and for a cell."""
 _CUT = " [cut]"
 
 
 def to_bytes(sheets: Iterable[Sheet], program: str) -> bytes:
-    """The workbook; ``program`` is named at the foot of each page."""
+    """Return the workbook; ``program`` is named at the foot of each page."""
     book = Workbook(write_only=True)
     book.calculation = CalcProperties(fullCalcOnLoad=False)
     for sheet in sheets:
-        # What is written row by row has all that is used here of a sheet in memory; its types say less.
+        # A sheet written row by row has everything that is used here of one in memory; its types say less.
         _write(cast(Worksheet, book.create_sheet(sheet.name)), sheet, program)
     file = BytesIO()
     ExcelWriter(book, PinnedZip(file)).save()
@@ -55,7 +55,7 @@ def _write(target: Worksheet, sheet: Sheet, program: str) -> None:
 
 
 class _Pen:
-    """Writes the rows of one sheet. A cell of each style is used again and again: each is written at once."""
+    """Writes the rows of one sheet. It reuses one cell for each style, since each is written at once."""
 
     def __init__(self, sheet: Worksheet, columns: tuple[Column, ...]) -> None:
         self._sheet = sheet
@@ -103,7 +103,7 @@ _FORBIDDEN = re.compile(r"[\x00-\x08\x0b-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
 
 
 def clean(text: str) -> str:
-    """A text that a workbook can hold: what XML forbids is shown by a sign of its own, what is too long is cut."""
+    """Return a text that a workbook can hold: a sign replaces what XML forbids, and a text that is too long is cut."""
     text = _FORBIDDEN.sub(_sign, text)
     return text if len(text) <= TEXT_MAX else text[: TEXT_MAX - len(_CUT)] + _CUT
 
@@ -120,7 +120,7 @@ _ESCAPE = re.compile(r"_x(?=[0-9A-Fa-f]{4}_)")
 
 
 def as_written(text: str) -> str | CellRichText:
-    """What Excel would take for the code of a character, ``_x0041_``, is cut in two: it reads each piece as it is."""
+    """Divide ``_x0041_``, which Excel would take for the code of a character: it reads each piece as it is."""
     if not _ESCAPE.search(text):
         return text
     pieces = _ESCAPE.sub("_x\0", text).split("\0")

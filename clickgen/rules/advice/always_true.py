@@ -1,4 +1,4 @@
-"""A condition that every state of the machine makes true: it looks like a test and is none."""
+"""A condition that every state of the machine makes true: it looks like a test but is none."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def find(facts: Facts) -> Findings:
 
 
 def _always(part: Condition) -> Iterator[Compare | Any]:
-    """The innermost parts that are always true; all(...) is, only where each of its terms is."""
+    """Yield the innermost parts that are always true; all(...) is, only if each of its terms is."""
     if isinstance(part, All | Any):
         inside = [found for term in part.terms for found in _always(term)]
         if inside:

@@ -8,7 +8,6 @@ from clickgen.facts.copied import put_in
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of
 from clickgen.formula.values import value_of
-from clickgen.instructions.maths import CALC
 from clickgen.ir.conditions import MIRRORED, Compare
 from clickgen.ir.operands import Cell, Integer, Real
 from clickgen.ir.program import FormulaText
@@ -20,7 +19,7 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 CODE = "CG552"
 
 _COPIES_MAX = 8
-"""A register that gets its value through more copies than this is not looked into."""
+"""A register that gets its value through more copies than this is not examined."""
 
 
 def find(facts: Facts) -> Findings:
@@ -31,12 +30,12 @@ def find(facts: Facts) -> Findings:
         for touch in touches(placed.action):
             if touch.is_written:
                 for address in SETS_CLOCK.intersection(addresses_of(touch.operand)):
-                    formula = placed.action.args.get("formula")
+                    formula = placed.action.moved
                     put = put_in(placed, address)
                     value: float | None = None
                     if isinstance(put, Integer | Real):
                         value = put.value
-                    elif placed.spec is CALC and isinstance(formula, FormulaText):
+                    elif isinstance(formula, FormulaText):
                         value = value_of(formula.formula.root)
                     part = CLOCK[address]
                     if value is not None and not part.low <= value <= part.high:
@@ -46,7 +45,7 @@ def find(facts: Facts) -> Findings:
 
 
 _Parts = dict[Address, Part | None]
-"""What is known of the registers that were asked for."""
+"""The known parts of the registers that were asked for."""
 
 
 def _check_comparison(facts: Facts, compare: Compare, parts: _Parts) -> Findings:
@@ -55,7 +54,7 @@ def _check_comparison(facts: Facts, compare: Compare, parts: _Parts) -> Findings
         left, op, right = right, MIRRORED[op], left
     if not isinstance(left, Cell) or not isinstance(right, Integer | Real):
         return
-    # A register alone is compared with a 0 that stands nowhere.
+    # A register alone is compared with an unwritten 0.
     if right.span == left.span:
         return
     if left.address not in parts:
@@ -76,7 +75,7 @@ def _check_comparison(facts: Facts, compare: Compare, parts: _Parts) -> Findings
 
 
 def _outcome(part: Part, op: str, value: float) -> bool | None:
-    """What a comparison with the clock always is; None where it depends, or where it only bounds a range."""
+    """The constant result of a comparison with the clock; None if it varies, or only bounds a range."""
     outcomes = {HOLDS[op](one, value) for one in range(part.low, part.high + 1)}
     if len(outcomes) > 1:
         return None
@@ -87,7 +86,7 @@ def _outcome(part: Part, op: str, value: float) -> bool | None:
 
 
 def _part(facts: Facts, address: Address) -> Part | None:
-    """The part of the time that a register holds: one of the clock's own, or one that copies of it alone write."""
+    """The part of the time that a register holds: one of the clock's own, or one that only copies of it write."""
     for _ in range(_COPIES_MAX):
         if address in CLOCK:
             return CLOCK[address] if address not in SETS_CLOCK else None

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 
 from clickgen.facts.facts import Facts
-from clickgen.instructions.data import SEARCH
 from clickgen.ir.program import Word
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
@@ -18,8 +17,9 @@ _LITERAL = re.compile(r"""(["']{1,3})(eq|ne|lt|le|gt|ge)\1""")
 
 def find(facts: Facts) -> Findings:
     for placed in facts.actions:
-        condition = placed.action.args.get("condition")
-        if placed.spec is not SEARCH or not isinstance(condition, Word):
+        finds = placed.effects.finds
+        condition = placed.action.args.get(finds.comparison) if finds is not None else None
+        if not isinstance(condition, Word):
             continue
         match = _LITERAL.fullmatch(facts.text(condition.span))
         if match:

@@ -10,9 +10,7 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import STARTING, Facts, Placed
 from clickgen.facts.idle import never_run
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions import communication, drums
-from clickgen.instructions.coils import OUT, RESET, SET
-from clickgen.instructions.data import SHIFT
+from clickgen.instructions.effects import Keeps, Shape
 from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.modbus import RtuTarget, TcpTarget
 from clickgen.ir.operands import Cell
@@ -25,9 +23,9 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 CODE = "CG546"
 
 _MANY = 50
-"""A message is compared with so many others on its port before it."""
+"""A message is compared with this many others on its port before it."""
 _READY = frozenset(Address("SC", number) for number in (90, 100, 102))
-"""_Port_1_Ready_Flag to _Port_3_Ready_Flag: who asks one of them waits for the port (click-facts [system.ready])."""
+"""_Port_1_Ready_Flag to _Port_3_Ready_Flag: whoever looks at one waits for the port (click-facts [system.ready])."""
 _OWN_FLAGS = ("sending", "receiving", "success", "error")
 
 
@@ -35,7 +33,7 @@ def find(facts: Facts) -> Findings:
     on_port: dict[object, list[Placed]] = defaultdict(list)
     idle = never_run(facts)
     for placed in facts.actions:
-        if placed.spec not in communication.SPECS or id(placed.action) in idle:
+        if placed.effects.shape is not Shape.MESSAGE or id(placed.action) in idle:
             continue
         port = _port(placed)
         before = on_port[port][:_MANY]
@@ -69,7 +67,7 @@ _Way = tuple[Condition, ...]
 
 
 def _ways(facts: Facts, placed: Placed) -> list[_Way]:
-    """What must hold for a message to go out, for each call that leads to it."""
+    """The conditions for a message to go out, for each call that leads to it."""
     own = facts.ways_to(placed)
     if placed.routine.is_main:
         return [own]
@@ -77,28 +75,29 @@ def _ways(facts: Facts, placed: Placed) -> list[_Way]:
 
 
 def _waits(way: _Way, other: Placed) -> bool:
-    """True where a message looks at what the other one reports, or at whether the port is ready."""
+    """True if a message looks at what the other one reports, or at whether the port is ready."""
     flags = {bit for name in _OWN_FLAGS for bit in addresses_of(other.action.args.get(name))} | _READY
     contacts = (leaf for condition in way for leaf in leaves(condition) if isinstance(leaf, Contact))
     return any(isinstance(one.operand, Cell) and one.operand.address in flags for one in contacts)
 
 
 def _hangs_on_step(facts: Facts, way: _Way) -> bool:
-    """True where a bit that is handed on decides: whoever sets it resets another one in the same rung."""
+    """True if a token bit decides: whatever sets it resets another one in the same rung."""
     for term in terms_of(*way):
         if not isinstance(term, Contact) or not isinstance(term.operand, Cell) or term.negated:
             continue
         writers = facts.writers(term.operand.address)
-        if any(writer.spec is SHIFT or writer.spec in drums.SPECS for writer in writers):
+        if not all(writer.effects.keeps.isdisjoint((Keeps.STEP, Keeps.BITS)) for writer in writers):
             return True
-        sets = [writer for writer in writers if writer.spec is SET and not writer.depends_only_on(STARTING)]
-        if sets and OUT not in {writer.spec for writer in writers} and all(_resets(writer) for writer in sets):
+        sets = [writer for writer in writers if writer.action.turns and not writer.depends_only_on(STARTING)]
+        has_coil = any(writer.effects.follows_power for writer in writers)
+        if sets and not has_coil and all(_resets(writer) for writer in sets):
             return True
     return False
 
 
 def _resets(writer: Placed) -> bool:
-    return any(action.spec is RESET for action in actions_in(writer.rung.items))
+    return any(action.turns is False for action in actions_in(writer.rung.items))
 
 
 def _report(facts: Facts, placed: Placed, other: Placed) -> Findings:

@@ -1,11 +1,11 @@
-"""A counter whose inputs are levels: vendor and simulator disagree whether it counts scans or edges
+"""A counter whose inputs are levels: vendor and simulator disagree on whether it counts scans or edges
 (click-facts [counter.edges])."""
 
 from __future__ import annotations
 
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.pulses import Pulses
-from clickgen.instructions import counters
+from clickgen.instructions.effects import Keeps
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
@@ -15,7 +15,7 @@ CODE = "CG513"
 def find(facts: Facts) -> Findings:
     pulses = Pulses(facts)
     for placed in facts.actions:
-        if placed.spec in counters.SPECS:
+        if Keeps.COUNT in placed.effects.keeps:
             for place, span in _levels(pulses, placed):
                 yield finding(
                     CODE,
@@ -29,9 +29,10 @@ def find(facts: Facts) -> Findings:
 def _levels(pulses: Pulses, placed: Placed) -> list[tuple[str, Span]]:
     """The counted inputs that may be on for longer than a scan."""
     found = [] if pulses.has(placed.condition, placed.routine) else [("the rung", placed.action.span)]
-    down = placed.action.pin("count_down")
-    if down is not None and not pulses.has(down, placed.routine):
-        found.append(("count_down", down.span))
+    for param in placed.spec.pins:
+        counted = placed.action.pin(param.name) if param.name != placed.effects.reset_by else None
+        if counted is not None and not pulses.has(counted, placed.routine):
+            found.append((param.name, counted.span))
     return found
 
 

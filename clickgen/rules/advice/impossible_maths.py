@@ -21,7 +21,7 @@ CODE = "CG553"
 
 
 class _Domain(NamedTuple):
-    """The values that a function takes: from ``low`` to ``high``, ``low`` itself only where it is not open."""
+    """The values that a function takes: from ``low`` to ``high``, ``low`` itself only if it is not open."""
 
     words: str
     low: float
@@ -32,7 +32,7 @@ class _Domain(NamedTuple):
         return self.low <= value <= self.high and not (self.is_open and value == self.low)
 
     def asks(self, cell: Cell) -> list[Condition]:
-        """What must hold of a register for the function to take its value."""
+        """The conditions on a register for the function to take its value."""
         span = cell.span
         asked: list[Condition] = [Compare(">" if self.is_open else ">=", cell, Integer(int(self.low), span), span)]
         if self.high < math.inf:
@@ -80,7 +80,7 @@ def _function(facts: Facts, calculation: Calculation, name: str, argument: Node)
     shown = facts.shown(cell.address)
     condition = calculation.placed.condition
     if can_hold(condition) and are_exclusive(condition, *domain.asks(cell)):
-        return f"{takes}, and the condition of this rung holds only while {shown} is none", "turn the comparison round"
+        return f"{takes}, and the condition of this rung holds only while {shown} is none", "reverse the comparison"
     put = _only_put(facts, cell)
     if put and not any(map(domain.takes, put)):
         listed = ", ".join(f"{number:g}" for number in put)
@@ -89,7 +89,7 @@ def _function(facts: Facts, calculation: Calculation, name: str, argument: Node)
 
 
 def _only_put(facts: Facts, cell: Cell) -> list[float]:
-    """The numbers that a register gets, where it gets nothing else; none where it may get any."""
+    """The numbers that a register gets, if it gets nothing else; none if it may get any."""
     if facts.uses.is_pointed(cell.bank, is_written=True):
         return []
     writers = facts.writers(cell.address)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
-from clickgen.instructions import communication
 from clickgen.ir.conditions import Any, Contact, Edge
 from clickgen.ir.operands import Cell
 from clickgen.ir.walk import leaves
@@ -48,12 +47,12 @@ def find(facts: Facts) -> Findings:
 
 
 def _changes_without(facts: Facts, address: Address, name: str, sometimes: dict[str, Any]) -> bool:
-    """True when a bit may change in a scan in which the subroutine does not run."""
+    """True if a bit may change in a scan in which the subroutine does not run."""
     uses = facts.uses.writes(address)
     writers = {use.routine.name for use in uses}
     if not writers or facts.uses.is_pointed(address.bank, True):
         return True
-    if any(use.action and use.action.spec in communication.SPECS for use in uses):
+    if any(use.action and use.action.effects.is_late for use in uses):
         return True  # A message ends in its own time.
     return not all(
         writer == name or (writer in sometimes and implies(sometimes[writer], sometimes[name])) for writer in writers
@@ -73,7 +72,7 @@ Take the edge in main, where every scan sees it. `set` a bit there when the pres
 subroutine reset it; `out` a bit there when a press in another mode must count for nothing.
 
 Bits that change only while the subroutine runs too, and the ticks of CLICK's clocks, are left alone. What `send` and
-`receive` report changes in its own time, so it may change in between wherever they stand. A conditional `end()` or
+`receive` report changes in its own time, so it may change in between wherever they are. A conditional `end()` or
 `return` in front is not seen.
 """,
     wrong=(

@@ -8,8 +8,6 @@ from typing import NamedTuple
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use
-from clickgen.instructions.coils import RESET
-from clickgen.instructions.raw import RAW
 from clickgen.problems.diagnostics import Label
 from clickgen.problems.name_slips import Spellings
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
@@ -17,18 +15,18 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 CODE = "CG540"
 
 _BANKS = ("X", "Y", "C", "DS", "DD", "DH", "DF", "TXT")
-"""A timer or counter that no instruction drives is CG521's."""
+"""CG521 reports a timer or counter that no instruction drives."""
 
 
 class _Name(NamedTuple):
-    """A name of the program and what is done with it."""
+    """A name of the program and its uses."""
 
     name: str
     address: Address
     reads: list[Use]
     writes: list[Use]
     is_given: bool
-    """True where something gives it a value: an instruction, a declaration, the world outside."""
+    """True if something gives it a value: an instruction, a declaration, the world outside."""
     is_declared: bool
 
 
@@ -41,7 +39,7 @@ def find(facts: Facts) -> Findings:
     for bank, names in by_bank.items():
         spellings = Spellings(names)
         said: set[str] = set()
-        # What reads a misspelled name waits in vain: it is told first, and the pair once.
+        # A reader of a misspelled name waits in vain: it is reported first, and the pair once.
         for one in sorted(names.values(), key=lambda name: not name.reads or name.is_given):
             if one.is_declared or one.name in said:
                 continue
@@ -55,22 +53,22 @@ def find(facts: Facts) -> Findings:
 def _described(facts: Facts, address: Address, nickname: str) -> _Name:
     reads, writes = facts.uses.reads(address), facts.uses.writes(address)
     is_given = facts.uses.is_pointed(address.bank, is_written=True) or facts.is_set_up(address)
-    # A reset gives a bit nothing: what is only reset is never on. Nobody knows what a kept instruction does.
-    is_given = is_given or any(use.action is None or use.action.spec is not RESET for use in writes)
+    # A reset gives a bit nothing: a bit that is only reset is never on. Nobody knows what a kept instruction does.
+    is_given = is_given or any(use.action is None or use.action.turns is not False for use in writes)
     return _Name(nickname, address, reads, writes, is_given, address in facts.declared)
 
 
 def _is_suspect(bank: str, one: _Name, other: _Name) -> bool:
-    """True where one of two names that look alike lacks a half that the other has, and nobody declared it."""
-    if any(use.action and use.action.spec is RAW for use in (*one.reads, *one.writes)):
+    """True if one of two names that look alike lacks a half that the other has, and nobody declared it."""
+    if any(use.action and use.action.effects.is_unknown for use in (*one.reads, *one.writes)):
         return False
     if bank == "X":
-        # An input is given from outside; what is not declared beside what is, a build has chosen.
+        # An input is given from outside; a build has chosen an undeclared name beside a declared one.
         return other.is_declared
     if one.reads and not one.is_given:
         return other.is_given or not other.reads
     if bank == "Y":
-        # An output acts by itself: it is suspect only where the other one waits for it.
+        # An output acts by itself: it is suspect only if the other one waits for it.
         return bool(one.writes) and not one.reads and bool(other.reads) and not other.is_given
     return bool(one.writes) and not one.reads and bool(other.reads)
 

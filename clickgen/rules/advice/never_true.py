@@ -1,4 +1,4 @@
-"""A condition that no state of the machine makes true: what hangs on it never comes on."""
+"""A condition that no state of the machine makes true: whatever depends on it never comes on."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 CODE = "CG507"
 
 _NAMED_MAX = 4
-"""So many terms that exclude each other a message names."""
+"""A message names at most this many terms that exclude each other."""
 
 
 def find(facts: Facts) -> Findings:
@@ -31,14 +31,14 @@ def find(facts: Facts) -> Findings:
 
 
 _PARTS_MAX = 1_000
-"""No condition that a person wrote has so many parts; of more the rule finds what the first ones say."""
+"""No condition that a person wrote has this many parts; in a larger one the rule looks only at the first ones."""
 
 _Found = tuple[Condition, tuple[Condition, ...], bool]
-"""A part that is never true, what is in series with it, and whether it is one of several alternatives."""
+"""A part that is never true, the conditions in series with it, and whether it is one of several alternatives."""
 
 
 class _Patience:
-    """How many parts of one condition are still looked at: alternatives inside each other double at every level."""
+    """How many parts of one condition may still be looked at: nested alternatives double at every level."""
 
     def __init__(self) -> None:
         self._left = _PARTS_MAX
@@ -50,7 +50,7 @@ class _Patience:
 
 
 def _never(part: Condition, beside: tuple[Condition, ...], is_leg: bool, patience: _Patience) -> Iterator[_Found]:
-    """The innermost parts that are never true beside these others."""
+    """Yield the innermost parts that are never true beside these others."""
     if patience.is_over:
         return
     if isinstance(part, All):
@@ -87,7 +87,7 @@ def _near(part: Condition, beside: tuple[Condition, ...]) -> tuple[Condition, ..
 
 
 def _never_alone(part: Condition, is_leg: bool) -> Iterator[_Found]:
-    """The same where no part says anything of another: only a comparison can be never true by itself."""
+    """The same if all parts are independent: only a comparison can be never true by itself."""
     if isinstance(part, All | Any):
         for term in part.terms:
             yield from _never_alone(term, is_leg or (isinstance(part, Any) and len(part.terms) > 1))
@@ -114,7 +114,7 @@ def _report(facts: Facts, site: Site, part: Condition, beside: tuple[Condition, 
 
 
 def _at_odds(own: tuple[Condition, ...], beside: tuple[Condition, ...]) -> list[Condition]:
-    """The fewest of these terms that are still never true together: two where two say it."""
+    """The fewest of these terms that are still never true together: two if two are enough."""
     near, far = own[:MANY], beside[:MANY]
     pairs = [*combinations(near, 2), *((one, other) for other in far for one in near)]
     for pair in pairs:

@@ -1,11 +1,10 @@
-"""A timer or counter that is looked at and that no instruction drives."""
+"""A timer or counter that is looked at but that no instruction drives."""
 
 from __future__ import annotations
 
 from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Address, current_value
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.drums import TIME_DRUM
 from clickgen.ir.operands import Operand, form_of
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
@@ -36,15 +35,17 @@ def _number(address: Address) -> Address:
 
 
 def _is_driven(facts: Facts, address: Address) -> bool:
-    """True for what an instruction owns, and for a current value that any other writes."""
+    """True if an instruction owns it, and for a current value that any other instruction writes."""
     return bool(facts.uses.writes(address)) or facts.uses.is_pointed(address.bank, is_written=True)
 
 
 def _report(facts: Facts, operand: Operand, addresses: list[Address]) -> Findings:
     first, number = addresses[0], _number(addresses[0])
     value = current_value(first)
-    if len(addresses) == 1 and any(placed.spec is TIME_DRUM for placed in facts.writers(value)):
-        fault = f"{facts.shown(value)} belongs to a time_drum, which has no bit: {first} never comes on"
+    without_bit = (one.spec.name for one in facts.writers(value) if one.spec.owns and one.effects.done is None)
+    owner = next(without_bit, "") if len(addresses) == 1 else ""
+    if owner:
+        fault = f"{facts.shown(value)} belongs to a {owner}, which has no bit: {first} never comes on"
         help = "use the completion flag of the drum, or compare its current value"
     else:
         fate = "the bit never comes on" if first == number else "the value never changes"

@@ -13,7 +13,7 @@ from clickgen.text.edits import Edit, Fix
 CODE = "CG526"
 
 _BITS_MAX = 16
-"""The fix writes out no longer range than this."""
+"""The fix writes out ranges up to this length."""
 
 
 def find(facts: Facts) -> Findings:
@@ -40,7 +40,7 @@ def find(facts: Facts) -> Findings:
 
 
 def _alternatives(condition: Condition, is_alternative: bool) -> Iterator[Contact]:
-    """The contacts that are a term of any(...) by themselves."""
+    """Yield the contacts that are a term of any(...) by themselves."""
     if isinstance(condition, All | Any):
         for term in condition.terms:
             yield from _alternatives(term, isinstance(condition, Any))
@@ -49,7 +49,7 @@ def _alternatives(condition: Condition, is_alternative: bool) -> Iterator[Contac
 
 
 def _bits(facts: Facts, contact: Contact) -> list[str]:
-    """The contacts that a range stands for, as a program writes them; none for what is no range."""
+    """The contacts for a range, as a program writes them; none if it is not a range."""
     operand = contact.operand
     target = operand.target if isinstance(operand, Immediate) else operand
     if not isinstance(target, Range):

@@ -1,4 +1,4 @@
-"""An address that is read and never written: it keeps the value it began with."""
+"""An address that is read and never written: it keeps its initial value."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 CODE = "CG504"
 
 _BANKS = ("Y", "C", "DS", "DD", "DH", "DF", "TXT")
-"""Inputs and system points come from outside; timers and counters without their instruction are CG521's."""
+"""Inputs and system points come from outside; CG521 reports timers and counters without their instruction."""
 
 
 def find(facts: Facts) -> Findings:

@@ -1,13 +1,10 @@
-"""A subroutine that runs twice in one scan and holds what must run once: timers, counters, edges, one-shots."""
+"""A subroutine that runs twice in one scan but holds things that must run once: timers, counters, edges, one-shots."""
 
 from __future__ import annotations
 
 from itertools import combinations
 
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions import counters, timers
-from clickgen.instructions.data import SHIFT
-from clickgen.instructions.drums import EVENT_DRUM, TIME_DRUM
 from clickgen.ir.conditions import Contact
 from clickgen.ir.program import Routine
 from clickgen.ir.walk import leaves
@@ -16,8 +13,6 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG527"
-
-_BOXES = (*timers.SPECS, *counters.SPECS, EVENT_DRUM, TIME_DRUM, SHIFT)
 
 
 def find(facts: Facts) -> Findings:
@@ -40,7 +35,7 @@ def find(facts: Facts) -> Findings:
 
 
 def _second_run(facts: Facts, calls: tuple[Placed, ...]) -> tuple[Placed, Span] | None:
-    """A call that may run the subroutine once more in a scan, and the loop or the earlier call that makes it so."""
+    """A call that may run the subroutine once more in a scan, and the loop or the earlier call that causes it."""
     for call in calls:
         if call.loop:
             return call, call.loop.span
@@ -51,10 +46,10 @@ def _second_run(facts: Facts, calls: tuple[Placed, ...]) -> tuple[Placed, Span] 
 
 
 def _once(facts: Facts, routine: Routine) -> tuple[Span, str] | None:
-    """The first thing in a routine that must run once in a scan, and what becomes of it."""
+    """The first thing in a routine that must run once in a scan, and its effect otherwise."""
     for placed in facts.actions:
         if placed.routine is routine:
-            if placed.spec in _BOXES:
+            if placed.effects.keeps:
                 return placed.action.span, f"each run may advance its {placed.spec.name}"
             if placed.action.flag("oneshot"):
                 return placed.action.span, f"only one run does its one-shot {placed.spec.name}"
@@ -71,7 +66,7 @@ ABOUT = Code(
     Severity.WARNING,
     "a subroutine with timers or edges may run twice in a scan",
     """
-A subroutine keeps one memory, however often it is called. When two calls run in one scan, or a call stands in a loop, a
+A subroutine keeps one memory, however often it is called. When two calls run in one scan, or a call is in a loop, a
 timer in it may add the time of the scan twice, a counter may count twice, and an edge or a one-shot is there for the
 first of the runs and gone for the others. It is the fault of a timer inside a loop (CG423) by another door.
 

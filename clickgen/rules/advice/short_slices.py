@@ -1,4 +1,4 @@
-"""A slice of 15 or 31 bits into or out of a word: it looks as if its end had been meant to be included."""
+"""A slice of 15 or 31 bits into or out of a word: its end looks as if it was meant to be included."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 
 from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions.copies import COPY_PACK, COPY_UNPACK
+from clickgen.instructions.effects import Shape
 from clickgen.instructions.spec import BITS
 from clickgen.ir.operands import Range
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
@@ -39,16 +39,16 @@ def find(facts: Facts) -> Findings:
 
 
 def _short_bits(placed: Placed) -> Range | None:
-    if placed.spec is not COPY_PACK and placed.spec is not COPY_UNPACK:
+    if placed.effects.shape not in (Shape.PACK, Shape.UNPACK):
         return None
-    bits = placed.action.args["source" if placed.spec is COPY_PACK else "destination"]
+    bits = placed.action.moved if placed.effects.shape is Shape.PACK else placed.action.moved_to
     if isinstance(bits, Range) and bits.bank in BITS and len(bits) in _SHORT and not bits.is_reversed:
         return bits
     return None
 
 
 def _has_neighbour(facts: Facts, bits: Range) -> bool:
-    """True when another slice begins where this one ends, or ends where it begins: they are counted on purpose."""
+    """True if another slice begins where this one ends, or ends where it begins: they are counted on purpose."""
     before = facts.uses.at(Address(bits.bank, bits.first - 1))
     behind = facts.uses.at(Address(bits.bank, bits.last + 1))
     return any(isinstance(use.operand, Range) and use.operand.last == bits.first - 1 for use in before) or any(
@@ -57,7 +57,7 @@ def _has_neighbour(facts: Facts, bits: Range) -> bool:
 
 
 def _fix(facts: Facts, bits: Range) -> Fix | None:
-    # On one line: then the number stands where its text says.
+    # On one line: then the number is where its text says.
     match = re.fullmatch(r"[^\n]*:[^\S\n]*([1-9][0-9]*)[^\S\n]*\]", facts.text(bits.span))
     if match is None or int(match[1]) != bits.last + 1:
         return None

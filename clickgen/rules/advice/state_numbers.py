@@ -1,11 +1,11 @@
-"""Bare numbers of states that stand in many places: whoever renumbers a step misses one."""
+"""Bare numbers of states in many places: whoever renumbers a step misses one."""
 
 from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.copies import COPY
+from clickgen.instructions.effects import Shape
+from clickgen.instructions.offered import COIL
 from clickgen.ir.operands import Cell, Integer
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
@@ -20,15 +20,15 @@ def find(facts: Facts) -> Findings:
     pairs = [
         pair for one in facts.comparisons if one.op == "==" for pair in ((one.left, one.right), (one.right, one.left))
     ]
-    copies = [placed.action.args for placed in facts.actions if placed.spec is COPY]
-    for register, number in (*pairs, *((args["destination"], args["source"]) for args in copies)):
+    copies = [placed.action for placed in facts.actions if placed.effects.shape is Shape.VALUE]
+    for register, number in (*pairs, *((action.moved_to, action.moved) for action in copies)):
         if isinstance(register, Cell) and isinstance(number, Integer) and number.value:
             places.setdefault(register.address, {}).setdefault(number.value, []).append(number.span)
     for address, numbers in places.items():
         often = {number: spans for number, spans in numbers.items() if len(spans) >= _PLACES_MIN}
         if often:
             listed = ", ".join(map(str, sorted(often)))
-            coil = facts.spell.call(OUT, facts.spell.name("C", "Filling"))
+            coil = facts.spell.call(COIL, facts.spell.name("C", "Filling"))
             yield finding(
                 CODE,
                 min(span for spans in often.values() for span in spans),

@@ -1,4 +1,4 @@
-"""A running current value compared with == or !=: a timer leaps over values, a counter goes on where nobody looks."""
+"""A running current value compared with == or !=: a timer skips values, a counter counts on when nobody looks."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from clickgen.device.banks import Address, current_value
 from clickgen.facts.copied import origin_registers
 from clickgen.facts.facts import Facts
-from clickgen.instructions import drums, timers
+from clickgen.instructions.timers import PRESET_MAX, UNIT
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Integer, Single
 from clickgen.ir.program import Routine
@@ -18,8 +18,8 @@ from clickgen.text.source import Span
 
 CODE = "CG511"
 
-_RESTS = (0, timers.PRESET_MAX)
-"""The values at which a timer stands still: at rest, and where it counts no further (click-facts [timer.on-delay])."""
+_RESTS = (0, PRESET_MAX)
+"""The values at which a timer stops: at rest, and at its end (click-facts [timer.on-delay])."""
 
 
 def find(facts: Facts) -> Findings:
@@ -28,7 +28,7 @@ def find(facts: Facts) -> Findings:
 
 
 def _check_counters(facts: Facts) -> Findings:
-    """A counter that counts on while the subroutine that asks for one of its values is not called."""
+    """Check for a counter that counts on while the subroutine that tests one of its values is not called."""
     for site in facts.sites:
         if site.routine.is_main:
             continue
@@ -45,7 +45,7 @@ def _check_counters(facts: Facts) -> Findings:
 
 
 def _counter_in(leaf: Contact | Compare) -> Cell | None:
-    """The counter's value that is asked for a number by equality."""
+    """The counter whose value is compared for equality with a number."""
     if isinstance(leaf, Compare) and leaf.op == "==":
         for side, other in ((leaf.left, leaf.right), (leaf.right, leaf.left)):
             if isinstance(side, Cell) and side.bank == "CTD" and isinstance(other, Integer) and other.value:
@@ -76,7 +76,7 @@ def _report(facts: Facts, compare: Compare, timer: Cell) -> Findings:
         fix = _fix(facts, compare, is_left=timer is compare.left)
         yield finding(CODE, compare.span, f"{leaps}: it may never be equal", "compare with >=", fix=fix)
     else:
-        # < and > are both something else than what is written, so neither is offered as a fix.
+        # < and > both differ from what is written, so neither is offered as a fix.
         yield finding(CODE, compare.span, f"{leaps}: it is nearly always different", "compare with < or >")
 
 
@@ -85,7 +85,7 @@ def _has_timer(compare: Compare) -> bool:
 
 
 def _meets(facts: Facts, timer: Address, other: Single) -> bool:
-    """True where equality comes for sure: at the values where a timer rests, and with a copy of the timer."""
+    """True if equality is certain to come: at the values where a timer rests, and with a copy of the timer."""
     if isinstance(other, Integer):
         return other.value in _RESTS
     return isinstance(other, Cell) and timer in origin_registers(facts, other.address)
@@ -95,10 +95,9 @@ def _counting_milliseconds(facts: Facts) -> Mapping[Address, None]:
     """The current values of timers and time drums whose unit is the millisecond."""
     found: dict[Address, None] = {}
     for placed in facts.actions:
-        if placed.spec in timers.SPECS or placed.spec is drums.TIME_DRUM:
-            owner = placed.action.args.get("timer") or placed.action.args.get("accumulator")
-            if isinstance(owner, Cell) and (placed.action.word("unit") or timers.UNIT.default) == "Tms":
-                found[current_value(owner.address)] = None
+        owner = placed.action.owned if placed.effects.is_timed else None
+        if owner is not None and (placed.action.word("unit") or UNIT.default) == "Tms":
+            found[current_value(owner.address)] = None
     return found
 
 

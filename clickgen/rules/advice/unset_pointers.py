@@ -1,12 +1,11 @@
-"""A pointer that is still 0 when it is first used: the program only counts it on, and nothing gives it a beginning."""
+"""A pointer that is still 0 when it is first used: the program only counts it up, and nothing initializes it."""
 
 from __future__ import annotations
 
 from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.written import Asked, is_relative, left_in, whole_condition
-from clickgen.instructions.copies import COPY
-from clickgen.instructions.raw import RAW
+from clickgen.instructions.offered import COPY
 from clickgen.ir.operands import Cell, Pointer
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import can_hold, implies
@@ -21,14 +20,14 @@ def find(facts: Facts) -> Findings:
     moved: dict[Address, tuple[Placed, ...]] = {}
     said: set[Address] = set()
     places = facts.places
-    # A panel chooses what is read, seldom where something is written.
+    # A panel chooses what is read, but seldom where something is written.
     chosen = {
         use.operand.register.address
         for use in facts.uses.every
         if not use.is_written and isinstance(use.operand, Pointer) and isinstance(use.operand.register, Cell)
     }
     for placed in facts.actions:
-        if placed.spec is RAW:
+        if placed.effects.is_unknown:
             continue
         for touch in touches(placed.action):
             pointer = touch.operand
@@ -76,9 +75,9 @@ def _report(facts: Facts, pointer: Pointer, register: Cell, moved: tuple[Placed,
 
 
 def _movers(facts: Facts, address: Address, is_own: bool) -> tuple[Placed, ...]:
-    """What makes another number of a register that holds 0; none where anything else may do so, or 0 is not there.
+    """The actions that make another number of a register that holds 0; none if anything else may, or it is never 0.
 
-    Where the program only clears a register that is its own, that is what clears it.
+    If the program only clears a register that is its own, these are the actions that clear it.
     """
     if facts.initial(address) not in ("", "0"):
         return ()
@@ -91,12 +90,12 @@ def _movers(facts: Facts, address: Address, is_own: bool) -> tuple[Placed, ...]:
         if left is None or (left != 0 and not is_relative(writer, address)):
             return ()
         (movers if left != 0 else idle).append(writer)
-    alone = tuple(writer for writer in idle if isinstance(writer.action.args.get("destination"), Cell))
+    alone = tuple(writer for writer in idle if isinstance(writer.action.moved_to, Cell))
     return tuple(movers) or (alone if is_own else ())
 
 
 def _may_find_zero(facts: Facts, use: Placed, address: Address, before: list[Placed]) -> bool:
-    """True when the use runs while the register is 0, and none of these surely runs before it in the same scan."""
+    """True if the use runs while the register is 0, and none of these certainly runs before it in the same scan."""
     whole = whole_condition(facts, use)
     if not can_hold(whole) or not Asked(facts, use, address).may_be(0):
         return False

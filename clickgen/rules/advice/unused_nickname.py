@@ -20,7 +20,7 @@ def find(facts: Facts) -> Findings:
         path, name = declaration.span.path, declaration.named.name
         if path not in whole:
             whole[path] = _is_whole(facts, path)
-        # An initial value is for whatever uses the address beside the program.
+        # An initial value is for whatever uses the address besides the program.
         is_set = declaration.initial is not None or declaration.retentive is not None
         if whole[path] and not is_set and not _SPARE.search(name) and not _is_used(facts, declaration.cell.address):
             yield finding(
@@ -33,9 +33,9 @@ def find(facts: Facts) -> Findings:
 
 
 def _is_whole(facts: Facts, path: str) -> bool:
-    """True when every routine of the file is in the program, and there is one.
+    """True if every routine of the file is in the program, and there is one.
 
-    What several programs share, declarations alone or subroutines of which each takes some, is for none to judge.
+    A file that several programs share, for its declarations or for some subroutines each, is not judged by any of them.
     """
     here = {routine.name for routine in facts.program.routines if routine.span.path == path}
     return bool(here) and here.issuperset(facts.dialect.routines_in(facts.sources[path]))

@@ -9,7 +9,6 @@ from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.walks import Step, Walk, each_turn, walk_of
 from clickgen.facts.written import Asked, whole_condition
-from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Integer, Pointer
 from clickgen.ir.reach import touches
@@ -23,7 +22,7 @@ CODE = "CG555"
 
 
 class _Reach(NamedTuple):
-    """The cells that a pointer can lead to; ``is_open`` when nothing ends the way up."""
+    """The cells that a pointer can lead to; ``is_open`` if nothing ends the way up."""
 
     numbers: range | tuple[int, ...]
     is_open: bool
@@ -32,7 +31,7 @@ class _Reach(NamedTuple):
 def find(facts: Facts) -> Findings:
     walks: dict[Address, Walk | None] = {}
     for placed in facts.actions:
-        if placed.spec is RAW:
+        if placed.effects.is_unknown:
             continue
         for touch in touches(placed.action):
             pointer = touch.operand
@@ -52,7 +51,7 @@ def find(facts: Facts) -> Findings:
 def _hit(facts: Facts, address: Address, bank: str, reach: _Reach) -> list[Address]:
     """The cells that the pointer must not write.
 
-    That is its own register, those that clickgen gave a name, and any name behind the block in which it begins.
+    These are its own register, those that clickgen gave a name, and any name after the block in which it begins.
     """
     reached = reach.numbers if isinstance(reach.numbers, range) else set(reach.numbers)
     guarded = {*facts.placed, address}
@@ -87,7 +86,7 @@ def _report(facts: Facts, pointer: Pointer, walk: Walk, reach: _Reach, hit: list
 
 
 def _place(facts: Facts, bank: str) -> str:
-    """A free place for a table, as an example: behind everything that the bank is used for."""
+    """A free place for a table, as an example: after everything that the bank is used for."""
     last = max((address.number for address in facts.rows if address.bank == bank), default=0)
     first = (last // 100 + 1) * 100 + 1
     size = BANKS[bank]
@@ -95,11 +94,11 @@ def _place(facts: Facts, bank: str) -> str:
     return spell.range(bank, first, first + 49) if first + 49 <= size.last else spell.pointer(bank, "...")
 
 
-# -- where the register goes ------------------------------------------------------------------------------------------
+# -- the range of the register ----------------------------------------------------------------------------------------
 
 
 def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: Walk) -> _Reach | None:
-    """The numbers that the register can have where it is used; None where that is not known."""
+    """The numbers that the register can have when it is used; None if unknown."""
     is_shared = any(_share_loop(step, use) for step in walk.steps)
     asked = Asked(facts, each_turn(facts, use) if is_shared else use, address)
     if not walk.steps:
@@ -117,7 +116,7 @@ def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: Walk) -
         for step in walk.steps
         if step.placed.rung is use.rung and places[id(step.placed.action)] < places[id(use.action)]
     ]
-    # From 0 the pointer leads nowhere until it is counted on.
+    # From 0 the pointer leads nowhere until it is counted up.
     low = min(starts)
     if before or low == 0:
         low += min(step.size for step in before or walk.steps)
@@ -133,7 +132,7 @@ def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: Walk) -
 
 
 def _last(facts: Facts, use: Placed, steps: Sequence[Step], giver: Placed, number: int) -> int:
-    """The greatest number that the register has where it is used, counted from what gives it a number."""
+    """The greatest number that the register has when it is used, counted from what gives it a number."""
     places = facts.places
     given, used = places[id(giver.action)], places[id(use.action)]
     for step in steps:
@@ -162,7 +161,7 @@ def _looked_at(compare: Compare) -> list[Address]:
 
 
 def _bound(facts: Facts, use: Placed, asked: Asked, address: Address, walk: Walk, low: int) -> int | None:
-    """The greatest number that the register can have where it is used; None where it is not known."""
+    """The greatest number that the register can have when it is used; None if unknown."""
     limits = sorted(limit for limit in set(_limits(facts, address)) if limit >= low)
     span = use.action.span
     shared = [step for step in walk.steps if _share_loop(step, use) and step.moves is not step.placed]
@@ -175,7 +174,7 @@ def _bound(facts: Facts, use: Placed, asked: Asked, address: Address, walk: Walk
         if all(Asked(facts, step.moves, address).implies(bound) for step in walk.steps):
             return max(limit + (inside or walk.size), *walk.numbers, 0)
     for limit in limits:
-        # Whoever counts by more than 1 may pass a number that is only asked for with ==.
+        # Counting by more than 1 may pass a number that is only tested with ==.
         beyond = Compare(">", Cell(address, span), Integer(limit, span), span)
         if walk.size == 1:
             beyond = Compare("==", Cell(address, span), Integer(limit + 1, span), span)
@@ -185,7 +184,7 @@ def _bound(facts: Facts, use: Placed, asked: Asked, address: Address, walk: Walk
 
 
 def _is_ahead_of_wrap(use: Placed, walk: Walk) -> bool:
-    """True where the register is counted on, then used, then taken back, in this order of rungs."""
+    """True if the register is counted up, then used, then taken back, in this order of rungs."""
     rungs = [id(rung) for rung in use.routine.rungs]
     if any(other.routine is not use.routine for other in (*(step.placed for step in walk.steps), *walk.wraps)):
         return False

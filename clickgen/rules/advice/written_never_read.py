@@ -1,12 +1,10 @@
-"""An address that is written and never read: work for nothing, or for a panel."""
+"""An address that is written and never read: wasted work, or for a panel."""
 
 from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of, extents_of
-from clickgen.instructions.data import SEARCH
-from clickgen.instructions.drums import EVENT_DRUM, TIME_DRUM
 from clickgen.ir.operands import form_of
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
@@ -42,19 +40,17 @@ def find(facts: Facts) -> Findings:
 
 
 def _by_the_way(facts: Facts) -> set[Address]:
-    """What an instruction must have beside what it is there for, or reads itself: a drum's step, a search's result."""
+    """The addresses that an instruction needs on the side, or reads itself: a drum's step, a search's result."""
     found: set[Address] = set()
     for placed in facts.actions:
-        args, needed = placed.action.args, []
-        if placed.spec is EVENT_DRUM or placed.spec is TIME_DRUM:
-            needed = [args["current_step"], args["completion_flag"]]
-        elif placed.spec is SEARCH:
-            result, flag = addresses_of(args["result"])[0], addresses_of(args["flag"])[0]
-            if placed.action.flag("continuous") or facts.uses.reads(flag):
-                needed.append(args["result"])
-            if facts.uses.reads(result):
-                needed.append(args["flag"])
-        found.update(address for operand in needed for address in addresses_of(operand))
+        reports = {name: addresses_of(placed.action.args.get(name)) for name in placed.effects.reports}
+        read = {name for name, own in reports.items() if any(map(facts.uses.reads, own))}
+        finds = placed.effects.finds
+        for name, own in reports.items():
+            # One answer of a search is enough, and one that goes on reads its result itself.
+            goes_on = finds is not None and name == finds.result and placed.action.flag(finds.goes_on)
+            if finds is None or goes_on or read - {name}:
+                found.update(own)
     return found
 
 

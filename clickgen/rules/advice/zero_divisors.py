@@ -1,4 +1,4 @@
-"""A formula that divides by 0: by the constant, or by a register that the program gives nothing else."""
+"""A formula that divides by 0: by the constant, or by a register that the program never gives anything else."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def find(facts: Facts) -> Findings:
 
 
 def _zero(facts: Facts, calculation: Calculation, divisor: Node) -> tuple[str, str]:
-    """Why a divisor is 0, and the way out; nothing where it may be another number."""
+    """The reason why a divisor is 0, and the way out; nothing if it may be another number."""
     if value_of(divisor) == 0:
         return "", "correct the divisor"
     cell = _register(divisor)

@@ -4,35 +4,30 @@ from __future__ import annotations
 
 from clickgen.device.banks import current_value
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions import drums, timers
-from clickgen.ir.operands import Cell, Integer, Single
+from clickgen.instructions.effects import Effects
+from clickgen.ir.operands import Integer, Single
 from clickgen.ir.program import Operands, Pattern
 from clickgen.problems.diagnostics import Label
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG512"
 
-_HAPPENS = {
-    "ton": "its bit follows the rung at once",
-    "tof": "its bit follows the rung at once",
-    "rton": "its bit comes on at once and stays until the reset",
-    "rtof": "its bit goes off at once and stays so until the reset",
-}
-
 
 def find(facts: Facts) -> Findings:
     for placed in facts.actions:
         setpoint = placed.action.args.get("setpoint")
-        if placed.spec in timers.SPECS and isinstance(setpoint, Integer) and setpoint.value == 0:
-            timer = placed.action.args["timer"]
-            reads = facts.uses.reads(timer.address) if isinstance(timer, Cell) else []
+        if not placed.effects.is_timed:
+            continue
+        if isinstance(setpoint, Integer) and setpoint.value == 0:
+            timer = placed.action.owned
+            reads = facts.uses.reads(timer.address) if timer is not None else []
             # A stopwatch has no setpoint either: its current value is what counts.
-            if reads and isinstance(timer, Cell):
-                fault = f"the setpoint of {facts.shown(timer.address)} is 0: {_HAPPENS[placed.spec.name]}"
+            if reads and timer is not None:
+                fault = f"the setpoint of {facts.shown(timer.address)} is 0: {_what_happens(placed.effects)}"
                 value = facts.spell.cell(current_value(timer.address))
                 help = f"give it a time; to measure a time, compare its current value {value} and leave the bit alone"
                 yield finding(CODE, setpoint.span, fault, help, (Label(reads[0].operand.span, "its bit is used here"),))
-        elif placed.spec is drums.TIME_DRUM:
+        else:
             for step, preset in _empty_steps(placed):
                 yield finding(
                     CODE,
@@ -42,9 +37,17 @@ def find(facts: Facts) -> Findings:
                 )
 
 
+def _what_happens(effects: Effects) -> str:
+    if not effects.reset_by:
+        return "its bit follows the rung at once"
+    return (
+        f"its bit {'comes on at once and stays' if effects.done else 'goes off at once and stays so'} until the reset"
+    )
+
+
 def _empty_steps(placed: Placed) -> list[tuple[int, Single]]:
-    """The steps that last no time and yet drive an output."""
-    presets, pattern = placed.action.args["presets"], placed.action.args["pattern"]
+    """The steps that take no time but drive an output."""
+    presets, pattern = placed.action.args.get("presets"), placed.action.args.get("pattern")
     if not (isinstance(presets, Operands) and isinstance(pattern, Pattern)):
         return []
     return [
@@ -67,7 +70,7 @@ The rule speaks only where the program uses the timer's bit. A timer with the se
 stopwatch: its current value keeps counting past the setpoint, and a comparison or a panel reads that.
 
 A step of a time drum that lasts 0 and drives an output does not keep it on for longer than a scan. A step of 0 that
-drives nothing is left alone: that is how a step is taken out without counting the others anew.
+drives nothing is left alone: that is how a step is taken out without renumbering the others.
 """,
     wrong=(
         Wrong(

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts
-from clickgen.instructions.control import CALL
+from clickgen.instructions.effects import Flow
+from clickgen.instructions.offered import CALL
 from clickgen.ir.program import Program, Routine, Word
 from clickgen.problems.diagnostics import Suggestions
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
@@ -13,8 +14,8 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 def find(facts: Facts) -> Findings:
     called = _Called(facts.program, facts.spell)
     for placed in facts.actions:
-        word = placed.action.args.get("subroutine")
-        if placed.spec is not CALL or not isinstance(word, Word):
+        word = placed.action.callee
+        if placed.effects.flow is not Flow.CALL or word is None:
             continue
         if not placed.routine.is_main:
             yield finding(

@@ -12,8 +12,10 @@ from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts
 from clickgen.facts.refusals import refused
 from clickgen.facts.values import copies
-from clickgen.instructions.coils import OUT, RESET, SET
-from clickgen.instructions.copies import CONVERSIONS, COPY, COPY_FILL, COPY_PACK
+from clickgen.instructions import moving
+from clickgen.instructions.copies import CONVERSIONS
+from clickgen.instructions.effects import Shape
+from clickgen.instructions.offered import COIL, COPY, COPY_FILL, COPY_PACK, LATCH, UNLATCH
 from clickgen.instructions.spec import Pair, ParamKind, Spec
 from clickgen.ir.operands import Cell, Integer, Range, Text, form_of
 from clickgen.ir.program import Action, Options
@@ -130,7 +132,12 @@ def _refuse(facts: Facts, action: Action, source: str, target: str, pairs: list[
     help = (
         f"{source} goes to {', '.join(reachable)}" if reachable else f"{action.spec.name} copies nothing from {source}"
     )
-    if action.spec is COPY and BANKS.get(target) is not None and BANKS[target].is_bit and source not in BANKS:
+    if (
+        action.effects.shape is Shape.VALUE
+        and BANKS.get(target) is not None
+        and BANKS[target].is_bit
+        and source not in BANKS
+    ):
         bit, value = action.args[action.spec.matrix[1]], action.args[action.spec.matrix[0]]
         shown = facts.text(bit.span) if isinstance(bit, Cell) else facts.spell.name("C", "Name")
         is_off = isinstance(value, Integer) and value.value == 0
@@ -144,32 +151,32 @@ def _instead(facts: Facts, action: Action) -> str:
     source, target = (action.args[name] for name in action.spec.matrix)
     if not isinstance(target, Cell | Range) or (isinstance(target, Cell) and target.address.upper):
         return ""
-    name, to, spell = action.spec.name, facts.text(target.span), facts.spell
+    shape, to, spell = action.effects.shape, facts.text(target.span), facts.spell
     is_bit = BANKS[target.bank].is_bit
-    if isinstance(source, Text) and not is_bit and name in ("copy", "copy_fill"):
+    if isinstance(source, Text) and not is_bit and shape in (Shape.VALUE, Shape.FILL):
         return _unquoted(facts.spell, action.spec, source.value, target.bank, to)
     if isinstance(source, Integer) and is_bit and isinstance(target, Range):
         return f"bits are turned {_switched(facts.spell, bool(source.value), to)}"
     if not isinstance(source, Cell | Range):
         return ""
     given = facts.text(source.span)
-    if name == "copy" and isinstance(source, Cell) and isinstance(target, Cell):
+    if shape is Shape.VALUE and isinstance(source, Cell) and isinstance(target, Cell):
         if BANKS[source.bank].is_bit and not is_bit:
             one = spell.rung(given, spell.call(COPY, "1", to))
             other = spell.rung(spell.off(given), spell.call(COPY, "0", to))
             return f"a bit becomes a number in two rungs: {one} and {other}"
         if is_bit and BANKS[source.bank].kind not in (Kind.BIT, Kind.TEXT):
             none = spell.hexadecimal(0) if BANKS[source.bank].kind is Kind.HEX else "0"
-            rung = spell.rung(spell.compared(given, "!=", none), spell.call(OUT, to))
+            rung = spell.rung(spell.compared(given, "!=", none), spell.call(COIL, to))
             return f"a number becomes a bit by a comparison: {rung}"
-    if name == "copy_block" and copies(COPY_PACK, source, target) and isinstance(target, Cell):
+    if shape is Shape.BLOCK and copies(moving(Shape.PACK), source, target) and isinstance(target, Cell):
         return f"bits or words become one number with {spell.call(COPY_PACK, given, to)}"
     return ""
 
 
 def _switched(spell: Spelling, is_on: bool, bits: str) -> str:
     """``on with set(c.Name)``, ``off with reset(c.Name)``"""
-    return f"{'on' if is_on else 'off'} with {spell.call(SET if is_on else RESET, bits)}"
+    return f"{'on' if is_on else 'off'} with {spell.call(LATCH if is_on else UNLATCH, bits)}"
 
 
 def _unquoted(spell: Spelling, spec: Spec, text: str, bank: str, to: str) -> str:
@@ -188,14 +195,14 @@ def _unquoted(spell: Spelling, spec: Spec, text: str, bank: str, to: str) -> str
     if address is not None or spell.is_address(text):
         shown = text if address is None else spell.cell(address)
         return f"without quotes it is an address: {spell.call(spec, shown, to)}"
-    if spec is not COPY or not text.isprintable():
+    if spec.effects.shape is not Shape.VALUE or not text.isprintable():
         return ""
     return f"text goes to TXT: {spell.call(COPY, spell.quoted(text), spell.name('TXT', 'Name'))}"
 
 
 def _check_lengths(spell: Spelling, action: Action) -> Findings:
     source, target = (action.args[name] for name in action.spec.matrix)
-    if action.spec is COPY_FILL and isinstance(source, Text) and len(source.value) > 1:
+    if action.effects.shape is Shape.FILL and isinstance(source, Text) and len(source.value) > 1:
         help = f"fill with one: {spell.call(COPY_FILL, spell.quoted('A'), spell.range('TXT', 1, 8))}"
         yield finding("CG302", source.span, "a TXT address holds one character", help)
     param = next(param for param in action.spec.params if param.name == action.spec.matrix[1])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from clickgen.facts.facts import Facts
-from clickgen.instructions.drums import OUTPUTS_MAX, SPECS, STEPS_MAX
+from clickgen.instructions.drums import OUTPUTS_MAX, STEPS_MAX
 from clickgen.ir.operands import Cell, Integer
 from clickgen.ir.program import Action, Operands, Pattern
 from clickgen.problems.diagnostics import Label
@@ -13,7 +13,7 @@ from clickgen.text.wording import counted
 
 def find(facts: Facts) -> Findings:
     for placed in facts.actions:
-        if placed.spec in SPECS:
+        if isinstance(placed.action.args.get("pattern"), Pattern):
             yield from _check_lists(placed.action)
             yield from _check_outputs(placed.action)
             yield from _check_jump(placed.action)

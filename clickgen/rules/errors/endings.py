@@ -6,7 +6,8 @@ click-facts [control.end, control.return]
 from __future__ import annotations
 
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions.control import END, NEXT, RETURN
+from clickgen.instructions.effects import Flow
+from clickgen.instructions.offered import END, RETURN
 from clickgen.ir.program import Routine
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
@@ -15,16 +16,16 @@ from clickgen.text.edits import Edit, Fix
 def find(facts: Facts) -> Findings:
     ended: set[int] = set()
     end, leave = facts.spell.call(END), facts.spell.call(RETURN)
-    closed = {id(placed.loop) for placed in facts.actions if placed.spec is NEXT}
+    closed = {id(placed.loop) for placed in facts.actions if placed.effects.flow is Flow.NEXT}
     for placed in facts.actions:
         routine = placed.routine
-        if placed.spec is END:
+        if placed.effects.flow is Flow.END:
             if not routine.is_main:
                 message = f"{end} belongs in main; a subroutine ends in {leave}"
                 yield finding("CG410", placed.action.span, message, f"write {leave}")
             elif placed.is_unconditional and _is_reached(placed, closed):
                 ended.add(id(routine))
-        elif placed.spec is RETURN:
+        elif placed.effects.flow is Flow.RETURN:
             if routine.is_main:
                 message = f"{leave} belongs in a subroutine; main ends in {end}"
                 yield finding("CG411", placed.action.span, message, f"write {end}")

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from clickgen.facts.facts import Facts
-from clickgen.instructions.raw import NOT_IMPORTED
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 
 def find(facts: Facts) -> Findings:
     for placed in facts.actions:
-        if placed.spec is NOT_IMPORTED:
+        if not placed.spec.variants:
             reason = " ".join(placed.action.word("reason").split())
             yield finding(
                 "CG426",

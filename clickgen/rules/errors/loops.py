@@ -7,9 +7,8 @@ from __future__ import annotations
 
 from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions import timers
-from clickgen.instructions.control import CALL, FOR, NEXT
-from clickgen.instructions.drums import TIME_DRUM
+from clickgen.instructions.effects import Flow
+from clickgen.instructions.offered import NEXT
 from clickgen.ir.program import Action, Routine, actions_in
 from clickgen.problems.diagnostics import Label
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
@@ -24,7 +23,7 @@ def find(facts: Facts) -> Findings:
             yield from _refuse_open(facts.spell, open_loop)
             open_loop, routine = None, placed.routine
         outer = placed.loop
-        if placed.spec is FOR:
+        if placed.effects.flow is Flow.LOOP:
             if outer is not None:
                 yield finding(
                     "CG407",
@@ -36,12 +35,12 @@ def find(facts: Facts) -> Findings:
             elif placed.opens_loop:
                 open_loop = placed
                 yield from _check_opening(facts.spell, placed)
-        elif placed.spec is NEXT:
+        elif placed.effects.flow is Flow.NEXT:
             yield from _check_next(facts.spell, placed, open_loop)
             open_loop = None
-        elif outer is not None and placed.spec is CALL:
+        elif outer is not None and placed.effects.flow is Flow.CALL:
             yield from _check_call(facts, placed, outer)
-        elif outer is not None and placed.spec in (*timers.SPECS, TIME_DRUM):
+        elif outer is not None and placed.effects.is_timed:
             yield finding(
                 "CG423",
                 placed.action.span,
@@ -56,8 +55,9 @@ def _check_call(facts: Facts, call: Placed, outer: Action) -> Findings:
 
     click-facts [control.loops]
     """
-    name = call.action.word("subroutine")
-    inner = next((each for each in facts.actions if each.spec is FOR and each.routine.name == name), None)
+    name = call.action.called
+    loops = (each for each in facts.actions if each.effects.flow is Flow.LOOP)
+    inner = next((each for each in loops if each.routine.name == name), None)
     if inner is not None:
         yield finding(
             "CG427",

@@ -26,7 +26,7 @@ from clickgen.device.modbus import (
 )
 from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts
-from clickgen.instructions.communication import SEND, SPECS
+from clickgen.instructions.effects import Shape
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget
 from clickgen.ir.operands import Cell, Range
 from clickgen.ir.program import Action
@@ -36,13 +36,13 @@ from clickgen.text.wording import counted
 
 def find(facts: Facts) -> Findings:
     for placed in facts.actions:
-        if placed.spec in SPECS:
+        if placed.effects.shape is Shape.MESSAGE:
             yield from _check(facts, placed.action)
 
 
 def _check(facts: Facts, action: Action) -> Findings:
-    is_send = action.spec is SEND
-    own, remote = action.args["source" if is_send else "dest"], action.args["remote_start"]
+    is_send = isinstance(action.moved_to, Remote)
+    own, remote = (action.moved, action.moved_to) if is_send else (action.moved_to, action.moved)
     assert isinstance(remote, Remote)
     if isinstance(action.args["target"], RtuTarget) and action.args["target"].device_id == 0 and not is_send:
         yield finding(

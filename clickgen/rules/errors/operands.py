@@ -7,9 +7,9 @@ from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.refusals import Refusal, operands_of, refusal, shown_target
 from clickgen.facts.setpoints import setpoint_hint
 from clickgen.facts.values import constant_fault, copies, fitting, value_class
-from clickgen.instructions.coils import RESET, SET
-from clickgen.instructions.copies import COPY, COPY_BLOCK, COPY_FILL, COPY_PACK, COPY_UNPACK
-from clickgen.instructions.data import SEARCH
+from clickgen.instructions import moving
+from clickgen.instructions.effects import Shape
+from clickgen.instructions.offered import COPY, COPY_BLOCK, COPY_FILL, COPY_PACK, COPY_UNPACK, LATCH, UNLATCH
 from clickgen.instructions.spec import Access, Param, Spec
 from clickgen.ir.operands import Cell, Constant, Immediate, Integer, Named, Operand, Pointer, Range, Text, form_of
 from clickgen.ir.program import Action
@@ -23,17 +23,17 @@ def find(facts: Facts) -> Findings:
         said: set[Span] = set()
         for param, operand in operands_of(placed.action):
             if operand.span not in said:
-                found = list(_check(facts, placed, param, operand))
+                why = refusal(param.slot, operand)
+                found = list(_check(facts, placed, param, operand, why))
                 yield from found
-                said |= {operand.span} if found else set()
+                said |= {operand.span} if found or why else set()
         yield from _check_oneshot(placed.action, said)
 
 
-def _check(facts: Facts, placed: Placed, param: Param, operand: Operand) -> Findings:
+def _check(facts: Facts, placed: Placed, param: Param, operand: Operand, why: Refusal | None) -> Findings:
     slot = param.slot
-    why = refusal(slot, operand)
     if why is Refusal.READ_ONLY:
-        return  # the rule about what can be written has the word
+        return  # unwritable.py reports it
     if isinstance(operand, Immediate):
         if why:
             banks = f"; it takes immediate {', '.join(slot.immediates)}" if slot.immediates else ""
@@ -77,8 +77,8 @@ def _refuse(facts: Facts, placed: Placed, param: Param, operand: Named | Cell | 
     slot = param.slot
     what = f"a range of {operand.bank}" if isinstance(operand, Range) else shown_target(facts.spell, operand)
     help = f"for example: {facts.spell.example(placed.spec)}"
-    target = placed.action.args.get(COPY.matrix[1])
-    unpacked = _packed(facts, operand, target) if placed.spec is COPY_BLOCK and param.name == COPY.matrix[0] else ""
+    is_source = placed.effects.shape is Shape.BLOCK and param.name == placed.spec.matrix[0]
+    unpacked = _packed(facts, operand, placed.action.moved_to) if is_source else ""
     if unpacked:
         help = unpacked
     elif isinstance(operand, Cell) and operand.bank in slot.ranges:
@@ -87,7 +87,7 @@ def _refuse(facts: Facts, placed: Placed, param: Param, operand: Named | Cell | 
     elif isinstance(operand, Range) and operand.bank in slot.cells:
         help = _of_range(facts, placed, param, operand)
     elif operand.bank in BANKS and not BANKS[operand.bank].is_bit and "C" in slot.cells:
-        value = 0 if placed.spec.name == "reset" else 1
+        value = 0 if placed.effects.turns_off else 1
         copy = facts.spell.call(COPY, str(value), _text(facts, operand))
         help = f"{placed.spec.name} is for bits; a register gets a number with {copy}"
     yield finding(
@@ -108,9 +108,9 @@ def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str
     text = _text(facts, operand)
     first = _first(facts, text, operand)
     general = f"it takes one address, such as {first}"
-    if placed.spec is not COPY:
+    if placed.effects.shape is not Shape.VALUE:
         return general
-    source, target = (placed.action.args.get(name) for name in COPY.matrix)
+    source, target = placed.action.source, placed.action.moved_to
     packed = _packed(facts, source, target)
     if packed:
         return packed
@@ -119,28 +119,28 @@ def _of_range(facts: Facts, placed: Placed, param: Param, operand: Range) -> str
             return f"name the first address, {first}: the text goes on from there"
         if BANKS[operand.bank].is_bit:
             off = isinstance(source, Integer) and source.value == 0
-            return f"write {facts.spell.call(RESET if off else SET, text)}"
+            return f"write {facts.spell.call(UNLATCH if off else LATCH, text)}"
         fills = f"to write all of them: {facts.spell.call(COPY_FILL, _text(facts, source), text)}"
-        return fills if copies(COPY_FILL, source, operand) else general
+        return fills if copies(moving(Shape.FILL), source, operand) else general
     if param.slot.access is Access.WRITE or not isinstance(target, Cell | Range):
         return general
     shown = _text(facts, target)
     if isinstance(target, Range):
         shown = _first(facts, shown, target)
-    if copies(COPY_PACK, operand, target) and operand.bank == "TXT":
+    if copies(moving(Shape.PACK), operand, target) and operand.bank == "TXT":
         return f"a text of several characters becomes a number with {facts.spell.call(COPY_PACK, text, shown)}"
     block = f"a range is copied with {facts.spell.call(COPY_BLOCK, text, shown)}"
-    return block if copies(COPY_BLOCK, operand, target) else general
+    return block if copies(moving(Shape.BLOCK), operand, target) else general
 
 
 def _packed(facts: Facts, source: object, target: object) -> str:
     """The way out for bits or words that become one number, or one number that becomes bits or words."""
     if isinstance(source, Range) and isinstance(target, Cell):
-        text = _packed_part(facts, COPY_PACK, source, target, source)
+        text = _packed_part(facts, moving(Shape.PACK), source, target, source)
         what = "bits become a number" if BANKS[source.bank].is_bit else "two words become one number"
         return f"{what} with {facts.spell.call(COPY_PACK, text, _text(facts, target))}" if text else ""
     if isinstance(target, Range) and isinstance(source, Cell):
-        text = _packed_part(facts, COPY_UNPACK, source, target, target)
+        text = _packed_part(facts, moving(Shape.UNPACK), source, target, target)
         what = "a number becomes bits" if BANKS[target.bank].is_bit else "a number becomes two words"
         return f"{what} with {facts.spell.call(COPY_UNPACK, _text(facts, source), text)}" if text else ""
     return ""
@@ -190,11 +190,15 @@ def _check_constant(facts: Facts, placed: Placed, param: Param, constant: Consta
             )
             return
     other = action.args.get(param.typed_by)
-    if placed.spec is SEARCH and isinstance(other, Operand) and value_class(other) != value_class(constant):
+    if placed.effects.finds is not None and isinstance(other, Operand) and value_class(other) != value_class(constant):
         return  # the rule about searches has the word
     fault = constant_fault(constant, kind_of(other))
     if fault:
-        shown = _text(facts, other) if isinstance(other, Operand) and placed.spec in (COPY, COPY_FILL) else ""
+        shown = (
+            _text(facts, other)
+            if isinstance(other, Operand) and placed.effects.shape in (Shape.VALUE, Shape.FILL)
+            else ""
+        )
 
         def copied(number: str) -> str:
             return facts.spell.call(placed.spec, number, shown) if shown else number
@@ -204,7 +208,7 @@ def _check_constant(facts: Facts, placed: Placed, param: Param, constant: Consta
 
 
 def _check_oneshot(action: Action, said: set[Span]) -> Findings:
-    target = action.args.get("address")
+    target = action.driven
     if isinstance(target, Immediate) and action.flag("oneshot") and target.span not in said:
         span = action.args["oneshot"].span
         yield finding("CG313", span, "an immediate coil has no one-shot", "leave out one of the two")

@@ -8,8 +8,7 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
 from clickgen.facts.refusals import refused
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.timers import RTOF
-from clickgen.ir.operands import Cell, Operand, Range
+from clickgen.ir.operands import Operand, Range
 from clickgen.ir.program import KeptToken
 from clickgen.ir.walk import program_operands
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
@@ -18,8 +17,8 @@ from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 def find(facts: Facts) -> Findings:
     timers: set[Address] = set()
     for placed in facts.actions:
-        timer = placed.action.args.get("timer")
-        if placed.spec is RTOF and isinstance(timer, Cell):
+        timer = placed.action.owned
+        if placed.spec.built_from is not None and timer is not None:
             timers.add(timer.address)
             yield finding(
                 "CG420",

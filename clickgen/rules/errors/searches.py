@@ -7,7 +7,8 @@ from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts
 from clickgen.facts.refusals import refused
 from clickgen.facts.values import range_fault, value_class
-from clickgen.instructions.data import SEARCH
+from clickgen.instructions.effects import Find
+from clickgen.instructions.offered import SEARCH
 from clickgen.ir.operands import Cell, Integer, Operand
 from clickgen.ir.program import Action
 from clickgen.resolve.constants import kind_of
@@ -16,14 +17,15 @@ from clickgen.rules.rule import Findings, Rule, finding
 
 def find(facts: Facts) -> Findings:
     for placed in facts.actions:
-        if placed.spec is SEARCH:
-            places = [placed.action.args[name].span for name in ("start", "end", "value")]
+        finds = placed.effects.finds
+        if finds is not None:
+            places = [placed.action.args[name].span for name in (finds.start, finds.end, finds.value)]
             if refused(placed.action).isdisjoint(places):
-                yield from _check(facts.spell, placed.action)
+                yield from _check(facts.spell, placed.action, finds)
 
 
-def _check(spell: Spelling, action: Action) -> Findings:
-    start, end, value = action.args["start"], action.args["end"], action.args["value"]
+def _check(spell: Spelling, action: Action, finds: Find) -> Findings:
+    start, end, value = action.args[finds.start], action.args[finds.end], action.args[finds.value]
     if not (isinstance(start, Cell) and isinstance(end, Cell) and isinstance(value, Operand)):
         return
     for place in (start, end):
@@ -46,9 +48,9 @@ def _check(spell: Spelling, action: Action) -> Findings:
         yield finding(
             "CG303", value.span, f"a {sought} value cannot be found among {searched} values", "search another bank"
         )
-    elif searched == "text" and action.word("condition") not in ("==", "!="):
+    elif searched == "text" and action.word(finds.comparison) not in ("==", "!="):
         way = spell.call(SEARCH, spell.quoted("=="), "...")
-        yield finding("CG301", action.args["condition"].span, "texts are searched with == or !=", way)
+        yield finding("CG301", action.args[finds.comparison].span, "texts are searched with == or !=", way)
 
 
 RULE = Rule(

@@ -27,11 +27,12 @@ def find(facts: Facts) -> Findings:
         said: set[Span] = set()
         for param, operand in operands_of(placed.action):
             if param.slot.access is Access.WRITE and operand.span not in said:
-                said.add(operand.span)
-                if refusal(param.slot, operand) is Refusal.READ_ONLY:
-                    yield from _refuse(facts, placed, operand, param.slot)
-                else:
-                    yield from _check_disputed(operand)
+                why = refusal(param.slot, operand)
+                is_read_only = why is Refusal.READ_ONLY
+                found = list(_refuse(facts, placed, operand, param.slot) if is_read_only else _check_disputed(operand))
+                yield from found
+                # A drum's outputs may be a slice. Its cells have one place, which needs one finding.
+                said |= {operand.span} if found or why else set()
 
 
 def _refuse(facts: Facts, placed: Placed, operand: Operand, slot: Slot) -> Findings:

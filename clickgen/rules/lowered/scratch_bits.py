@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from clickgen.device.banks import BANKS
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions.copies import COPY, COPY_FILL
+from clickgen.instructions.effects import Shape
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Integer, Pointer
 from clickgen.ir.reach import touches
@@ -51,8 +51,8 @@ def _is_kept_away(facts: Facts, register: Cell, number: int) -> bool:
     writers = facts.writers(register.address)
     if not writers or facts.uses.is_pointed("DS", is_written=True):
         return False
-    sources = [writer.action.args.get("source") for writer in writers if writer.spec in (COPY, COPY_FILL)]
-    numbers = [source.value for source in sources if isinstance(source, Integer)]
+    moved = [writer.action.moved for writer in writers if writer.effects.shape in (Shape.VALUE, Shape.FILL)]
+    numbers = [value.value for value in moved if isinstance(value, Integer)]
     return len(numbers) == len(writers) and number not in numbers
 
 

@@ -1,4 +1,4 @@
-"""What editors are told: the stubs hold the whole language and no more, and pyright finds mistakes with them."""
+"""The stubs for editors hold the whole language and no more, and pyright finds mistakes with them."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_a_stub_has_the_words_that_the_parser_knows() -> None:
 
 
 def test_the_types_of_clickgen_dsl_are_up_to_date() -> None:
-    """``python scripts/dsl_stub.py`` writes them anew."""
+    """``python scripts/dsl_stub.py`` rewrites them."""
     assert (ROOT / "clickgen" / "dsl.pyi").read_text("utf-8") == module_stub()
 
 

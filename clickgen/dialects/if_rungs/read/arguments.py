@@ -35,7 +35,6 @@ from clickgen.dialects.if_rungs.read.places import has_parameters
 from clickgen.dialects.if_rungs.trade.formulas import formula_advice
 from clickgen.dialects.if_rungs.ways_out.formulas import is_formula
 from clickgen.dialects.if_rungs.ways_out.hints import own, replaced
-from clickgen.instructions.maths import MATH_HEX
 from clickgen.instructions.spec import Param, ParamKind, Spec
 from clickgen.instructions.timers import UNITS
 from clickgen.ir.kept import kept_token
@@ -162,7 +161,7 @@ def _read_pin(context: Context, spec: Spec, param: Param, node: Node) -> Value |
 
 
 def _read_formula(context: Context, spec: Spec, param: Param, node: Node, target: str) -> Value | None:
-    is_hex = spec is MATH_HEX
+    is_hex = param.is_hex
     if not isinstance(node, cst.BaseExpression) or text_value(node) is None:
         text = _as_formula(context, node)
         quote = "'" if '"' in text else '"'

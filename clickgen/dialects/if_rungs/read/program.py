@@ -40,11 +40,11 @@ from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
 from clickgen.dialects.if_rungs.trade import ARGUMENTS
 from clickgen.dialects.if_rungs.ways_out.hints import flat_address, own, replaced
 from clickgen.dialects.if_rungs.ways_out.misplaced import WayOut, way_out
-from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.imports import Import
+from clickgen.ir.made import ending, loop_opening, nothing
 from clickgen.ir.operands import Cell, Constant, Integer, Named, Operand, Range, Text
-from clickgen.ir.program import Action, BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
+from clickgen.ir.program import BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
 from clickgen.ir.proposals import Proposal
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics, did_you_mean
 from clickgen.text.edits import Edit, Fix
@@ -319,7 +319,7 @@ def _word_span(context: Context, node: cst.If | cst.Else) -> Span:
 def _read_items(context: Context, found: Sequence[Node]) -> tuple[Item, ...]:
     items = [item for node in found if (item := _read_item(context, node)) is not None]
     if not items and all(isinstance(node, cst.Pass) for node in found):
-        items.append(Action(NOP, {}, context.span(found[0])))
+        items.append(nothing(context.span(found[0])))
     return tuple(items)
 
 
@@ -337,7 +337,7 @@ def _read_item(context: Context, node: Node) -> Item | None:
     if isinstance(node, cst.Return):
         if node.value is not None:
             context.problem("CG112", node.value, "return gives nothing back", "write return alone")
-        return Action(RETURN, {}, context.span(node))
+        return ending(False, context.span(node))
     if isinstance(node, cst.Pass):
         return None
     way = way_out(context, node)
@@ -379,7 +379,7 @@ def _read_loop(context: Context, node: cst.For) -> Loop | None:
         return None
     args["count"] = count
     head = context.stretch(context.extent(node)[0], context.extent(call)[1])
-    return Loop(Action(FOR, args, head), body)
+    return Loop(loop_opening(args, head), body)
 
 
 def _counted_loop(context: Context, node: cst.For) -> tuple[str, Fix | None]:

@@ -1,8 +1,8 @@
-"""The words of the trade, and what they are here: those of IEC 61131-3, Allen-Bradley, Siemens, the mnemonics of
+"""The words of the trade, and their equivalents here: those of IEC 61131-3, Allen-Bradley, Siemens, the mnemonics of
 instruction lists, CLICK's own menus and ladder files, and the dialect with ``with Rung(...)``.
 
-They are looked at before any spelling: ``otu`` is no misspelt ``out`` but the opposite of it. Every piece of code in
-this table builds, which a test tries.
+They are tried before any spelling: ``otu`` is no misspelt ``out`` but its opposite. Every piece of code in
+this table builds, which a test checks.
 """
 
 from __future__ import annotations

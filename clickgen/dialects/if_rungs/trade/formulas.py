@@ -1,4 +1,4 @@
-"""What is written as a function of a formula elsewhere."""
+"""Words that are functions of a formula elsewhere."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ ARGUMENTS = {
     )
     for word in words.split()
 }
-"""What an argument is called elsewhere, and here."""
+"""The names of arguments elsewhere, and here."""
 
 MEMBERS = {
     word: kind

@@ -1,4 +1,4 @@
-"""Ways out for calls of instructions that there are not, and for arguments that are called otherwise elsewhere."""
+"""Ways out for calls of instructions that do not exist, and for arguments that have other names elsewhere."""
 
 from __future__ import annotations
 
@@ -40,11 +40,11 @@ _METHODS = {
     "write": "copy",
     "assign": "copy",
 }
-"""What people call an address to do, and the instruction for it; others keep their name."""
+"""The methods that people call on an address, and the instruction for each; others keep their name."""
 
 
 def no_instruction(context: Context, node: cst.Call, fits: Fits) -> tuple[str, Fix | None]:
-    """The way out for a call of what is no instruction, and a fix where the meaning is certain."""
+    """The way out for a call of something that is not an instruction, and a fix if the meaning is certain."""
     if context.is_trial:
         return "", None
     func, given = node.func, arguments(node)
@@ -77,7 +77,7 @@ def no_instruction(context: Context, node: cst.Call, fits: Fits) -> tuple[str, F
         return told, _rename(context, node, name, fits)
     told = trade_advice(context, name, CONDITIONS, given, lambda _: False)
     if told:
-        return f"a condition stands in the if: {told}", None
+        return f"a condition belongs in the if: {told}", None
     return did_you_mean(name, (*INSTRUCTIONS, "return", "pass")) or _LIST, None
 
 
@@ -87,7 +87,7 @@ def _renamed(context: Context, node: cst.Call, name: str) -> str:
 
 
 def _rename(context: Context, node: cst.Call, name: str, fits: Fits) -> Fix | None:
-    """The fix that writes a word of the trade as it is called here, with the same arguments."""
+    """The fix that renames a word of the trade to the instruction here, with the same arguments."""
     found = advice(name, ACTIONS)
     is_one = found is not None and not found.has_several
     text = own_code(context, found, arguments(node), fits, keywords(node)) if found and is_one else ""
@@ -124,7 +124,7 @@ def _of_address(context: Context, node: cst.Call, func: cst.Attribute, fits: Fit
 
 
 def routine_named(context: Context, name: str) -> str:
-    """The function of this file, or one that it imports, which a call means; "" for none."""
+    """The function of this file, or one that it imports, that a call means; "" for none."""
     word = re.escape(name)
     text = context.source.text
     for found in re.finditer(
@@ -140,7 +140,7 @@ def routine_named(context: Context, name: str) -> str:
 
 
 def other_argument(context: Context, spec: Spec, keyword: cst.Arg, names: Sequence[str]) -> tuple[str, Fix | None]:
-    """The way out for an argument that is called otherwise here; "" for a word that says nothing."""
+    """The way out for an argument that has another name here; "" for a word that says nothing."""
     written = keyword_name(keyword)
     lower = written.lower()
     if lower in names:

@@ -1,4 +1,4 @@
-"""Conditions in words and without them, which Python cannot read: ``ds.A between 1 and 5``, ``x[1] x[2]``."""
+"""Conditions in words or without any, which Python cannot read: ``ds.A between 1 and 5``, ``x[1] x[2]``."""
 
 from __future__ import annotations
 
@@ -125,4 +125,4 @@ def acted(line: Line, match: re.Match[str]) -> Told | None:
         return None
     way = condition_of(line, test)
     is_right = way.startswith("write if ")
-    return Told("an action stands under its condition", f"{way} {action}", spans[0]) if is_right else None
+    return Told("an action belongs under its condition", f"{way} {action}", spans[0]) if is_right else None

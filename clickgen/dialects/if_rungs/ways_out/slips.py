@@ -1,6 +1,6 @@
-"""What a line means that Python cannot read: signs and words of other languages, and slips, each with its way out.
+"""The meaning of a line that Python cannot read: signs and words of other languages, and slips, each with its way out.
 
-The table is looked at only when Python's parser has failed, and only at the line where it failed. Every pattern takes
+The table is used only if Python's parser has failed, and only for the line where it failed. Every pattern takes
 time in proportion to the line.
 """
 
@@ -15,7 +15,7 @@ from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.ways_out import slip_kinds as kinds
 from clickgen.dialects.if_rungs.ways_out import slip_words as words
 from clickgen.dialects.if_rungs.ways_out.slip_kinds import Line, Told
-from clickgen.instructions import INSTRUCTIONS
+from clickgen.instructions import INSTRUCTIONS, of_instructions
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span
@@ -31,11 +31,11 @@ class Slip(NamedTuple):
     tell: Callable[[Line, re.Match[str]], Told | None]
     examples: tuple[str, ...]
     with_comment: bool = False
-    """True for a pattern that a # belongs to."""
+    """True for a pattern that includes a #."""
 
 
 def slip(source: SourceFile, number: int, fault: str) -> tuple[str, Span, str, Fix | None] | None:
-    """The message, place, way out and fix for the line where Python failed; None where nothing is known of it."""
+    """The message, place, way out and fix for the line where Python failed; None if nothing is known of it."""
     text = source.line(number)
     if len(text) > _LINE_MAX:
         return None
@@ -58,7 +58,7 @@ _QUOTED = re.compile(r"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|(#.*)""")
 
 
 def _blanked(text: str, with_comment: bool) -> str:
-    """The line with blanks in the place of what stands between quotes, and of its comment."""
+    """The line with blanks for its comment and for the text between quotes."""
 
     def blank(found: re.Match[str]) -> str:
         if found[1]:
@@ -75,7 +75,11 @@ def _re(pattern: str, flags: int = 0) -> re.Pattern[str]:
 _ENDS = r"end\s*_?if|end\s*_?while|end\s*_?for|end\s*_?var|end\s*_?program|end\s*_?sub|next\s+\w+|wend|begin|done"
 _START = r"IF|If|ELIF|Elif|ELSE|Else|DEF|Def|FOR|For|WHILE|While|RETURN|Return|PASS|Pass|IMPORT|Import|FROM|From"
 
-_ARGUMENTS = frozenset(param.name for spec in INSTRUCTIONS.values() for param in spec.params)
+
+@of_instructions
+def _arguments() -> frozenset[str]:
+    return frozenset(param.name for spec in INSTRUCTIONS.values() for param in spec.params)
+
 
 SLIPS: tuple[Slip, ...] = (
     Slip(
@@ -280,7 +284,7 @@ SLIPS: tuple[Slip, ...] = (
     # Blocks
     Slip(
         _re(r"[{}]\s*(?:;\s*)?$"),
-        kinds.says("braces make no block here", "end the line of the if with a colon, and indent what stands under it"),
+        kinds.says("braces make no block here", "end the line of the if with a colon, and indent what is under it"),
         ("if c.A {", "}"),
     ),
     Slip(
@@ -294,7 +298,7 @@ SLIPS: tuple[Slip, ...] = (
         _re(r"^\s*(?P<word>VAR\w*|PROGRAM|FUNCTION\w*|SUB|function|void|int|bool|var|let|const)\b(?=\s)"),
         kinds.says(
             "declarations of other languages are not read",
-            "the rungs stand in def main():, and a name gets its address with nickname(x.Start, x[1])",
+            "the rungs belong in def main():, and a name gets its address with nickname(x.Start, x[1])",
             "word",
         ),
         ("PROGRAM main", "var a;", "int main"),
@@ -348,16 +352,16 @@ SLIPS: tuple[Slip, ...] = (
         lambda _, match: (
             Told(
                 "an argument is given by its name and =",
-                f"write {match['name']}=5" if match["name"] in _ARGUMENTS else "write setpoint=5",
+                f"write {match['name']}=5" if match["name"] in _arguments() else "write setpoint=5",
                 match.span("name"),
             )
-            if match["name"] in _ARGUMENTS
+            if match["name"] in _arguments()
             else None
         ),
         ("ton(t.A, setpoint:5)", "ton(t.A, setpoint 5)"),
     ),
 )
-"""In order; the first that knows the line tells."""
+"""In order; the first that knows the line applies."""
 
 # -- what Python says -------------------------------------------------------------------------------------------------
 
@@ -372,7 +376,7 @@ FAULTS: tuple[tuple[str, str, str], ...] = (
         "this line is indented like none above it",
         "indent the lines of one block alike, by four spaces",
     ),
-    ("unexpected indent", "this line is indented and stands under nothing", "begin it where the line above begins"),
+    ("unexpected indent", "this line is indented but belongs to nothing", "begin it where the line above begins"),
     (
         "expected an indented block",
         "nothing is indented under the line above",
@@ -387,9 +391,9 @@ FAULTS: tuple[tuple[str, str, str], ...] = (
     ("positional argument follows", "an argument without a name follows one with a name", "give this one its name too"),
     ("Perhaps you forgot a comma", "a comma is missing here", "separate arguments and conditions by commas"),
 )
-"""What Python's parser says, and the same in words that help."""
+"""The messages of Python's parser, and the same in words that help."""
 
 
 def said_otherwise(fault: str) -> tuple[str, str] | None:
-    """A message and a way out for what Python's parser says; None for what says too little."""
+    """A message and a way out for a message of Python's parser; None for one that says too little."""
     return next(((message, help) for start, message, help in FAULTS if start in fault), None)

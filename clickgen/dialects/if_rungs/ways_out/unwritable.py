@@ -1,4 +1,4 @@
-"""What no program writes: inputs, bits of timers and counters, CLICK's own points; and what to write in their place."""
+"""Addresses that no program writes: inputs, bits of timers and counters, CLICK's own points; what to use instead."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _WRITABLE = {"SC": WRITABLE_SC, "SD": WRITABLE_SD}
 
 
 def why_unwritable(node: Node) -> str:
-    """What an address is that no instruction writes: ``an input``; "" for one that can be written."""
+    """The description of an address that no instruction writes: ``an input``; "" for one that can be written."""
     bank = bank_of(node)
     if bank is None:
         return ""
@@ -48,7 +48,7 @@ def _name_of(node: Node) -> str:
 
 
 def instead(context: Context, node: Node, action: str, value: str = "") -> str:
-    """What to write in the place of an address that nothing writes: ``instead_of`` for a node."""
+    """The code to write instead of an address that nothing writes: ``instead_of`` for a node."""
     bank = bank_of(node)
     assert bank is not None
     spec = INSTRUCTIONS[action]
@@ -70,7 +70,7 @@ def _owner(context: Context, node: Node) -> str:
 
 
 def of_current_value(context: Context, node: Node, value: str) -> str:
-    """The way out where somebody resets or starts a timer by its current value: ``reset(td.A)``, ``td.A = 0``."""
+    """The way out when somebody resets or starts a timer by its current value: ``reset(td.A)``, ``td.A = 0``."""
     bank, shown = bank_of(node), own(context, node)
     assert bank is not None
     owner, written = _owner(context, node), f"copy({value}, {shown})"

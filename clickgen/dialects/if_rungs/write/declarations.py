@@ -1,4 +1,4 @@
-"""The names of a program that has no address table beside it, declared in the program."""
+"""Declares in the program the names of a program that has no address table beside it."""
 
 from __future__ import annotations
 
