@@ -42,6 +42,8 @@ class Request(NamedTuple):
     """What is known already: neither told nor mended nor silenced."""
     elsewhere: Callable[[Target], frozenset[str]] | None = None
     """What the other programs around the table of one name: asked where a name seems to have left."""
+    files: Workspace | None = None
+    """The files as this run has seen them already."""
 
 
 class Outcome(NamedTuple):
@@ -89,7 +91,7 @@ class Outcome(NamedTuple):
 def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
     """Check, and with ``fix`` mend in memory what can be mended. Raises CouldNotRun."""
     given = {os.path.realpath(request.paths[0]): request.stdin} if request.stdin is not None else {}
-    workspace = Workspace(given)
+    workspace = (request.files or Workspace()).apart(given)
     found, empty = discover(request.paths, request.config, request.exclude, request.force_exclude, workspace)
     outcome = _look(request, found, workspace)
     if not fix:

@@ -31,7 +31,7 @@ from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.source import SourceFile, Span
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
-from clickgen.workspace import CouldNotRun, Workspace, read_file, read_if_there
+from clickgen.workspace import CouldNotRun, Workspace, read_if_there
 
 if TYPE_CHECKING:
     from clickgen.commands.import_.proof import Redrawn, Verdict
@@ -102,7 +102,8 @@ class ImportResult:
         Raises CouldNotRun where a file stands that says something else, unless this ``replaces`` it (an address table
         is never replaced), and OSError.
         """
-        taken = [path for path, data in self.files.items() if _holds_otherwise(path, data)]
+        before = {path: _former(path) for path in self.files}
+        taken = [path for path, data in self.files.items() if path.exists() and before[path] != data]
         table = self.target.table
         if table in taken and self.named_by is not None and table.resolve() == self.named_by.resolve():
             message = f"{table} would lose the nicknames that are left out"
@@ -113,16 +114,21 @@ class ImportResult:
         if taken and not replaces:
             names = ", ".join(map(str, taken))
             raise CouldNotRun(f"{names} would be overwritten: choose another place with -o, or add --force")
-        unchanged = {path: read_if_there(path) for path in self.files}
-        return put_in_place(self.files, (), unchanged, no_links=self.files)
+        return put_in_place(self.files, (), before, no_links=self.files)
 
 
-def _holds_otherwise(path: Path, data: bytes) -> bool:
-    return path.exists() and not (path.is_file() and read_file(path) == data)
+def _former(path: Path) -> bytes | None:
+    """What a file holds that is about to be replaced: a new look, for the import may have read it long ago."""
+    return read_if_there(path) if path.is_file() else None
 
 
 def import_project(
-    source: Path, target: Target, nicknames: Path | None = None, keep_going: bool = False, verifies: bool = True
+    source: Path,
+    target: Target,
+    nicknames: Path | None = None,
+    keep_going: bool = False,
+    verifies: bool = True,
+    files: Workspace | None = None,
 ) -> ImportResult:
     """Import what ``source`` holds: a bundle, a ladder CSV, a clipboard capture, CLICK's program files.
 
@@ -130,23 +136,25 @@ def import_project(
     where the program is to stand. What cannot be kept is an error; with ``keep_going`` a marked rung stands in its
     place. Nothing is written (see ``ImportResult.write``). Raises CouldNotRun when there is nothing to import.
     """
-    project = read_project(source)
+    files = files or Workspace()
+    project = read_project(source, files)
     for routine in project.routines:
         if routine.name == MAIN and not routine.is_main:
             raise CouldNotRun(f"{routine.file}: a subroutine cannot be called main, as the main program is")
     if not any(routine.rungs for routine in project.routines) and not project.problems:
         raise CouldNotRun(f"{source} holds no rungs")
-    run = _Import(project, target, keep_going, imported_routines(project), _nicknames(project, target, nicknames))
+    names = _nicknames(project, target, nicknames, files)
+    run = _Import(project, target, keep_going, imported_routines(project), names, files)
     verdict = run.verified() if verifies else None
     return run.result(verdict)
 
 
-def _nicknames(project: Project, target: Target, given: Path | None) -> Nicknames:
+def _nicknames(project: Project, target: Target, given: Path | None, files: Workspace) -> Nicknames:
     for path in (given, project.nicknames):
         if path is not None:
-            return nicknames_of(path, str(path))
+            return nicknames_of(path, str(path), files=files)
     if target.table.exists() and not target.table.is_dir():
-        return nicknames_of(target.table, str(target.table), is_kept=True)
+        return nicknames_of(target.table, str(target.table), True, files)
     return no_nicknames()
 
 
@@ -159,6 +167,7 @@ class _Import:
     keep_going: bool
     routines: list[ImportedRoutine]
     nicknames: Nicknames
+    files: Workspace
     problems: list[Diagnostic] = field(default_factory=list)
 
     def verified(self) -> Verdict:
@@ -209,7 +218,7 @@ class _Import:
 
         files = {path: text.encode() for path, text in self._texts(as_proof(self.routines)).items()}
         overlay = {os.path.realpath(path): data for path, data in {**files, **self._table()}.items()}
-        return build(self.target.program, settings=self.target.settings, workspace=Workspace(overlay))
+        return build(self.target.program, settings=self.target.settings, workspace=self.files.apart(overlay))
 
     def _table(self) -> dict[Path, bytes]:
         """The address table where it is to stand; none where names were not given, or are declared in the program."""
