@@ -68,6 +68,8 @@ class DrawnRung:
     problems: tuple[LadderProblem, ...] = ()
     notes: tuple[str, ...] = ()
     """What a person should know of how the rung was read."""
+    cells: tuple[tuple[str, ...], ...] = field(default=(), compare=False)
+    """The text of each row, where the rung was read from text and nothing is wrong with it; else nothing."""
 
     @property
     def span(self) -> Span:
@@ -75,8 +77,14 @@ class DrawnRung:
         line = self.line or self.number
         return Span(self.file, line, 1, line, 2)
 
+    def is_drawn_as(self, other: DrawnRung) -> bool:
+        """True where the same text says that both are drawn alike; False says nothing."""
+        return self is other or (bool(self.cells) and self.cells == other.cells)
+
     def numbered(self, number: int) -> DrawnRung:
         """The same rung at another place of its routine."""
+        if number == self.number:
+            return self
         problems = tuple(problem.in_rung(number) for problem in self.problems)
         return replace(self, number=number, problems=problems)
 
@@ -129,6 +137,7 @@ class _Reader:
     rung_row: int = 0
     """The line of the open rung; 0 when none is open."""
     rows: list[DrawnRow] = field(default_factory=list)
+    cells: list[tuple[str, ...]] = field(default_factory=list)
     faults: list[LadderProblem] = field(default_factory=list)
 
     def records(self, text: str) -> Iterator[tuple[int, list[str]]]:
@@ -184,6 +193,7 @@ class _Reader:
             for column, cell in enumerate(fields[1:-1])
         )
         self.rows.append(DrawnRow(squares, fields[-1].strip(), row))
+        self.cells.append(tuple(fields[1:]))
 
     def _square(self, text: str, column: int, row: int) -> Square:
         wires = _WIRES.get(text)
@@ -223,9 +233,10 @@ class _Reader:
             _joined(self.rows),
             boxes,
             problems,
+            cells=() if problems else tuple(self.cells),
         )
         self.rungs.append(rung)
-        self.comment, self.rows, self.faults, self.rung_row = [], [], [], 0
+        self.comment, self.rows, self.cells, self.faults, self.rung_row = [], [], [], [], 0
 
     def _boxes(self) -> tuple[DrawnBox, ...]:
         """The instructions of the open rung, with each pin at the one directly above it."""

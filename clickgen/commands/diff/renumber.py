@@ -32,6 +32,8 @@ Numbers = Mapping[Address, Address]
 
 def numbers_of(one: Side, other: Side) -> Numbers:
     """Under which addresses the scratch cells of the other side are compared; those that keep their own left out."""
+    if not other.scratch:
+        return {}
     used = _Used(other)
     own = {address for address in other.scratch if used.is_alone(address)}
     waiting: defaultdict[tuple[str, str], list[Address]] = defaultdict(list)
@@ -124,7 +126,7 @@ def renumbered(rung: DrawnRung, numbers: Numbers) -> DrawnRung:
         replace(box, token=text(box.token), pins=tuple((text(token), place) for token, place in box.pins))
         for box in rung.boxes
     )
-    return rung if (rows, boxes) == (rung.rows, rung.boxes) else replace(rung, rows=rows, boxes=boxes)
+    return rung if (rows, boxes) == (rung.rows, rung.boxes) else replace(rung, rows=rows, boxes=boxes, cells=())
 
 
 def _in_place_of(token: str, numbers: Numbers) -> str:
