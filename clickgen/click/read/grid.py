@@ -187,10 +187,9 @@ class _Reader:
         if "\n" in text or "\r" in text:
             self._fault("a cell holds a line break: is a quote missing?", row)
             return
+        plain = _PLAIN.get  # Most squares are blank or a wire.
         squares = tuple(
-            # Most squares are blank or a wire.
-            _PLAIN.get(cell) or self._square(cell.strip(), column, row)
-            for column, cell in enumerate(fields[1:-1])
+            [plain(cell) or self._square(cell.strip(), column, row) for column, cell in enumerate(fields[1:-1])]
         )
         self.rows.append(DrawnRow(squares, fields[-1].strip(), row))
         self.cells.append(tuple(fields[1:]))

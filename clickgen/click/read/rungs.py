@@ -66,9 +66,10 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
         if network.ends[box.row] not in fed and box.token != NOP_TOKEN:
             raise _problem(drawn, box.row, f"{_shortened(box.token)} is not connected to the power rail")
     try:
-        tree = tree_of(network.arcs, {network.ends[box.row] for box in boxes} & fed)
+        ends, taps = {network.ends[box.row] for box in boxes} & fed, {*network.ends.values()} & fed
+        tree = tree_of(network.arcs, ends)
         # A pin taps what it shares with an output, too.
-        notes += dict.fromkeys(tree_of(network.arcs, {*network.ends.values()} & fed).notes)
+        notes += dict.fromkeys((tree if taps == ends else tree_of(network.arcs, taps)).notes)
         actions = [_action(drawn, network, box, fed) for box in boxes]
     except TooEntangled:
         raise LadderProblem(ENTANGLED, drawn.file, drawn.line) from None
@@ -222,7 +223,7 @@ def _uses(items: Sequence[Item], spec: Spec) -> bool:
 
 
 def _with_open_loop(rung: Rung) -> Rung:
-    return replace(rung, items=_opened(rung.items))
+    return replace(rung, items=_opened(rung.items)) if _uses(rung.items, FOR) else rung
 
 
 def _opened(items: Sequence[Item]) -> tuple[Item, ...]:

@@ -169,6 +169,8 @@ class _Import:
     nicknames: Nicknames
     files: Workspace
     problems: list[Diagnostic] = field(default_factory=list)
+    _written: tuple[Sequence[Routine], dict[Path, str]] = ((), {})
+    """The routines that were written last, and their texts: what was proven is most often what is delivered."""
 
     def verified(self) -> Verdict:
         """Build and compare. Rungs that a build refuses, or that do not come back, are no longer kept.
@@ -226,6 +228,11 @@ class _Import:
         return {self.target.table: self.nicknames.table.to_bytes()} if is_written else {}
 
     def _texts(self, routines: Sequence[Routine]) -> dict[Path, str]:
+        if routines != self._written[0]:
+            self._written = routines, self._text_of(routines)
+        return self._written[1]
+
+    def _text_of(self, routines: Sequence[Routine]) -> dict[Path, str]:
         names = self.nicknames.names
         if not self.target.is_folder:
             header = declarations(routines, self.nicknames) if self.target.is_shown else ""
