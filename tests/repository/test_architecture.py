@@ -61,10 +61,6 @@ LONG = {
     "dialects.if_rungs.discover",
     "dialects.if_rungs.read.conditions",
     "dialects.if_rungs.read.program",
-    "dialects.if_rungs.ways_out.meant",
-    "dialects.if_rungs.ways_out.misplaced",
-    "dialects.if_rungs.ways_out.slip_kinds",
-    "resolve.resolve",
     "rules.advice.undone_toggle",
 }
 """Files that are to be divided. The list only shrinks."""

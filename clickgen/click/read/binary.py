@@ -190,7 +190,7 @@ def _ladder(rungs: list[Rung], file: str, proof: Callable[[int, Rung], str], com
             what = _guarded_proof(proof, number, rung)
             problems = (LadderProblem(what, file, 0, number + 1, "CG708"),) if what else ()
             # What is read is not what the rung is, so nothing of it is shown.
-            one = replace(one, rows=(), boxes=(), problems=problems, cells=()) if problems else one
+            one = replace(one, rows=(), boxes=(), problems=problems) if problems else one
         marks = left_out(comments[number])
         note = f"its comment has marks that are left out: {' '.join(marks)}"
         drawn.append(replace(one, notes=(note,)) if marks else one)
@@ -244,16 +244,9 @@ def _drawn(rung: Rung, number: int, file: str) -> DrawnRung:
     problems = [LadderProblem(problem.message, file, 0, number) for problem in drawn.problems]
     if rung.comment is None and rung.comment_rtf:
         problems.append(LadderProblem("the comment cannot be read", file, 0, number))
-    return DrawnRung(
-        number,
-        file,
-        0,
-        comment,
-        tuple(replace(row, line=0) for row in drawn.rows),
-        drawn.boxes,
-        tuple(problems),
-        cells=() if problems else drawn.cells,
-    )
+    rows = tuple(replace(row, line=0) for row in drawn.rows)
+    written = drawn.written._replace(rows=rows) if drawn.written is not None else None
+    return DrawnRung(number, file, 0, comment, rows, drawn.boxes, tuple(problems), written=written)
 
 
 def _words(error: Exception) -> str:

@@ -11,6 +11,7 @@ import io
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 from clickgen.click.draw.grid import COLUMNS, MAX_ROWS
 from clickgen.click.ladder_csv import HEADER
@@ -52,6 +53,14 @@ class DrawnBox:
     pins: tuple[tuple[str, int], ...] = ()
 
 
+class AsWritten(NamedTuple):
+    """The text of each row of a rung, and what was read of it."""
+
+    text: tuple[tuple[str, ...], ...]
+    rows: tuple[DrawnRow, ...]
+    boxes: tuple[DrawnBox, ...]
+
+
 @dataclass(frozen=True)
 class DrawnRung:
     """One rung. ``number`` counts from 1 in its routine; ``line`` is 0 in a binary file.
@@ -68,8 +77,8 @@ class DrawnRung:
     problems: tuple[LadderProblem, ...] = ()
     notes: tuple[str, ...] = ()
     """What a person should know of how the rung was read."""
-    cells: tuple[tuple[str, ...], ...] = field(default=(), compare=False)
-    """The text of each row, where the rung was read from text and nothing is wrong with it; else nothing."""
+    written: AsWritten | None = field(default=None, compare=False, repr=False)
+    """What the file says of it, where it was read from text and nothing is wrong with it."""
 
     @property
     def span(self) -> Span:
@@ -79,7 +88,15 @@ class DrawnRung:
 
     def is_drawn_as(self, other: DrawnRung) -> bool:
         """True where the same text says that both are drawn alike; False says nothing."""
-        return self is other or (bool(self.cells) and self.cells == other.cells)
+        return self is other or (self.text is not None and self.text == other.text)
+
+    @property
+    def text(self) -> tuple[tuple[str, ...], ...] | None:
+        """The text of each row; None where it is not known, as of a rung that was changed after it was read."""
+        written = self.written
+        if written is None or self.problems or written.rows is not self.rows or written.boxes is not self.boxes:
+            return None
+        return written.text
 
     def numbered(self, number: int) -> DrawnRung:
         """The same rung at another place of its routine."""
@@ -223,16 +240,17 @@ class _Reader:
         if height > MAX_ROWS:
             self._fault(f"the rung has {height} rows with its boxes at their full height, and CLICK {MAX_ROWS}", 0)
         number = len(self.rungs) + 1
+        rows = _joined(self.rows)
         problems = tuple(LadderProblem(p.message, p.file, p.row or self.rung_row, number) for p in self.faults)
         rung = DrawnRung(
             number,
             self.file,
             self.rung_row,
             "\n".join(self.comment),
-            _joined(self.rows),
+            rows,
             boxes,
             problems,
-            cells=() if problems else tuple(self.cells),
+            written=None if problems else AsWritten(tuple(self.cells), rows, boxes),
         )
         self.rungs.append(rung)
         self.comment, self.rows, self.cells, self.faults, self.rung_row = [], [], [], [], 0

@@ -126,7 +126,7 @@ def renumbered(rung: DrawnRung, numbers: Numbers) -> DrawnRung:
         replace(box, token=text(box.token), pins=tuple((text(token), place) for token, place in box.pins))
         for box in rung.boxes
     )
-    return rung if (rows, boxes) == (rung.rows, rung.boxes) else replace(rung, rows=rows, boxes=boxes, cells=())
+    return rung if (rows, boxes) == (rung.rows, rung.boxes) else replace(rung, rows=rows, boxes=boxes)
 
 
 def _in_place_of(token: str, numbers: Numbers) -> str:

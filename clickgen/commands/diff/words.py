@@ -125,12 +125,13 @@ class Wording:
 
     def lines(self, drawn: DrawnRung) -> tuple[str, ...]:
         """A rung as the listing would have it; as it is drawn where it cannot be written."""
-        found = self._known.get(drawn.cells)
+        text = drawn.text
+        found = self._known.get(text) if text is not None else None
         if found is None:
             rung = _imported(drawn)
             found = tuple(map(self._with_room, drawn_cells(drawn)) if rung is None else self._lines(rung))
-            if drawn.cells:
-                self._known[drawn.cells] = found
+            if text is not None:
+                self._known[text] = found
         return found
 
     def _lines(self, rung: Rung) -> Iterator[str]:

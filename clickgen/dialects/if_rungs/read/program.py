@@ -38,7 +38,8 @@ from clickgen.dialects.if_rungs.read.places import has_parameters
 from clickgen.dialects.if_rungs.read.statements import Refused, Statement, read_in_pieces, read_statements
 from clickgen.dialects.if_rungs.trade import ARGUMENTS
 from clickgen.dialects.if_rungs.ways_out.hints import flat_address, own, replaced
-from clickgen.dialects.if_rungs.ways_out.misplaced import WayOut, way_out
+from clickgen.dialects.if_rungs.ways_out.misplaced import way_out
+from clickgen.dialects.if_rungs.ways_out.way_out import WayOut
 from clickgen.instructions.control import FOR, NOP, RETURN
 from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.imports import Import

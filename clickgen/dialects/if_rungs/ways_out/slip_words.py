@@ -6,7 +6,7 @@ import re
 
 from clickgen.dialects.if_rungs.read.calls import fits_action
 from clickgen.dialects.if_rungs.ways_out.hints import BANK_NAMES
-from clickgen.dialects.if_rungs.ways_out.slip_kinds import Line, Told, after_head, condition_of, without
+from clickgen.dialects.if_rungs.ways_out.slip_line import Line, Told, after_head, condition_of, without
 
 _BANKS = "|".join(sorted(BANK_NAMES, key=len, reverse=True))
 _ADDRESS = rf"\b(?:{_BANKS})(?:\[[^\[\]]{{1,60}}\]|\.[A-Za-z_]\w{{0,40}})"
