@@ -67,7 +67,7 @@ def rung(number: int) -> str:
 
 
 def program(rungs: int, per_routine: int = PER_ROUTINE) -> str:
-    """A program of so many rungs in routines of so many, beside a main that calls them."""
+    """A program of this many rungs in routines of this many, and a main that calls them."""
     routines = []
     names = []
     for start in range(0, rungs, per_routine):
@@ -81,7 +81,7 @@ def program(rungs: int, per_routine: int = PER_ROUTINE) -> str:
 
 
 def clean_program(rungs: int) -> str:
-    """A program of so many rungs in which there is nothing to find."""
+    """A program of this many rungs without any problem."""
     body = "\n".join(
         f"    # Motor {n}\n    if all(c[{n + 1}], nc(x[{n % 16 + 1}])):\n        out(c[{n + 1001}])\n"
         for n in range(rungs)
@@ -90,7 +90,7 @@ def clean_program(rungs: int) -> str:
 
 
 def project(rows: int, folder: Path) -> Path:
-    """A program that uses half of the names of an address table of so many rows."""
+    """A program that uses half of the names of an address table of this many rows."""
     banks = [bank for bank in BANKS.values() if bank.allocatable and bank.name not in ("X", "Y")]
     share = rows / sum(bank.last for bank in banks)
     names = {bank: [f"{bank.name}_value_{n}" for n in range(1, round(bank.last * share) + 1)] for bank in banks}
@@ -140,7 +140,7 @@ def compare(command: Sequence[str], other: Sequence[str], before: Callable[[], N
 
 
 def cpu(command: Sequence[str], before: Callable[[], None]) -> float:
-    """The CPU seconds of a process: of the user and of the system. What finds a difference ends with 1."""
+    """Return the CPU seconds of a process, user and system. A command that finds a difference exits with 1."""
     before()
     start = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run(command, check=False, capture_output=True)
@@ -149,13 +149,13 @@ def cpu(command: Sequence[str], before: Callable[[], None]) -> float:
 
 
 def share(command: Sequence[str], other: Sequence[str], before: Callable[[], None]) -> float:
-    """The CPU time of a command as a share of another's: the median of pairs that run in turn."""
+    """Return the CPU time of a command as a share of another's: the median of pairs that run in turn."""
     pairs = [(cpu(command, before), cpu(other, before)) for _ in range(RUNS + 1)][1:]
     return statistics.median(one / two for one, two in pairs)
 
 
 def against_a_build(folder: Path, clickgen: Sequence[str]) -> None:
-    """What the commands about names, the workbook and a diff take as shares of a build of the same."""
+    """Measure the commands about names, the workbook and a diff against a build of the same program."""
     path, output = folder / "table10000" / "plc.py", folder / "against"
 
     def fresh() -> None:
@@ -186,7 +186,7 @@ def against_a_build(folder: Path, clickgen: Sequence[str]) -> None:
 
 
 def imports(folder: Path, clickgen: Sequence[str], subroutines: int, rungs: int) -> tuple[float, float]:
-    """Importing a bundle without and with verification, each as a share of what pyrung takes for the same, CPU."""
+    """Importing a bundle without and with verification, each as a share of pyrung's time for the same, CPU."""
     path, bundle = folder / f"imported{rungs}" / "prog.py", folder / f"bundle{rungs}"
     path.parent.mkdir()
     path.write_text(program(subroutines * rungs, rungs))

@@ -15,8 +15,8 @@ from pathlib import Path
 from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, Run, near
 from clickgen.commands.nicknames.elsewhere import build_among
-from clickgen.dialects.if_rungs.spelling import Spellings
 from clickgen.problems.diagnostics import Diagnostic
+from clickgen.problems.name_slips import Spellings
 from clickgen.problems.report.frames import summary, write_problems
 from clickgen.results import BuildResult, write_all
 from clickgen.table.own_table import own_table_setting
@@ -27,7 +27,7 @@ from clickgen.text.write import ChangedMeanwhile
 from clickgen.workspace import CouldNotRun, Workspace
 
 _NAMES_MAX = 8
-"""So many new names a build lists."""
+"""A build lists this many new names."""
 
 DESCRIPTION = "Build a program: ladder CSV files, the nickname CSV, a listing and a source map."
 EXAMPLES = """\
@@ -54,7 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Build and write, without a program every configured one, all of them or none; returns the exit code."""
+    """Build and write one program or, without one, every configured one, all of them or none; return the exit code."""
     this = Run(options.config)
     jobs = _jobs(this, options.program, options.output, options.nicknames, options.frozen)
     this.settle(jobs)
@@ -71,13 +71,13 @@ _TRIES = 5
 
 
 def _built(jobs: Sequence[Job], this: Run) -> list[BuildResult]:
-    """Build and write; where a table changed in between, again, now with the folders locked against other builds."""
+    """Build and write; if a table changed in between, again, now with the folders locked against other builds."""
     told: set[Diagnostic] = set()
     files = this.files
     with ExitStack() as stack:
         for left in reversed(range(_TRIES)):
             results = build_among(jobs, lambda: this.settings, files)
-            # What is shown of a table is what was read, so before anything is written.
+            # The table is shown as it was read, so before anything is written.
             for result in results:
                 news = [each for each in result.diagnostics if each not in told]
                 write_problems(news, result.sources, sys.stderr, files)
@@ -153,7 +153,7 @@ def _new_names(result: BuildResult) -> list[str]:
     for row in new:
         bank = row.address.bank
         for other in (by_bank[bank][name] for name in spellings[bank].near(row.nickname)):
-            # Of two new names that look alike one line is enough.
+            # One line is enough for two new names that look alike.
             if other.address not in fresh or other.address.sort_key < row.address.sort_key:
                 pair = f"{row.address} {row.nickname} looks like {other.address} {other.nickname}"
                 lines.append(f"  {pair}: is one of them misspelled?")
@@ -165,9 +165,9 @@ _MAIN = re.compile(rb"^def main\(", re.MULTILINE)
 
 
 def _shared(result: BuildResult, job: Job, this: Run) -> Iterator[str]:
-    """Where a program beside this one has the same table because nobody named one: how to part them.
+    """How to separate two programs that share a table because nobody named one.
 
-    Where the settings name both, somebody has decided it.
+    If the settings name both, somebody has decided it.
     """
     if job.settings.nicknames is not None:
         return

@@ -17,7 +17,7 @@ from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.commands.check.programs import Outcome, Request, add_ignores
 from clickgen.commands.check.programs import run as run_check
 from clickgen.config import Config, code_prefix, find_config, read_config
-from clickgen.dialects.if_rungs.discover import Target
+from clickgen.dialects.discover import Target
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.problems.formats import FORMATS
@@ -30,11 +30,11 @@ if TYPE_CHECKING:
     from clickgen.commands.check.baseline import Baseline
 
 _MANY_FILES = 8
-"""From so many programs on a terminal shows how far the check is."""
+"""From this many programs a terminal shows how far the check is."""
 
 
 class _Wrong(CouldNotRun):
-    """Flags that do not go together; the message says which."""
+    """Flags that exclude each other; the message says which."""
 
 
 DESCRIPTION = (
@@ -93,7 +93,7 @@ def _codes(text: str) -> list[str]:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Check what the command line names; returns the exit code."""
+    """Check what the command line names; return the exit code."""
     _refuse_contradictions(options)
     files = Workspace()
     config = read_config(Path(options.config), files) if options.config else find_config(Path.cwd(), files)
@@ -123,7 +123,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _tell_diff(options: argparse.Namespace, outcome: Outcome) -> int:
-    """What fixes would change; on the standard error how much is left that none mends."""
+    """Show what fixes would change; on the standard error how much is left that none fixes."""
     diff = "".join(_diffs(outcome))
     _put(diff, options.output)
     left = _report(options, outcome)._replace(fixed=0)  # Nothing was written.
@@ -188,7 +188,7 @@ def _put_back(options: argparse.Namespace, config: Config) -> None:
 
 
 def _refuse_input(options: argparse.Namespace, inputs: Iterable[str | os.PathLike[str] | None]) -> None:
-    """A report takes the place of an earlier one, and of nothing else. Raises CouldNotRun."""
+    """Refuse a report that would replace anything but an earlier one. Raises CouldNotRun."""
     if not options.output:
         return
     place = os.path.realpath(options.output)
@@ -199,7 +199,7 @@ def _refuse_input(options: argparse.Namespace, inputs: Iterable[str | os.PathLik
 
 
 def _is_same(path: str | os.PathLike[str], place: str) -> bool:
-    """True for two names of one file, as where capitals do not count."""
+    """True for two names of one file, for example where case does not count."""
     return os.path.exists(path) and os.path.exists(place) and os.path.samefile(path, place)
 
 
@@ -234,14 +234,14 @@ def _request(
 
 
 def _standard_input() -> bytes:
-    """The program on the standard input. Raises CouldNotRun when whoever started the command closed it."""
+    """Return the program on the standard input. Raises CouldNotRun if the caller of the command closed it."""
     if sys.stdin is None:
         raise CouldNotRun("the standard input is closed: clickgen check - < prog.py")
     return sys.stdin.buffer.read(READ_MAX + 1)
 
 
 def _named_elsewhere(config: Config, files: Workspace, target: Target) -> frozenset[str]:
-    """What the other programs around the table of one name."""
+    """The names that the other programs around the table of one use."""
     from clickgen.cli.jobs import Job
     from clickgen.commands.nicknames.elsewhere import named_elsewhere
     from clickgen.config import Settings
@@ -254,7 +254,7 @@ def _joined(lists: list[list[str]] | None) -> tuple[str, ...] | None:
     return None if lists is None else tuple(code for codes in lists for code in codes)
 
 
-# -- telling ----------------------------------------------------------------------------------------------------------
+# -- reporting --------------------------------------------------------------------------------------------------------
 
 
 def _tell(options: argparse.Namespace, outcome: Outcome, to_stderr: bool) -> int:
@@ -284,7 +284,7 @@ def _report(options: argparse.Namespace, outcome: Outcome, color: bool = False) 
 
 
 def _baseline(path: Path, files: Workspace) -> Baseline | None:
-    """What was found when the repository began; None where this run is to write it."""
+    """The findings from when the repository began; None if this run should write them."""
     from clickgen.commands.check.baseline import Baseline, read_baseline
 
     known = read_baseline(path, files)
@@ -292,7 +292,7 @@ def _baseline(path: Path, files: Workspace) -> Baseline | None:
 
 
 def _begin_baseline(path: Path, outcome: Outcome) -> Outcome:
-    """Write what was found into a new baseline; what is left are the errors."""
+    """Write the findings into a new baseline; only the errors are left."""
     from clickgen.commands.check.baseline import Baseline, baseline_text
     from clickgen.problems.finding_keys import keys_of
 
@@ -305,7 +305,7 @@ def _begin_baseline(path: Path, outcome: Outcome) -> Outcome:
 
 
 def _named_from(path: Path) -> Callable[[str], str]:
-    """How a baseline names files: as seen from its own folder."""
+    """A file's name in a baseline: relative to its own folder."""
     folder = os.path.dirname(os.path.abspath(path))
     return lambda file: shown_path(file, folder)
 
@@ -314,7 +314,7 @@ _COUNTED = ("text", "concise", "json")
 
 
 def _statistics(report: Report, output_format: str) -> str:
-    """How often each code was found, the most frequent first; ``[*]`` marks those that a safe fix mends."""
+    """How often each code was found, the most frequent first; ``[*]`` marks those that a safe fix corrects."""
     counts = Counter(finding.code for finding in report.findings)
     mended = Counter(finding.code for finding in report.findings if finding.fix and finding.fix.is_safe)
     width = max((len(str(count)) for count in counts.values()), default=0)
@@ -357,7 +357,7 @@ def _put(text: str, output: str | None) -> None:
 def _put_in_file(path: Path, text: str) -> None:
     from clickgen.text.write import put_in_place
 
-    # A file name that is no text cannot be written as UTF-8.
+    # A file name that is not text cannot be written as UTF-8.
     put_in_place({path: text.encode(errors="backslashreplace")}, no_links=[path])
 
 

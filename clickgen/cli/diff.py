@@ -1,4 +1,4 @@
-"""``clickgen diff``: what two programs, bundles or revisions do otherwise."""
+"""``clickgen diff``: the differences between two programs, bundles or revisions."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Compare two sides and show the difference; returns the exit code."""
+    """Compare two sides and show the difference; return the exit code."""
     this = Run(options.config)
 
     def settings_of(program: str) -> Settings:
@@ -91,7 +91,7 @@ def _code(difference: Difference | None) -> int:
 
 
 def _compared(pair: Pair, wanted: Wanted) -> Difference | None:
-    """The difference of two sides; None where one of them has errors, which are told."""
+    """The difference of two sides; None if one of them has errors, which are reported."""
     try:
         with TemporaryDirectory(prefix="clickgen-") as first, TemporaryDirectory(prefix="clickgen-") as second:
             older = absent_side(pair.one) if pair.is_new else read_side(pair.one, wanted, Path(first), complain)

@@ -51,7 +51,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Import, verify and write, all of it or nothing; returns the exit code."""
+    """Import, verify and write, all of it or nothing; return the exit code."""
     table = Path(options.nicknames) if options.nicknames is not None else None
     this = Run(options.config)
     target = _target(options.output, this)
@@ -72,7 +72,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _target(output: str, this: Run) -> Target:
-    """Where the program goes: a file that ends in .py, else a folder; ``-`` is the standard output."""
+    """The place for the program: a file that ends in .py, else a folder; ``-`` is the standard output."""
     if output == "-":
         return Target(Path("<standard output>") / "prog.py", is_shown=True)
     if not output:

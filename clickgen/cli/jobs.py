@@ -1,4 +1,4 @@
-"""Which programs a command works on: those that are named, else every configured one."""
+"""Chooses the programs that a command works on: those that are named, else every configured one."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from clickgen.workspace import CouldNotRun, Workspace
 
 @dataclass(frozen=True)
 class Job:
-    """One program: where it is, what with, and the folder that it is built into."""
+    """One program: its place, its settings, and the folder that it is built into."""
 
     program: str
     settings: Settings
@@ -23,7 +23,7 @@ class Job:
 
     @property
     def folders(self) -> list[Path]:
-        """Where files are written: beside the program and its table, and in the output folder."""
+        """The places where files are written: beside the program and its table, and in the output folder."""
         from clickgen.emit.registry import folders
 
         table = Path(os.path.realpath(self.settings.table_of(Path(self.program))))
@@ -31,10 +31,7 @@ class Job:
 
 
 class Run:
-    """One run of a command: the files as it sees them, each read once, and the settings that hold for it.
-
-    ``config`` is the file that has the settings, where it was named.
-    """
+    """One run of a command: its files, each read once, and its settings. ``config`` names the file of the settings."""
 
     def __init__(self, config: str | None) -> None:
         self.config = config
@@ -42,11 +39,11 @@ class Run:
 
     @cached_property
     def settings(self) -> Config:
-        """The settings in the file that is named, else those that hold in the working folder. Raises CouldNotRun."""
+        """The settings in the named file, else those of the working folder. Raises CouldNotRun."""
         return read_config(Path(self.config), self.files) if self.config else find_config(Path.cwd(), self.files)
 
     def jobs(self, programs: Sequence[str], nicknames: str | None = None, frozen: bool = False) -> list[Job]:
-        """The programs that are named, else all that the settings name. Raises CouldNotRun when there are none."""
+        """Return the named programs, else all that the settings name. Raises CouldNotRun if there are none."""
         settings = self.settings
         if programs:
             return [_job(program, settings.program(Path(program)), nicknames, frozen, settings) for program in programs]
@@ -55,9 +52,9 @@ class Run:
         return [_job(str(near(own.path)), own, nicknames, frozen, settings) for own in settings.programs]
 
     def settle(self, found: Sequence[Job]) -> None:
-        """Put back what a killed command left half written where these and the configured programs are.
+        """Put back what a killed command left half written near these and the configured programs.
 
-        It comes before anything but the settings is read. Raises CouldNotRun and OSError.
+        Call it before anything but the settings is read. Raises CouldNotRun and OSError.
         """
         programs = [*found, *(self.jobs([]) if self.settings.programs else [])]
         put_back(folder for job in programs for folder in job.folders)
@@ -79,6 +76,6 @@ def put_back(folders: Iterable[Path]) -> None:
 
 
 def near(path: Path) -> Path:
-    """A path as seen from the working folder, where it lies below."""
+    """A path relative to the working folder, if it is below."""
     absolute, here = path.absolute(), Path.cwd()
     return absolute.relative_to(here) if absolute.is_relative_to(here) else path

@@ -1,4 +1,4 @@
-"""``clickgen stubs``: the language and the names of programs, where editors look for them."""
+"""``clickgen stubs``: the language and the names of programs, in files that editors look for."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from clickgen.api import known_names
 from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.cli.jobs import Job, Run, near
 from clickgen.commands.stubs.stub import MARK, builtins_stub
-from clickgen.dialects.if_rungs.discover import targets
+from clickgen.dialects.discover import targets
 from clickgen.results import KnownNames
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
@@ -45,7 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the stub file of every folder with a program, or say which are stale; returns the exit code."""
+    """Write the stub file of every folder with a program, or say which are stale; return the exit code."""
     programs, nicknames, frozen, config = options.programs, options.nicknames, options.frozen, options.config
     this = Run(config)
     named = this.jobs(programs, nicknames, frozen)
@@ -100,7 +100,7 @@ def _stub(names: Sequence[KnownNames]) -> bytes:
 
 
 def _is_stale(path: Path, text: bytes, files: Workspace) -> bool:
-    """True where a file is missing or says something else. Raises CouldNotRun where it is not clickgen's."""
+    """True if a file is missing or differs. Raises CouldNotRun if it is not clickgen's."""
     try:
         stands = files.read(path).replace(b"\r\n", b"\n")
     except FileNotFoundError:
@@ -120,7 +120,7 @@ def _say_stale(stale: Mapping[Path, bytes], command: str) -> int:
 
 
 def _command(programs: Sequence[str], nicknames: str | None, frozen: bool, config: str | None) -> str:
-    """The command that writes what was checked."""
+    """The command that writes the checked files."""
     words = ["clickgen", "stubs", *programs]
     words += ["--nicknames", nicknames] if nicknames else []
     words += ["--frozen"] if frozen else []

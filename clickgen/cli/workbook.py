@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the workbook of a program; returns the exit code."""
+    """Write the workbook of a program; return the exit code."""
     this = Run(options.config)
     (job,) = this.jobs([options.program], options.nicknames)
     this.settle([job])

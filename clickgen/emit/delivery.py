@@ -46,7 +46,7 @@ def deliver(deliveries: Iterable[Delivery]) -> list[Path]:
     clickgen's and in the way; OSError when something cannot be written; ChangedMeanwhile when a table changed since it
     was read.
     """
-    # A look of its own: a build may be delivered long after it has read its files, and more than once.
+    # A fresh view of the disk: a build may be delivered long after it has read its files, and more than once.
     disk = Workspace()
     writes: dict[Path, bytes] = {}
     removals: list[Path] = []

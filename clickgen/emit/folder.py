@@ -23,7 +23,7 @@ class ForeignFiles(Exception):
 
 
 def stale_files(folder: Path, files: Mapping[str, bytes], disk: Workspace) -> list[Path]:
-    """Files of an earlier build that this one does not make. ``disk`` is what the folder holds just now.
+    """Return the files of an earlier build that this one does not make. ``disk`` shows what the folder holds now.
 
     Raises ForeignFiles when an output would replace a file that is not an earlier output, and when other CSV files
     are there: ClickNick's guided paste takes every CSV file of the folder as ladder (click-facts [ladder-file.guided]).

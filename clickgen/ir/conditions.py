@@ -3,27 +3,37 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 
 from clickgen.ir.operands import Cell, Immediate, Named, Range, Single
 from clickgen.text.source import Span
 
 OPPOSITE = {"==": "!=", "!=": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
-"""The comparison that holds where another does not."""
+"""The comparison that holds when another does not."""
 MIRRORED = {"==": "==", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
-"""The comparison that says the same with its sides exchanged."""
+"""The comparison that means the same with its sides exchanged."""
 
-EDGE_FUNCTIONS = {"rise": "re", "fall": "fe"}
-"""How the language writes a contact on an edge."""
+
+class Edge(Enum):
+    """The change of a bit that closes an edge contact for one scan; the value is CLICK's word in a ladder file."""
+
+    RISE = "rise"
+    FALL = "fall"
+
+    @property
+    def word(self) -> str:
+        """The word for a message: ``rising`` or ``falling``."""
+        return "rising" if self is Edge.RISE else "falling"
 
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """A contact on a bit. ``edge`` is "" for a level, "rise" or "fall" for one scan of change."""
+    """A contact on a bit. ``edge`` is None for a level."""
 
     operand: Named | Cell | Range | Immediate
     span: Span
     negated: bool = False
-    edge: str = ""
+    edge: Edge | None = None
 
 
 @dataclass(frozen=True, slots=True)

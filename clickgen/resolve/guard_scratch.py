@@ -1,4 +1,4 @@
-"""The cells that clickgen took for itself: a program that writes them too would spoil what they hold."""
+"""Refuse programs that use the scratch cells of clickgen."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from clickgen.table.rows import is_scratch
 
 
 def guard_scratch(program: Program, table: AddressTable, problems: Diagnostics) -> None:
-    """A program that uses one of clickgen's own scratch cells: both would write it."""
+    """Refuse a program that uses one of clickgen's own scratch cells: both would write it."""
     scratch = {row.address: row for row in table.rows if is_scratch(row)}
     if not scratch:
         return
@@ -38,7 +38,7 @@ def guard_scratch(program: Program, table: AddressTable, problems: Diagnostics) 
 
 
 def addresses_in(operands: Iterable[Operand]) -> Iterable[Address]:
-    """Every address that the program writes by number."""
+    """Yield every address that the operands name by number."""
     for operand in operands:
         if isinstance(operand, Immediate):
             operand = operand.target

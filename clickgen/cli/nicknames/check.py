@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Tell the problems of names, addresses and the table; others are counted, for ``clickgen check`` tells them."""
+    """Report the problems of names, addresses and the table; count the others, which ``clickgen check`` reports."""
     from clickgen.commands.nicknames.sync import table_changes
 
     this = Run(options.config)
@@ -31,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
     built = build_all(((job.program, job.settings) for job in found), this.files)
     results = built
     if not all(map(_needs_nothing, built)):
-        # Said as a build says it that may choose no address.
+        # Report what is missing as a frozen build does.
         frozen = [(job.program, job.settings._replace(frozen=True)) for job in found]
         results = [build(program, settings=settings, workspace=this.files) for program, settings in frozen]
     told = 0
@@ -57,7 +57,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _needs_nothing(result: BuildResult) -> bool:
-    """True for a program that a build which may choose no address makes into just the same."""
+    """True if a frozen build of the program gives the same result."""
     return result.ok and not result.new_rows and result.table == result.table_before
 
 

@@ -1,4 +1,4 @@
-"""``clickgen nicknames merge``: take in a fresh export from CLICK."""
+"""``clickgen nicknames merge``: merge a fresh export from CLICK."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 class _Merging(NamedTuple):
-    """What an export is taken into: the table, the workbook that it adds to, and programs that are known to use it."""
+    """The target of an export: the table, the workbook that it adds to, and programs that are known to use it."""
 
     table: Path
     workbook: Path | None
@@ -55,7 +55,7 @@ class _Merging(NamedTuple):
 
 
 def run(options: argparse.Namespace) -> int:
-    """Show what an export says otherwise, and take in what is wanted; returns the exit code."""
+    """Show the differences of an export, and take those that are wanted; return the exit code."""
     from clickgen.commands.nicknames.changed_rows import conflict_lines, diff_lines, never_lines, summary
     from clickgen.commands.nicknames.merge import merge
     from clickgen.commands.nicknames.programs import programs_around
@@ -91,7 +91,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _seen_from_here(file: FileNames) -> FileNames:
-    """A file of a program whose messages name it as seen from the working folder."""
+    """A file of a program whose messages name it relative to the working folder."""
     path = str(near(Path(file.source.path)))
     declarations = tuple(replace(each, span=each.span._replace(path=path)) for each in file.declarations)
     return replace(file, source=SourceFile(path, file.source.text), declarations=declarations)
@@ -111,7 +111,7 @@ def _merged(merged: Merge, kinds: set[str], is_dry: bool) -> str:
 def _after_renames(
     options: argparse.Namespace, merged: Merge, kinds: set[str], programs: list[Program]
 ) -> Iterator[str]:
-    """What is to be done in programs, and what they would do, where names have changed their addresses."""
+    """What to do in programs, and what they would do, if names have changed their addresses."""
     for change in merged.of({RENAMED} & kinds):
         if change.before and change.after and change.used and not change.is_case_only:
             old, new = change.before.nickname, change.after.nickname
@@ -128,7 +128,7 @@ def _after_renames(
 
 
 def _program_with(name: str, programs: list[Program]) -> list[str]:
-    """A program that uses a name, or one that stands for the parts that do: a rename finds all others."""
+    """A program that uses a name, or one that represents the parts that do: a rename finds all others."""
     whole = [program for program in programs if not program.is_part]
     using = [program for program in whole if any(file.of(name) for file in program.names)]
     return [str(near(Path(program.path))) for program in (using or whole)[:1]]
@@ -141,7 +141,7 @@ def _table_words(options: argparse.Namespace) -> list[str]:
 
 def _kinds(accepted: Iterable[str]) -> set[str]:
     words = {word.strip() for words in accepted for word in words.split(",") if word.strip()}
-    # What programs do changes with swapped names: these are asked for by their own word alone.
+    # Swapped names change what programs do: these are taken only by their own word.
     everything = {*KINDS} - {SWAPPED} if "all" in words else set()
     kinds = {"added"} | everything | (words - {"all"})
     unknown = sorted(kinds - set(KINDS))
@@ -154,7 +154,7 @@ def _kinds(accepted: Iterable[str]) -> set[str]:
 
 
 def _table_to_merge(this: Run, options: argparse.Namespace) -> _Merging:
-    """The table that takes the export in: the one that is named, else the one of the settings."""
+    """The table that takes the export: the named one, else the one of the settings."""
     found = this.jobs([]) if this.settings.programs else []
     named = Path(options.nicknames) if options.nicknames else None
     if named is not None and not is_workbook(named):

@@ -30,7 +30,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def _adoption_lines(result: Rename, is_dry: bool) -> Iterator[str]:
-    """What became of a rename that somebody had begun in the programs."""
+    """The result of a rename that somebody had begun in the programs."""
     assert result.adoption is not None
     programs = ", ".join(str(near(Path(program))) for program in result.programs)
     address, is_now = result.adoption.row.address, "would be" if is_dry else "is"
@@ -41,7 +41,7 @@ def _adoption_lines(result: Rename, is_dry: bool) -> Iterator[str]:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Rename a nickname or a block everywhere, after the proof that the ladder stays; returns the exit code."""
+    """Rename a nickname or a block everywhere, after the proof that the ladder stays; return the exit code."""
     this = Run(options.config)
     found = jobs_of(this, options)
     if not options.dry_run:

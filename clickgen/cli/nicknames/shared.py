@@ -1,4 +1,4 @@
-"""What the subcommands of ``clickgen nicknames`` share."""
+"""The common parts of the subcommands of ``clickgen nicknames``."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def add_programs(parser: argparse.ArgumentParser) -> None:
 
 
 def jobs_of(this: Run, options: argparse.Namespace) -> list[Job]:
-    """The programs that the options name, else every configured one. Raises CouldNotRun."""
+    """Return the programs that the options name, else every configured one. Raises CouldNotRun."""
     found = this.jobs(list(options.programs), options.nicknames)
     if len(found) > 1 and options.nicknames and not options.programs:
         raise CouldNotRun("several programs are configured: --nicknames goes with those that you name")

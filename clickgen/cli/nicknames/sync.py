@@ -23,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Give every name an address, unless it is only to be shown; returns the exit code."""
+    """Give every name an address, or only show it; return the exit code."""
     from clickgen.commands.nicknames.sync import sync
 
     this = Run(options.config)
@@ -36,7 +36,7 @@ def run(options: argparse.Namespace) -> int:
             write_problems(each.diagnostics, each.sources, sys.stderr, this.files)
         complain(f"{summary_of(result.results)}; nothing was written")
         return PROBLEMS
-    # What is shown of the table is what was read, so before anything is written.
+    # The table is shown as it was read, so before anything is written.
     for each in result.results:
         write_problems(filter(is_about_names, each.diagnostics), each.sources, sys.stderr, this.files)
     if not options.dry_run:

@@ -21,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Say where the address of a name comes from; returns the exit code."""
+    """Say where the address of a name comes from; return the exit code."""
     from clickgen.commands.nicknames.why import suggestion, why
     from clickgen.table.names import record_beside
     from clickgen.table.record import read_record

@@ -1,4 +1,4 @@
-"""What SOURCE of an import holds, as drawn rungs: a bundle, a ladder file, a capture, or CLICK's program files."""
+"""The SOURCE of an import as drawn rungs: a bundle, a ladder file, a capture, or CLICK's program files."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ _PROGRAM_ENDINGS = (".tmp", ".scr")
 _CAPTURE = ".clipboard"
 """The ending of a copy that laddercodec's tools make of a routine: ``Heat.clipboard.csv``, ``Heat.clipboard.bin``."""
 _MAIN_INDEX = 1
-"""The highest prog_idx of main: 1 in every native program file (click-facts [click-file.program]); laddercodec's manual
-says 0."""
+"""The highest prog_idx of main: 1 in every native program file (click-facts [click-file.program]), but 0 in
+laddercodec's manual."""
 _BYTES_MAX = 1 << 27
 """128 MiB: far more than the ladder of any project, and little enough to read at once."""
 _READS = "a folder with main.csv, or with the Scr*.tmp files of a project"
@@ -48,7 +48,7 @@ class DrawnRoutine:
 class Project:
     """Main first, then the subroutines in CLICK's order.
 
-    ``problems`` are those of files that belong to no rung; a rung has its own. ``nicknames`` is the nickname table of
+    ``problems`` has those of files that belong to no rung; a rung has its own. ``nicknames`` is the nickname table of
     a folder. ``texts`` has every ladder file that is text, by its shown name.
     """
 
@@ -60,14 +60,14 @@ class Project:
 
 
 def read_project(path: Path, files: Workspace | None = None) -> Project:
-    """What a file or folder holds. Raises CouldNotRun when there is nothing to read; damage becomes problems.
+    """Return the contents of a file or folder. Raises CouldNotRun if there is nothing to read; damage becomes problems.
 
-    A folder with main.csv is a bundle: main_2.csv, main_3.csv, … go on with main, each file in subroutines/ is a
-    routine. Such a folder has no order of its own. It is that of the build that made it, where its source map has
-    exactly these routines; else that in which main calls them, those it does not call by name behind. Without
-    main.csv the folder's program files of CLICK are read, which know their order.
+    A folder with main.csv is a bundle: main_2.csv, main_3.csv, … continue main, each file in subroutines/ is a
+    routine. Such a folder has no order of its own. It takes that of the build that made it, if its source map has
+    exactly these routines; else the order in which main calls them, with those that it does not call by name last.
+    Without main.csv the folder's program files of CLICK are read, which know their order.
 
-    A file alone is main, or a subroutine when it says so, stands in subroutines/, or returns and does not end.
+    A single file is main, or a subroutine if it says so, is in subroutines/, or returns and does not end.
     """
     try:
         reading = _Reading(files or Workspace())
@@ -85,7 +85,7 @@ class _Reading:
     texts: dict[str, str] = field(default_factory=dict)
 
     def routine(self, name: str, paths: Sequence[Path], is_main: bool = False) -> DrawnRoutine:
-        """A routine of one file or several, its rungs numbered through."""
+        """Read a routine of one file or several, with its rungs numbered consecutively."""
         rungs: list[DrawnRung] = []
         for path in paths:
             ladder = self.ladder(self.whole(path), _shown(path))
@@ -94,7 +94,7 @@ class _Reading:
         return DrawnRoutine(name, is_main, tuple(rungs), _shown(paths[0]))
 
     def ladder(self, data: bytes, file: str) -> Ladder:
-        """The rungs of a file; problems that belong to none are noted."""
+        """Read the rungs of a file; problems that belong to none are noted."""
         ladder = self._ladder(data, file)
         self.problems += ladder.problems
         return ladder
@@ -114,7 +114,7 @@ class _Reading:
             return Ladder((), (problem,))
 
     def whole(self, path: Path) -> bytes:
-        """All of a file. Raises CouldNotRun for what is no file, or far too large for ladder."""
+        """Read all of a file. Raises CouldNotRun if it is not a file, or far too large for ladder."""
         if not path.exists():
             raise CouldNotRun(f"there is no file or folder {_shown(path)}")
         status = path.stat()
@@ -125,7 +125,7 @@ class _Reading:
         return self.files.read(path, _BYTES_MAX)
 
     def head(self, path: Path) -> bytes:
-        """As much of a file as says of which kind it is. All of it is read, for most files that are asked for are."""
+        """Return as much of a file as shows its kind. This reads all of it, since most such files are read later."""
         return self.files.start(path, _BYTES_MAX + 1)[:HEAD_BYTES]
 
     def project(self, source: Path, routines: Iterable[DrawnRoutine], nicknames: Path | None = None) -> Project:
@@ -181,7 +181,7 @@ def _folder(path: Path, reading: _Reading) -> Project:
 
 
 def _refuse_devices(entries: Iterable[Path]) -> None:
-    """What is named like ladder or a table and is neither file nor folder is not passed over."""
+    """Refuse entries that are named like ladder or a table but are neither file nor folder."""
     for entry in entries:
         is_asked = entry.suffix.casefold() in (".csv", *_PROGRAM_ENDINGS)
         if is_asked and entry.exists() and not (entry.is_file() or entry.is_dir()):
@@ -232,7 +232,7 @@ def _parts(tables: Sequence[Path], reading: _Reading) -> list[Path]:
 
 
 def _is_copy(file: Path, files: Sequence[Path]) -> bool:
-    """True for ``Heat.clipboard.csv`` beside ``Heat.csv``: the same rungs once more."""
+    """True for ``Heat.clipboard.csv`` beside ``Heat.csv``: a copy of the same rungs."""
     return _stem(file) != file.stem and any(other.stem == _stem(file) for other in files)
 
 
@@ -241,7 +241,7 @@ def _stem(path: Path) -> str:
 
 
 def _order_of_build(path: Path, names: Iterable[str], files: Workspace) -> list[str] | None:
-    """The subroutines as the source map has them; None without one, and where it is that of another program."""
+    """The subroutines in the order of the source map; None without one, or if it is that of another program."""
     try:
         noted = json.loads(files.read(path))
     except (OSError, ValueError, RecursionError):
@@ -253,7 +253,7 @@ def _order_of_build(path: Path, names: Iterable[str], files: Workspace) -> list[
 
 
 def _order_of_calls(main: DrawnRoutine, names: Iterable[str]) -> list[str]:
-    """Case does not count: Windows does not tell such files apart."""
+    """The subroutines in the order of main's calls, whatever their case: Windows does not distinguish such files."""
     known = {name.casefold(): name for name in sorted(names)}
     calls = (call_of(box.token) for rung in main.rungs for box in rung.boxes)
     called = [call.arguments[0][1:-1].casefold() for call in calls if call and call.name == "call" and call.arguments]
@@ -297,5 +297,5 @@ def _is_program(path: Path, reading: _Reading) -> bool:
 
 
 def _shown(path: Path) -> str:
-    """The name as the person gave it; bytes of it that are no text are marked."""
+    """The name as the person gave it; bytes of it that are not text are marked."""
     return str(path).encode("utf-8", "surrogateescape").decode("utf-8", "replace")

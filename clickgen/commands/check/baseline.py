@@ -1,4 +1,4 @@
-"""Findings that were there when a repository began to check: they are not shown again until they change."""
+"""Findings that existed when a repository began to check: they are not shown again until they change."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _FORMAT = 1
 
 
 def read_baseline(path: Path, files: Workspace) -> Counter[Key] | None:
-    """How often each finding was there; None when there is no such file. Raises CouldNotRun."""
+    """Return how often each finding was there; None if there is no such file. Raises CouldNotRun."""
     try:
         tree = json.loads(files.read(path).decode("utf-8"))
         if tree["format"] != _FORMAT:
@@ -43,13 +43,13 @@ def baseline_text(keys: Iterable[Key]) -> str:
 
 
 class Baseline(NamedTuple):
-    """What was found when a repository began: how often each key, with ``name`` as ``keys_of`` takes it."""
+    """The findings from when a repository began: how often each key, with ``name`` as ``keys_of`` takes it."""
 
     known: Counter[Key]
     name: Callable[[str], str]
 
     def news(self, findings: list[Diagnostic], line_of: Callable[[str, int], str]) -> list[Diagnostic]:
-        """The findings that the baseline does not know; errors always."""
+        """Return the findings that the baseline does not know; errors always."""
         left = Counter(self.known)
         new = []
         for finding, key in zip(findings, keys_of(findings, self.name, line_of), strict=True):

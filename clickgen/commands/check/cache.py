@@ -1,7 +1,7 @@
-"""What a check found, kept by the contents that it was found in: an unchanged program is not judged again.
+"""The findings of checks, kept by the contents that they were found in: an unchanged program is not judged again.
 
-The cache lies in the repository, so whoever made the repository could have put anything there. Each entry is therefore
-signed with a secret of this user; one that is not counts for nothing.
+The cache is in the repository, so whoever made the repository could have put anything there. Each entry is therefore
+signed with a secret of this user; an unsigned one is ignored.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ _FORMAT = 2
 
 
 class Cached(NamedTuple):
-    """The findings of one program before anything is selected or silenced, and the files that it was made of."""
+    """The findings of one program before anything is selected or silenced, and the files in it."""
 
     findings: tuple[Diagnostic, ...]
     sources: tuple[str, ...]
 
 
 class Cache:
-    """One file for each program in a folder that git ignores. A cache that cannot be used is no cache."""
+    """One file for each program in a folder that git ignores. An unusable cache is treated as missing."""
 
     def __init__(self, folder: Path | None) -> None:
         usable = folder is not None and not leads_elsewhere(folder)
@@ -43,7 +43,7 @@ class Cache:
         self._secret = user_secret(folder.parent) if folder is not None and usable else None
 
     def get(self, key: str) -> Cached | None:
-        """What is known of a program, when every file that it was made of is as it was."""
+        """Return the findings of a program, if every file in it is unchanged."""
         if self._folder is None or self._secret is None:
             return None
         try:
@@ -80,24 +80,24 @@ class Cache:
 
 
 def _write_new(path: Path, data: bytes) -> None:
-    """Write a file that is not there yet, not even as a link. Raises OSError."""
+    """Write a file that does not exist yet, not even as a link. Raises OSError."""
     with open(path, "xb") as file:
         file.write(data)
 
 
 def _mark(entry: object, secret: bytes) -> str:
-    """What only this user could have written into the entry."""
+    """The mark that only this user could have written into the entry."""
     return hashlib.blake2b(json.dumps(entry).encode(), key=secret, digest_size=32).hexdigest()
 
 
 def key_of(*parts: object) -> str:
-    """What a program's findings depend on beside its files: settings, and clickgen itself."""
+    """The key of everything that a program's findings depend on besides its files: settings, and clickgen itself."""
     return json.dumps([_FORMAT, __version__, _own_state(), os.getcwd(), *map(str, parts)])
 
 
 @cache
 def _own_state() -> int:
-    """The youngest of clickgen's own files: a checkout that is worked on has no version of its own."""
+    """The time of clickgen's newest own file: a checkout under development has no version of its own."""
     youngest = 0
     for folder, _, files in os.walk(Path(__file__).parents[2]):
         for name in files:
@@ -128,7 +128,7 @@ def _is_as_it_was(reads: object) -> bool:
 
 
 def _sources(entry: Mapping[str, Mapping[str, object]]) -> tuple[str, ...]:
-    """The files of the program, each of which was read."""
+    """The files of the program, all of which were read."""
     sources, reads = entry["sources"], entry["reads"]
     if not isinstance(sources, list) or any(reads[path] is None for path in sources):
         raise ValueError("a source was not read")

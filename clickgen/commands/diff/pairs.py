@@ -1,4 +1,4 @@
-"""What is compared with what: a revision that is named without a path stands for the programs of the working folder."""
+"""Chooses the sides to compare: a revision named without a path means the programs of the working folder."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from typing import NamedTuple
 from clickgen.commands.diff.revision import is_in_revision, is_revision, named_revision
 from clickgen.commands.diff.sides import is_program
 from clickgen.config import Config
-from clickgen.dialects.if_rungs.discover import targets
+from clickgen.dialects.discover import targets
 from clickgen.workspace import CouldNotRun, Workspace
 
 
 class Pair(NamedTuple):
-    """Two sides. Of a program that one of two revisions does not have, that side is absent."""
+    """Two sides. If one of two revisions does not have the program, that side is absent."""
 
     one: str
     other: str
@@ -26,11 +26,11 @@ class Pair(NamedTuple):
 def pairs_of(
     one: str, other: str, config: Config, configured_in: Callable[[str], list[str]], files: Workspace
 ) -> list[Pair]:
-    """The sides to compare, pair by pair.
+    """Return the sides to compare, pair by pair.
 
-    ``HEAD~1 HEAD`` are every program that the settings name, or the only one of the working folder, in both revisions;
-    ``HEAD~1 prog.py`` is that program in both. ``configured_in`` says what the settings of a revision name: a program
-    may have come or gone with them. Raises CouldNotRun where nobody can tell which program is meant.
+    ``HEAD~1 HEAD`` means every program that the settings name, or the only one of the working folder, in both
+    revisions; ``HEAD~1 prog.py`` is that program in both. ``configured_in`` returns what the settings of a revision
+    name: a program may have come or gone with them. Raises CouldNotRun if nobody can tell which program is meant.
     """
     first, second = is_revision(one), is_revision(other)
     if not first and not second:
@@ -66,7 +66,7 @@ def _in_both(
 
 
 def _program_of(side: str) -> str | None:
-    """The program that a side names, as a revision names it; None for another side."""
+    """The program that a side names, in a revision's form; None for another side."""
     if os.path.lexists(side):
         return _from_here(side) if is_program(side) and not os.path.isdir(side) else None
     named = named_revision(side)
@@ -74,7 +74,7 @@ def _program_of(side: str) -> str | None:
 
 
 def _from_here(path: str | Path) -> str:
-    """A path on disk as git takes it, from the working folder."""
+    """A path on disk in git's form, from the working folder."""
     return "./" + os.path.relpath(path).replace(os.sep, "/")
 
 

@@ -1,4 +1,4 @@
-"""What the command line names becomes a side: a program, ladder of CLICK, or one of both out of git."""
+"""Turns the names on the command line into sides: a program, ladder of CLICK, or one of both from git."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from clickgen.text.source import SourceFile, Span
 from clickgen.workspace import CouldNotRun, Workspace
 
 _LADDER_FILES = (".csv", ".json", ".tmp", ".scr")
-"""What is read in a folder: ladder, nicknames, the source map, CLICK's program files."""
+"""The files that are read in a folder: ladder, nicknames, the source map, CLICK's program files."""
 
 
 @dataclass(frozen=True)
 class Wanted:
     """How sides are read: the settings of a program on disk, and the tables and settings that the person named.
 
-    ``nicknames`` is the address table of programs, ``export`` that of ladder without one of its own. ``placed`` are the
-    names that only a build gave their addresses on the other side. ``files`` is what this run has read.
+    ``nicknames`` is the address table of programs, ``export`` that of ladder without its own. ``placed`` has the
+    names that got their addresses on the other side only from a build. ``files`` is what this run has read.
     """
 
     settings_of: Callable[[str], Settings]
@@ -40,7 +40,7 @@ class Wanted:
 def read_side(text: str, wanted: Wanted, folder: Path, note: Callable[[str], None]) -> Side:
     """The side that a text names; a path that exists wins over a revision.
 
-    ``folder`` is empty and takes what is read out of git. Raises CouldNotRun.
+    ``folder`` is empty and receives the files that are read from git. Raises CouldNotRun.
     """
     if os.path.lexists(text):
         if os.path.isdir(text) and (name := program_in(Path(text), text, wanted.files)) is not None:
@@ -66,7 +66,7 @@ def read_side(text: str, wanted: Wanted, folder: Path, note: Callable[[str], Non
 
 
 def absent_side(text: str) -> Side:
-    """What stands for a program in a revision that does not have it: nothing runs there."""
+    """The side for a program that a revision does not have: nothing runs there."""
     named = named_revision(text)
     assert named is not None
     path = posixpath.normpath(named.path)
@@ -85,7 +85,7 @@ def configured_in(revision: str, wanted: Wanted, folder: Path) -> list[str]:
 
 @dataclass(frozen=True)
 class _Revision:
-    """A side out of git. What surrounds it, settings and table included, is that of the revision."""
+    """A side from git. Its surroundings, settings and table included, are those of the revision."""
 
     tree: Tree
     path: str
@@ -131,7 +131,7 @@ class _Revision:
         return Settings(None if table is None else self._as_it_was(table), named is not None, reserved=config.reserved)
 
     def config(self) -> Config:
-        """The settings that are named, else those that hold in the working folder, as the revision has them."""
+        """The named settings, else those of the working folder, as the revision has them."""
         if self.wanted.config:
             return read_config(self._as_it_was(Path(self.wanted.config)), self.wanted.files)
         tree = self.tree
@@ -154,7 +154,7 @@ class _Revision:
         return (Path.cwd(), *Path.cwd().parents)[depth]
 
     def _as_it_was(self, path: Path) -> Path:
-        """A file as the revision has it; one that it does not have is that on disk."""
+        """A file as the revision has it; if it does not have it, as it is on disk."""
         inside = self.tree.path_of(path)
         if inside is None:
             absolute = Path(os.path.normpath(path.absolute()))
@@ -166,7 +166,7 @@ class _Revision:
 
 
 def _reworded(error: BrokenProgram, tree: Tree) -> BrokenProgram:
-    """The problems of a program of a revision, at places in the revision."""
+    """The problems of a revision's program, at places in the revision."""
 
     def span(there: Span) -> Span:
         return there._replace(path=tree.reworded(there.path))

@@ -1,4 +1,4 @@
-"""One side of a difference: its routines as they are drawn, and what its address table says."""
+"""One side of a difference: its routines as drawn, and its address table."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ from clickgen.workspace import CouldNotRun, Workspace
 
 _PROBLEMS_SHOWN = 20
 _ADDRESS_MAX = 16
-"""No address is longer, and a field of thousands of digits is no business of int()."""
+"""No address is longer, and int() must not get a field of thousands of digits."""
 
 
 class BrokenProgram(CouldNotRun):
-    """A program with errors: there is no ladder to compare. What is wrong is in ``problems``."""
+    """A program with errors: there is no ladder to compare. ``problems`` has the errors."""
 
     def __init__(self, shown: str, problems: Sequence[Diagnostic], sources: Sequence[SourceFile]) -> None:
         super().__init__(f"{shown} has errors")
@@ -56,11 +56,11 @@ class Damaged(CouldNotRun):
 
 @dataclass(frozen=True)
 class Side:
-    """``shown`` is what the person calls it. A side that ``is_part`` is a file with a routine, no whole project.
+    """``shown`` is the person's name for it. A side that ``is_part`` is a file with a routine, not a whole project.
 
     ``table`` is None without a table; ``doubt`` says why there is none, or why it is only good for names. ``unread``
-    are the rows that do not say what their address begins with, ``faults`` the first of what is wrong with rows.
-    ``placed`` are the names that only a build would give their addresses.
+    has the rows without a readable initial value, ``faults`` the first problems of rows.
+    ``placed`` has the names that get their addresses only from a build.
     """
 
     shown: str
@@ -83,7 +83,7 @@ class Side:
 
 
 def is_program(name: str) -> bool:
-    """True for what is built; everything else is read as ladder."""
+    """True for a file that is built; everything else is read as ladder."""
     return name.lower().endswith(".py")
 
 
@@ -92,9 +92,9 @@ _IS_LADDER = re.compile(r"main\.csv|Scr\d+\.(tmp|scr)", re.IGNORECASE)
 
 
 def program_in(folder: Path, shown: str, files: Workspace) -> str | None:
-    """The name of the program in a folder of programs; None where the folder is one of ladder, or of neither.
+    """The name of the program in a folder of programs; None for a folder of ladder, or of neither.
 
-    Raises CouldNotRun where it has several.
+    Raises CouldNotRun if it has several.
     """
     there = sorted(path for path in folder.iterdir() if path.is_file())
     if any(_IS_LADDER.fullmatch(path.name) for path in there):
@@ -108,10 +108,10 @@ def program_in(folder: Path, shown: str, files: Workspace) -> str | None:
 
 
 def program_side(path: Path, shown: str, settings: Settings, files: Workspace, placed: Sequence[Row] = ()) -> Side:
-    """A program, built in memory; the ladder is that of its files, as CLICK gets it.
+    """Return a program, built in memory; its ladder is that of its files, as CLICK gets it.
 
-    ``placed`` are the names that only a build gave their addresses on the other side: where this one needs an address
-    for the same name, it gets that one. Raises BrokenProgram, and CouldNotRun where there is no program.
+    ``placed`` has the names that got their addresses on the other side only from a build: if this side needs an address
+    for the same name, it gets that one. Raises BrokenProgram, and CouldNotRun if there is no program.
     """
     result = build(str(path), settings=settings, workspace=files)
     if not result.ok:
@@ -147,9 +147,9 @@ def _text_of_table(result: BuildResult) -> list[SourceFile]:
 
 
 def ladder_side(path: Path, shown: str, nicknames: Path | None, files: Workspace) -> Side:
-    """A bundle, a ladder file, a capture, or the program files of CLICK; ``nicknames`` where it has no table itself.
+    """Return a bundle, a ladder file, a capture, or CLICK's program files; ``nicknames`` if it has no table itself.
 
-    Raises Damaged, and CouldNotRun where there is no ladder.
+    Raises Damaged, and CouldNotRun if there is no ladder.
     """
     project = read_project(path, files)
     problems = [*project.problems, *(each for one in project.routines for rung in one.rungs for each in rung.problems)]
@@ -188,7 +188,7 @@ def _with_table(side: Side, path: Path | None, files: Workspace) -> Side:
 
 
 def _unread(table: AddressTable, lines: Iterable[int]) -> Iterator[tuple[Address, str]]:
-    """Of the rows with a fault on one of these lines those whose values cannot be told, by their addresses."""
+    """The rows with a fault on one of these lines whose values cannot be read, by their addresses."""
     at = {line: row for row in table.rows for line in range(row.line, row.line + row.raw.count("\n") + 1)}
     texts = table.text().split("\n")
     for line in lines:
@@ -200,7 +200,7 @@ def _unread(table: AddressTable, lines: Iterable[int]) -> Iterator[tuple[Address
 
 
 def _has_values(row: Row, form: TableForm) -> bool:
-    """False where the row does not say what its address begins with, or whether it keeps it."""
+    """False if the row does not give its address's initial value, or its retention."""
     fields = form.fields(next(csv.reader([row.raw])))
     initial_is_legal = row.initial == "0" or initial_value_fault(row.address, row.initial) is None
     retention_is_legal = fields[4] in ("Yes", "No") and retention_fault(row.address, row.retentive) is None

@@ -1,4 +1,4 @@
-"""Rungs that belong together: what one of them puts into a scratch cell, others of them read, and nobody else."""
+"""Rungs that belong together: one of them writes a scratch cell that only others of them read."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from clickgen.lower.effects import Cells, reads
 _RUNGS_MAX = 48
 """Rungs further apart do not come from one rung of a program."""
 _BANK = "C"
-"""Scratch bits, which one rung drives and others look at; scratch registers hold values alone."""
+"""The bank of scratch bits, which one rung drives and others look at; scratch registers only hold values."""
 
 
 @dataclass(frozen=True)
 class Unit:
-    """Neighbouring rungs, most often one, by their ``places``; ``own`` are scratch cells that nobody else uses.
+    """Neighbouring rungs, most often one, by their ``places``; ``own`` has the scratch cells that only they use.
 
     ``outputs`` are what they drive, these cells aside; in ``words`` they have no numbers.
     """
@@ -55,7 +55,7 @@ class Units:
         self._users: defaultdict[Address, set[int]] = defaultdict(set)
         self._cells: defaultdict[int, list[Address]] = defaultdict(list)
         self._loose: set[Address] = set()
-        """What is more than a coil and its contacts: its number may matter."""
+        """Scratch bits in more than a coil and its contacts: their numbers may matter."""
         for rungs in routines.values() if self._scratch else ():
             for rung in rungs:
                 self._add(rung)

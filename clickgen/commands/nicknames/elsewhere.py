@@ -1,4 +1,4 @@
-"""What the other programs around a table name: a name that one of them uses has not left."""
+"""The names that the other programs around a table use: a name that one of them uses has not left."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from clickgen.workspace import CouldNotRun, Workspace
 
 
 def build_among(jobs: Sequence[Job], config: Callable[[], Config], files: Workspace) -> list[BuildResult]:
-    """Build programs one after the other; where a name left one, with the knowledge of what the others around it name.
+    """Build programs one after the other; if a name left one, taking into account the names that others around it use.
 
-    ``config`` gives the settings, where they are needed.
+    ``config`` gives the settings, if they are needed.
     """
     results = build_all(((job.program, job.settings) for job in jobs), files)
     if not any(result.left for result in results):
@@ -31,10 +31,10 @@ def build_among(jobs: Sequence[Job], config: Callable[[], Config], files: Worksp
 
 
 def named_elsewhere(job: Job, config: Config, files: Workspace, others: Sequence[Job] = ()) -> frozenset[str]:
-    """The names, in small letters, and the addresses that programs beside this one use of its table.
+    """The names, in lower case, and the addresses of its table that programs beside this one use.
 
     Looks at the programs around the table, at those of the settings and at ``others``. A program that cannot be read
-    may use any: nobody knows, and nothing is found.
+    may use any name: nobody knows, and nothing is reported.
     """
     table = os.path.realpath(job.settings.table_of(job.program))
     own = os.path.realpath(job.program)

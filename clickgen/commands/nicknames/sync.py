@@ -1,4 +1,4 @@
-"""Bringing address tables up to their programs: what is missing gets an address, what nothing uses is named."""
+"""Brings address tables up to date with their programs: missing names get an address, unused ones are reported."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from clickgen.workspace import CouldNotRun, Workspace
 
 @dataclass(frozen=True)
 class TableSync:
-    """What becomes of one table."""
+    """The new state of one table."""
 
     path: Path
     added: tuple[Row, ...]
@@ -31,20 +31,20 @@ class TableSync:
     changed: tuple[Row, ...]
     """Rows to which the programs give another initial value, retention or comment."""
     unused: tuple[Row, ...]
-    """The rows that no program refers to; those that are removed are among them."""
+    """The rows that no program refers to, including those that are removed."""
     removed: tuple[Row, ...]
     kept: Mapping[Address, str]
-    """Why an unused row stays although it was to be removed, where something else than a person's hand keeps it."""
+    """The reason why an unused row stays although it was to be removed, unless a person's edit keeps it."""
     doubtful: tuple[str, ...]
     """Programs of this table that have errors, so that nobody knows what they use."""
 
 
 @dataclass(frozen=True)
 class Sync:
-    """Nothing is written by it: ``put_in_place(writes, (), unchanged)`` does that."""
+    """It writes nothing: ``put_in_place(writes, (), unchanged)`` does that."""
 
     results: tuple[BuildResult, ...]
-    """The programs that were named, built; where one is not ``ok`` there is nothing to write."""
+    """The programs that were named, built; if one is not ``ok`` there is nothing to write."""
     tables: tuple[TableSync, ...]
     writes: Mapping[Path, bytes]
     unchanged: Mapping[Path, bytes | None]
@@ -55,10 +55,10 @@ class Sync:
 
 
 def sync(jobs: Sequence[Job], config: Config, prune: bool = False, files: Workspace | None = None) -> Sync:
-    """Allocate what these programs lack. With ``prune`` rows that clickgen placed and nothing refers to go.
+    """Allocate the names that these programs lack. ``prune`` removes rows that clickgen placed and nothing refers to.
 
     Every other program that uses the same table is looked at too: beside it, below it, and in the settings. Raises
-    CouldNotRun when a file cannot be read.
+    CouldNotRun if a file cannot be read.
     """
     files = files or Workspace()
     results = build_all(((job.program, job.settings) for job in jobs), files)
@@ -83,7 +83,7 @@ def sync(jobs: Sequence[Job], config: Config, prune: bool = False, files: Worksp
 
 
 def table_changes(results: Sequence[BuildResult]) -> list[TableSync]:
-    """What these programs, built one after the other, bring to each of their tables; nothing where one has errors."""
+    """Compare each table with what these programs make of it, built in this order; empty if one has errors."""
     if not all(result.ok for result in results):
         return []
     last = {os.path.realpath(result.table_path): result for result in results}
@@ -102,8 +102,8 @@ def _with_programs_of(config: Config, tables: Iterable[Path], files: Workspace) 
 class _Table:
     """One table with the programs that use it: those that were named, in their order, and the others.
 
-    A program around it that has a table of its own is none of them. One whose table is not there may be used with this
-    one on some other day, so what it names stays.
+    A program around it that has its own table is not among them. One whose table is missing may be used with this
+    one later, so the names that it uses stay.
     """
 
     def __init__(self, own: Sequence[BuildResult], others: Sequence[Program], prune: bool, files: Workspace) -> None:
@@ -156,7 +156,7 @@ class _Table:
         return ""
 
     def files(self) -> list[tuple[Path, bytes | None, bytes | None]]:
-        """The table and the record beside it: what they should hold, and what they held."""
+        """The table and the record beside it: their new contents and their former ones."""
         rows = {row.address: row.nickname for row in self._table.own_rows}
         placed = {address: name for address, name in self._placed.items() if rows.get(address) == name}
         record = record_of(placed, self._left, self._record) if placed or self._record is not None else None
@@ -168,7 +168,7 @@ class _Table:
 
 
 def _changes(path: Path, before: bytes | None, table: AddressTable) -> tuple[tuple[Row, ...], tuple[Row, ...]]:
-    """The rows of a table that its file lacked, and those of which it said something else."""
+    """Return the rows that the file of a table lacks, and those that it has otherwise."""
     if before == table.to_bytes():
         return (), ()
     said: dict[Address, object] = {}
@@ -203,7 +203,7 @@ def _lacks_only_main(result: BuildResult) -> bool:
 
 
 def _is_used(row: Row, result: BuildResult) -> bool:
-    """True where a program refers to a row: by name or number, in a range, by a declaration, for itself."""
+    """True if a program refers to a row: by name or number, in a range, by a declaration, for itself."""
     if row.address in result.needed:
         return True
     bank = row.address.bank

@@ -1,4 +1,4 @@
-"""Where a workbook goes, and what it may replace there."""
+"""Chooses the place for a workbook, and protects what it may not replace there."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from clickgen.workspace import CouldNotRun, Workspace
 
 
 def place_of(output: str | None, program: str, folder: Path) -> Path:
-    """The workbook that ``-o`` names, else one in the program's output folder. Raises CouldNotRun."""
+    """Return the workbook that ``-o`` names, else one in the program's output folder. Raises CouldNotRun."""
     if output is None:
         return folder / f"{Path(program).stem}.xlsx"
     if Path(output).suffix.lower() != ".xlsx":
@@ -19,7 +19,7 @@ def place_of(output: str | None, program: str, folder: Path) -> Path:
 
 
 def former(path: Path, table: str | os.PathLike[str] | None, files: Workspace) -> bytes | None:
-    """The earlier workbook at a place; None where nothing is there.
+    """Return the earlier workbook at a place; None if nothing is there.
 
     Raises CouldNotRun for a file that clickgen did not write, that somebody has saved since, or that is the address
     table.

@@ -1,4 +1,4 @@
-"""The workbook as a file: the same bytes for the same contents, and a mark that says who wrote it."""
+"""The workbook as a file: the same bytes for the same contents, and a mark that names the writer."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ _FIXED = {
     + _OURS
     + b"</Properties>",
 }
-"""Who and when: without a time, so that the same project gives the same bytes."""
+"""Author and time: no real time, so that the same project gives the same bytes."""
 _APPLICATION_MAX = 100_000
 _SHEET = re.compile(r"xl/worksheets/sheet([0-9]+)\.xml")
 _EMPTY = b"<sheetData></sheetData>"
-"""The rows of a sheet without any, as openpyxl writes them."""
+"""How openpyxl writes a sheet without rows."""
 
 
 class PinnedZip(ZipFile):
@@ -40,7 +40,7 @@ class PinnedZip(ZipFile):
         entry = ZipInfo(name if isinstance(name, str) else name.filename)
         entry.compress_type = ZIP_DEFLATED
         entry.create_system = 3
-        # What openpyxl writes is text or bytes; its own stubs do not say which.
+        # openpyxl writes text or bytes; its own stubs do not say which.
         super().writestr(entry, _FIXED.get(entry.filename, data))  # type: ignore[arg-type]
 
     def write(self, path: str | os.PathLike[str], name: str | os.PathLike[str] | None = None, *_: object) -> None:
@@ -61,6 +61,6 @@ def is_ours(data: bytes) -> bool:
         with ZipFile(BytesIO(data)) as archive:
             entry = archive.getinfo(_APPLICATION)
             return entry.file_size <= _APPLICATION_MAX and _OURS in archive.read(entry)
-    # All that zipfile raises for a file that is none, or a damaged or encrypted one.
+    # Everything that zipfile raises for a file that is not an archive, or a damaged or encrypted one.
     except (BadZipFile, KeyError, OSError, ValueError, RuntimeError, NotImplementedError, EOFError):
         return False

@@ -1,4 +1,4 @@
-"""Sheets into the bytes of a workbook, every text as text."""
+"""Writes sheets into the bytes of a workbook, every text as text."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from clickgen.emit.workbook.sheet import Cells, Column, Look, Marked, Sheet, Val
 
 ROWS_MAX = 1_048_576
 TEXT_MAX = 32_767
-"""What Excel holds in a sheet and in a cell."""
+"""Excel's limits for a sheet and for a cell."""
 _CUT = " [cut]"
 
 
 def to_bytes(sheets: Iterable[Sheet], program: str) -> bytes:
-    """The workbook; ``program`` is named at the foot of each page.
+    """Return the workbook; ``program`` is named at the foot of each page.
 
     openpyxl writes everything but the rows: its sheets stay empty, and the rows go into them in the archive.
     """
@@ -34,7 +34,7 @@ def to_bytes(sheets: Iterable[Sheet], program: str) -> bytes:
     book.calculation = CalcProperties(fullCalcOnLoad=False)
     rows: list[str] = []
     for sheet in sheets:
-        # What is written row by row has all that is used here of a sheet in memory; its types say less.
+        # A sheet written row by row has everything that is used here of one in memory; its types say less.
         rows.append(_write(cast(Worksheet, book.create_sheet(sheet.name)), sheet, program))
     file = BytesIO()
     ExcelWriter(book, PinnedZip(file, rows)).save()
@@ -42,7 +42,7 @@ def to_bytes(sheets: Iterable[Sheet], program: str) -> bytes:
 
 
 def _write(target: Worksheet, sheet: Sheet, program: str) -> str:
-    """Set up a sheet; returns the XML of its rows."""
+    """Set up a sheet and return the XML of its rows."""
     for index, column in enumerate(sheet.columns, 1):
         target.column_dimensions[get_column_letter(index)].width = column.width
     target.freeze_panes = "A2"
@@ -104,7 +104,7 @@ _FORBIDDEN = re.compile(r"[\x00-\x08\x0b-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
 
 
 def clean(text: str) -> str:
-    """A text that a workbook can hold: what XML forbids is shown by a sign of its own, what is too long is cut."""
+    """Return a text that a workbook can hold: a sign replaces what XML forbids, and a text that is too long is cut."""
     text = _FORBIDDEN.sub(_sign, text)
     return text if len(text) <= TEXT_MAX else text[: TEXT_MAX - len(_CUT)] + _CUT
 

@@ -10,7 +10,7 @@ from openpyxl.compat import safe_string
 
 
 class Entry(NamedTuple):
-    """A cell that is written: its column's letters, the number of its style in the workbook, its value."""
+    """A cell: the letters of its column, the number of its style in the workbook, and its value."""
 
     letters: str
     style: int
@@ -18,7 +18,7 @@ class Entry(NamedTuple):
 
 
 def row_markup(number: int, entries: Iterable[Entry]) -> str:
-    """The XML of a row."""
+    """Return the XML of a row."""
     return f'<row r="{number}">{"".join([_cell(number, entry) for entry in entries])}</row>'
 
 
@@ -48,5 +48,5 @@ _ESCAPE = re.compile(r"_x(?=[0-9A-Fa-f]{4}_)")
 
 
 def pieces_of(text: str) -> list[str]:
-    """A text in pieces: Excel would take ``_x0041_`` for the code of a character, so it is cut in two."""
+    """Divide ``_x0041_``, which Excel would take for the code of a character: it reads each piece as it is."""
     return _ESCAPE.sub("_x\0", text).split("\0") if "_x" in text else [text]

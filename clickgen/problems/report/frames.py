@@ -1,4 +1,4 @@
-"""Problems as a person reads them in a terminal: code, place, source line with the span marked, the way out."""
+"""Problems for a person at a terminal: code, place, source line with the span marked, the way out."""
 
 from __future__ import annotations
 
@@ -81,13 +81,13 @@ _NOUNS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "
 
 
 def summary(severities: Iterable[Severity]) -> str:
-    """``2 errors, 1 warning``, or an empty text."""
+    """``2 errors, 1 warning``, or ""."""
     counts = Counter(severities)
     return ", ".join(counted(counts[severity], noun) for severity, noun in _NOUNS.items() if counts[severity])
 
 
 def source_lines(sources: Iterable[SourceFile], files: Workspace | None = None) -> Callable[[str, int], str]:
-    """A reader of lines for frames, from what was read and else from ``files``; what cannot be read has no lines."""
+    """A reader of lines for frames, from the sources or else from ``files``; what cannot be read has no lines."""
     files = files or Workspace()
     cache: dict[str, list[str]] = {source.path: source.lines for source in sources}
 
@@ -107,7 +107,7 @@ def source_lines(sources: Iterable[SourceFile], files: Workspace | None = None) 
 def write_problems(
     problems: Iterable[Diagnostic], sources: Iterable[SourceFile], stream: TextIO, files: Workspace | None = None
 ) -> None:
-    """All problems, a blank line after each; lines of other files than ``sources`` come from ``files``."""
+    """Write all problems, a blank line after each; lines of other files than ``sources`` come from ``files``."""
     renderer = Renderer(use_color(stream), source_lines(sources, files))
     for problem in problems:
         stream.write(renderer.render(problem) + "\n\n")

@@ -1,4 +1,4 @@
-"""A bundle or a ladder file: the order of routines, and damage that is told."""
+"""A bundle or a ladder file: the order of routines, and damage that is reported."""
 
 from __future__ import annotations
 
@@ -319,7 +319,7 @@ OTHERS = [
 
 @pytest.mark.parametrize(("content", "expected"), OTHERS)
 def test_what_is_no_ladder(tmp_path: Path, content: bytes, expected: str) -> None:
-    """Alone there is nothing to read; in the place of a routine it is a problem."""
+    """Alone there is nothing to read; in place of a routine it is a problem."""
     put(tmp_path, {"x.csv": content, "bundle/main.csv": ladder(MAIN), "bundle/subroutines/Heat.csv": content})
     message = refused(tmp_path / "x.csv")
     assert message.startswith(f"{tmp_path / 'x.csv'} is {expected}")

@@ -1,4 +1,4 @@
-"""``clickgen diff``: scratch cells with other numbers are no difference."""
+"""``clickgen diff``: scratch cells with other numbers are not a difference."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def test_the_number_of_a_scratch_cell_is_no_logic(run: Run, capsys: pytest.Captu
     said = run("plc", "prog.py")
     assert said.code == 0
     assert said.lines[0] == "No difference in logic: 7 rungs in 1 routine."
-    # Where something else uses it, it is.
+    # If something else uses it, it is.
     write(
         "prog.py",
         SCRATCH_PROGRAM.replace("    if c.Running:\n        out(y[1])\n", "    if c[2000]:\n        out(y[1])\n"),
@@ -138,7 +138,7 @@ def test_the_number_of_a_scratch_cell_that_is_shown_is_its_own(run: Run) -> None
 @pytest.mark.property
 @pytest.mark.parametrize("seed", range(4))
 def test_no_numbers_hide_a_change(tmp_path: Path, seed: int) -> None:
-    """Whatever the rows say of what their cells are for."""
+    """Whatever the rows give as the purpose of their cells."""
     chance = random.Random(seed)
     for name, text in random_draft(seed).items():
         (tmp_path / name).write_text(text, "utf-8")

@@ -302,7 +302,7 @@ def main():
 
 
 def test_the_inside_of_a_block_is_not_offered_as_free(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A pointer may read it; and clickgen gives none of it to a name."""
+    """A pointer may read it; clickgen gives no name an address in it."""
     (folder / "prog.py").write_text(BLOCKS)
     marks = 'C50,BIT,"",0,No,"<Zone>"\nC55,BIT,"Valve",0,No,""\nC59,BIT,"",0,No,"</Zone>"\n'
     (folder / "nicknames.csv").write_text(HEADER + marks)

@@ -10,7 +10,8 @@ import libcst as cst
 
 from clickgen.dialects.if_rungs.fix.opposites import opposite
 from clickgen.dialects.if_rungs.read.context import Context
-from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
+from clickgen.dialects.if_rungs.write.expressions import EDGE_FUNCTIONS
+from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.program import Item
 from clickgen.ir.proposals import Alternative, Proposal
 from clickgen.ir.walk import condition_operands, leaves
@@ -203,5 +204,6 @@ def _text(context: Context, condition: Condition) -> str | None:
         # A register alone is compared with a 0 that stands nowhere.
         return shown[0] if condition.op == "!=" else f"{shown[0]} {condition.op} 0"
     assert isinstance(condition, Contact)
-    word = "nc" if condition.negated else EDGE_FUNCTIONS.get(condition.edge)
+    edge = EDGE_FUNCTIONS[condition.edge] if condition.edge else None
+    word = "nc" if condition.negated else edge
     return f"{word}({shown[0]})" if word else shown[0]

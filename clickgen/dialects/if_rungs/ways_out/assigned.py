@@ -26,7 +26,7 @@ from clickgen.dialects.if_rungs.ways_out.way_out import WayOut
 
 
 def assignment(context: Context, node: cst.Assign | cst.AugAssign | cst.AnnAssign) -> WayOut:
-    """The instruction that stores what is assigned."""
+    """Return the instruction that stores the assigned value."""
     targets = [one.target for one in node.targets] if isinstance(node, cst.Assign) else [node.target]
     target, value = targets[0], node.value
     bank = bank_of(target)

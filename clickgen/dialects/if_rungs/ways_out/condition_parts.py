@@ -1,4 +1,4 @@
-"""What conditions of another form are made of: single ones, lists of values, signs of comparison, boolean algebra."""
+"""Parts of conditions that are written in another form: lists of values, comparison signs, boolean algebra."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ class Part(NamedTuple):
 
 
 def single(text: str) -> Part:
-    """A single condition."""
+    """Return a part of one condition."""
     return Part("", (text,))
 
 
 def joined(function: str, parts: Iterable[Part | None]) -> Part | None:
-    """All or any of these; None where one of them is not certain."""
+    """Join parts with ``all`` or ``any``; None if one of them is not certain."""
     texts: list[str] = []
     for part in parts:
         if part is None:

@@ -1,4 +1,4 @@
-"""Ways out for statements that have no place where they stand: loops, with, conditions alone, bare words."""
+"""Ways out for misplaced statements: loops, with, conditions alone, bare words."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Slips in actions: assignments, calls without their signs."""
+"""Slips in actions: assignments, and calls without parentheses or commas."""
 
 from __future__ import annotations
 

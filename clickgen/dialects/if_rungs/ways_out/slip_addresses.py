@@ -6,10 +6,12 @@ import keyword
 import re
 from fractions import Fraction
 
-from clickgen.dialects.if_rungs.trade import UNITS, bank_hint
-from clickgen.dialects.if_rungs.ways_out.hints import BANK_NAMES, bit_of_word
+from clickgen.device.elsewhere import UNITS
+from clickgen.dialects.if_rungs.trade import bank_hint
+from clickgen.dialects.if_rungs.ways_out.hints import bit_of_word
 from clickgen.dialects.if_rungs.ways_out.slip_line import Line, Told
 from clickgen.instructions.durations import in_units
+from clickgen.ir.addresses import BANK_NAMES
 
 BANK = rf"\b(?P<bank>{'|'.join(sorted(BANK_NAMES, key=len, reverse=True))})"
 

@@ -1,4 +1,4 @@
-"""Slips in conditions: words and signs of other languages, and what is missing or too much on the line of an if."""
+"""Slips in conditions: words and signs of other languages, a missing colon, a superfluous comma."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A line that Python cannot read, what is told of it, and what every kind of slip asks."""
+"""A line that Python cannot read, the message about it, and helpers for every kind of slip."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Line(NamedTuple):
 
 
 def line_of(source: SourceFile, number: int, fault: str) -> Line:
-    """A line of a file that Python cannot read, and why it cannot."""
+    """Return a line of a file that Python cannot read, with the reason."""
     text = source.line(number)
     context = Context(SourceFile(source.path, text), Diagnostics())
     return Line(text, _blanked(text, True), _blanked(text, False), context, fault)
@@ -83,7 +83,7 @@ def without(line: Line, edits: list[tuple[int, int, str]]) -> str:
 
 
 def after_head(text: str) -> str:
-    """The text of an if behind its word, without a comment."""
+    """Return the text after the word of an if, without a comment."""
     head = HEAD.match(text)
     rest = text[head.end() :] if head else ""
     comment = re.search(r":\s*#", rest)
@@ -91,12 +91,12 @@ def after_head(text: str) -> str:
 
 
 def depth(code: str) -> int:
-    """How many brackets are open at the end."""
+    """Count the brackets that are open at the end."""
     return sum(code.count(sign) for sign in "([{") - sum(code.count(sign) for sign in ")]}")
 
 
 def says(message: str, help: str, group: str = "") -> Callable[[Line, re.Match[str]], Told]:
-    """Always the same words, at the whole match or one group of it."""
+    """Tell the same words for every match; ``group`` names the part of it to mark."""
 
     def tell(_: Line, match: re.Match[str]) -> Told:
         return Told(message, help, match.span(group) if group else match.span())

@@ -1,6 +1,6 @@
-"""What a line means that Python cannot read: signs and words of other languages, and slips, each with its way out.
+"""The meaning of a line that Python cannot read: signs and words of other languages, and slips, each with its way out.
 
-The table is looked at only when Python's parser has failed, and only at the line where it failed. Every pattern takes
+The table is used only if Python's parser has failed, and only for the line where it failed. Every pattern takes
 time in proportion to the line.
 """
 
@@ -17,7 +17,7 @@ from clickgen.dialects.if_rungs.ways_out import slip_conditions as conditions
 from clickgen.dialects.if_rungs.ways_out import slip_signs as signs
 from clickgen.dialects.if_rungs.ways_out import slip_words as words
 from clickgen.dialects.if_rungs.ways_out.slip_line import Line, Told, line_of, says
-from clickgen.instructions import INSTRUCTIONS
+from clickgen.instructions import INSTRUCTIONS, of_instructions
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span
 
@@ -32,11 +32,11 @@ class Slip(NamedTuple):
     tell: Callable[[Line, re.Match[str]], Told | None]
     examples: tuple[str, ...]
     with_comment: bool = False
-    """True for a pattern that a # belongs to."""
+    """True for a pattern that includes a #."""
 
 
 def slip(source: SourceFile, number: int, fault: str) -> tuple[str, Span, str, Fix | None] | None:
-    """The message, place, way out and fix for the line where Python failed; None where nothing is known of it."""
+    """The message, place, way out and fix for the line where Python failed; None if nothing is known of it."""
     if len(source.line(number)) > _LINE_MAX:
         return None
     line = line_of(source, number, fault)
@@ -59,7 +59,11 @@ def _re(pattern: str, flags: int = 0) -> re.Pattern[str]:
 _ENDS = r"end\s*_?if|end\s*_?while|end\s*_?for|end\s*_?var|end\s*_?program|end\s*_?sub|next\s+\w+|wend|begin|done"
 _START = r"IF|If|ELIF|Elif|ELSE|Else|DEF|Def|FOR|For|WHILE|While|RETURN|Return|PASS|Pass|IMPORT|Import|FROM|From"
 
-_ARGUMENTS = frozenset(param.name for spec in INSTRUCTIONS.values() for param in spec.params)
+
+@of_instructions
+def _arguments() -> frozenset[str]:
+    return frozenset(param.name for spec in INSTRUCTIONS.values() for param in spec.params)
+
 
 SLIPS: tuple[Slip, ...] = (
     Slip(
@@ -270,7 +274,7 @@ SLIPS: tuple[Slip, ...] = (
     # Blocks
     Slip(
         _re(r"[{}]\s*(?:;\s*)?$"),
-        says("braces make no block here", "end the line of the if with a colon, and indent what stands under it"),
+        says("braces make no block here", "end the line of the if with a colon, and indent what is under it"),
         ("if c.A {", "}"),
     ),
     Slip(
@@ -282,7 +286,7 @@ SLIPS: tuple[Slip, ...] = (
         _re(r"^\s*(?P<word>VAR\w*|PROGRAM|FUNCTION\w*|SUB|function|void|int|bool|var|let|const)\b(?=\s)"),
         says(
             "declarations of other languages are not read",
-            "the rungs stand in def main():, and a name gets its address with nickname(x.Start, x[1])",
+            "the rungs belong in def main():, and a name gets its address with nickname(x.Start, x[1])",
             "word",
         ),
         ("PROGRAM main", "var a;", "int main"),
@@ -336,16 +340,16 @@ SLIPS: tuple[Slip, ...] = (
         lambda _, match: (
             Told(
                 "an argument is given by its name and =",
-                f"write {match['name']}=5" if match["name"] in _ARGUMENTS else "write setpoint=5",
+                f"write {match['name']}=5" if match["name"] in _arguments() else "write setpoint=5",
                 match.span("name"),
             )
-            if match["name"] in _ARGUMENTS
+            if match["name"] in _arguments()
             else None
         ),
         ("ton(t.A, setpoint:5)", "ton(t.A, setpoint 5)"),
     ),
 )
-"""In order; the first that knows the line tells."""
+"""In order; the first that knows the line applies."""
 
 # -- what Python says -------------------------------------------------------------------------------------------------
 
@@ -360,7 +364,7 @@ FAULTS: tuple[tuple[str, str, str], ...] = (
         "this line is indented like none above it",
         "indent the lines of one block alike, by four spaces",
     ),
-    ("unexpected indent", "this line is indented and stands under nothing", "begin it where the line above begins"),
+    ("unexpected indent", "this line is indented but belongs to nothing", "begin it where the line above begins"),
     (
         "expected an indented block",
         "nothing is indented under the line above",
@@ -375,9 +379,9 @@ FAULTS: tuple[tuple[str, str, str], ...] = (
     ("positional argument follows", "an argument without a name follows one with a name", "give this one its name too"),
     ("Perhaps you forgot a comma", "a comma is missing here", "separate arguments and conditions by commas"),
 )
-"""What Python's parser says, and the same in words that help."""
+"""The messages of Python's parser, and the same in words that help."""
 
 
 def said_otherwise(fault: str) -> tuple[str, str] | None:
-    """A message and a way out for what Python's parser says; None for what says too little."""
+    """A message and a way out for a message of Python's parser; None for one that says too little."""
     return next(((message, help) for start, message, help in FAULTS if start in fault), None)
