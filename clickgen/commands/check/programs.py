@@ -44,6 +44,8 @@ class Request(NamedTuple):
     """Known findings: neither reported nor fixed nor silenced."""
     elsewhere: Callable[[Target], frozenset[str]] | None = None
     """The names that the other programs around the table of one use: called if a name seems to have left."""
+    files: Workspace | None = None
+    """The files that this run has read already."""
 
 
 class Outcome(NamedTuple):
@@ -91,7 +93,7 @@ class Outcome(NamedTuple):
 def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
     """Check, and with ``fix`` apply fixes in memory. Raises CouldNotRun."""
     given = {os.path.realpath(request.paths[0]): request.stdin} if request.stdin is not None else {}
-    workspace = Workspace(given)
+    workspace = (request.files or Workspace()).apart(given)
     found, empty = discover(request.paths, request.config, request.exclude, request.force_exclude, workspace)
     outcome = _look(request, found, workspace)
     if not fix:

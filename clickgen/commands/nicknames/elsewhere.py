@@ -13,25 +13,24 @@ from clickgen.results import BuildResult
 from clickgen.workspace import CouldNotRun, Workspace
 
 
-def build_among(jobs: Sequence[Job], config: Callable[[], Config]) -> list[BuildResult]:
+def build_among(jobs: Sequence[Job], config: Callable[[], Config], files: Workspace) -> list[BuildResult]:
     """Build programs one after the other; if a name left one, taking into account the names that others around it use.
 
     ``config`` gives the settings, if they are needed.
     """
-    results = build_all((job.program, job.settings) for job in jobs)
+    results = build_all(((job.program, job.settings) for job in jobs), files)
     if not any(result.left for result in results):
         return results
     settings = config()
     known = [
-        named_elsewhere(job, settings, jobs) if result.left else frozenset()
+        named_elsewhere(job, settings, files, jobs) if result.left else frozenset()
         for job, result in zip(jobs, results, strict=True)
     ]
-    return build_all(
-        (job.program, job.settings._replace(named_elsewhere=names)) for job, names in zip(jobs, known, strict=True)
-    )
+    informed = [job.settings._replace(named_elsewhere=names) for job, names in zip(jobs, known, strict=True)]
+    return build_all(((job.program, settings) for job, settings in zip(jobs, informed, strict=True)), files)
 
 
-def named_elsewhere(job: Job, config: Config, others: Sequence[Job] = ()) -> frozenset[str]:
+def named_elsewhere(job: Job, config: Config, files: Workspace, others: Sequence[Job] = ()) -> frozenset[str]:
     """The names, in lower case, and the addresses of its table that programs beside this one use.
 
     Looks at the programs around the table, at those of the settings and at ``others``. A program that cannot be read
@@ -40,7 +39,7 @@ def named_elsewhere(job: Job, config: Config, others: Sequence[Job] = ()) -> fro
     table = os.path.realpath(job.settings.table_of(job.program))
     own = os.path.realpath(job.program)
     try:
-        around = programs_around([job, *others], config, Workspace())
+        around = programs_around([job, *others], config, files)
     except CouldNotRun:
         return frozenset()
     found: set[str] = set()

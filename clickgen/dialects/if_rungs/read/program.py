@@ -39,7 +39,8 @@ from clickgen.dialects.if_rungs.read.statements import Refused, Statement, read_
 from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
 from clickgen.dialects.if_rungs.trade import ARGUMENTS
 from clickgen.dialects.if_rungs.ways_out.hints import flat_address, own, replaced
-from clickgen.dialects.if_rungs.ways_out.misplaced import WayOut, way_out
+from clickgen.dialects.if_rungs.ways_out.misplaced import way_out
+from clickgen.dialects.if_rungs.ways_out.way_out import WayOut
 from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.imports import Import
 from clickgen.ir.made import ending, loop_opening, nothing
