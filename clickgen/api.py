@@ -1,4 +1,4 @@
-"""Build a program, check it, find out its names: what commands and Python programs call. Nothing here writes a file."""
+"""Build a program, check it, list its names: the calls of commands and Python programs. Nothing here writes a file."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def build(
     program or the table cannot be read.
     """
     state = run(path, settings or Settings(nicknames, nicknames is not None, frozen), workspace, STAGES)
-    problems, table = state.problems.in_order(), (state.table_path, state.table, state.table_before)
+    problems, table = state.problems.in_order(), (state.table_path, state.table, state.table_before, state.dialect)
     if state.problems.has_errors or state.resolved is None:
         nothing = BuiltProgram(state.shown, (), ())
         return BuildResult(state.path, state.sources, problems, {}, nothing, (), state.facts, *table, state.left)
@@ -71,7 +71,7 @@ def check(
 ) -> CheckResult:
     """Judge the program at ``path`` as ``build`` would, and by the rules about logic; nothing is written.
 
-    Raises CouldNotRun when the program or the table cannot be read.
+    Raises CouldNotRun if the program or the table cannot be read.
     """
     state = run(path, settings or Settings(), workspace, CHECKS)
     return CheckResult(state.path, state.sources, state.problems.in_order(), state.files.reads)
@@ -80,9 +80,9 @@ def check(
 def known_names(
     path: str | os.PathLike[str], settings: Settings | None = None, workspace: Workspace | None = None
 ) -> KnownNames:
-    """The names of the program at ``path``; of one with errors those that are known. Nothing is written.
+    """Return the names of the program at ``path``; if it has errors, those that are known. Nothing is written.
 
-    Raises CouldNotRun when the program or the table cannot be read.
+    Raises CouldNotRun if the program or the table cannot be read.
     """
     state = run(path, settings or Settings(), workspace, NAMES)
     rows, table = tuple(state.rows.values()), state.table

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.table.names import TABLE_NAME, is_workbook
-from clickgen.workspace import MIB, CouldNotRun, read_file
+from clickgen.workspace import MIB, CouldNotRun, Workspace
 
 if TYPE_CHECKING:
     from clickgen.device.banks import Address
@@ -41,7 +41,7 @@ class CheckSettings(NamedTuple):
     """Which rules run where. Codes may be prefixes: ``CG5`` is every rule of that group."""
 
     select: tuple[str, ...] | None = None
-    """None is every rule that is on by default."""
+    """None means every rule that is on by default."""
     extend_select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
     exclude: tuple[str, ...] = ()
@@ -49,13 +49,13 @@ class CheckSettings(NamedTuple):
 
 
 class Settings(NamedTuple):
-    """How one program is built, beside its own text.
+    """The settings for building one program, besides its own text.
 
     ``nicknames`` names the address table; None is ``nicknames.csv`` beside the program. A workbook that it names is
-    only read: what it lacks goes into ``nicknames.csv`` beside the program. ``table_must_exist`` refuses one that is
-    not there. ``frozen`` forbids choosing addresses; ``reserved`` are never chosen. ``wants`` tells whether a check
+    only read: names that it lacks go into ``nicknames.csv`` beside the program. ``table_must_exist`` refuses a missing
+    one. ``frozen`` forbids choosing addresses; ``reserved`` are never chosen. ``wants`` tells whether a check
     should look for a code. ``is_part`` marks a file without a main that no program imports. ``named_elsewhere`` has the
-    names, in small letters, and the addresses that other programs of the table use.
+    names, in lower case, and the addresses that other programs of the table use.
     """
 
     nicknames: str | os.PathLike[str] | None = None
@@ -68,12 +68,12 @@ class Settings(NamedTuple):
 
     @property
     def workbook(self) -> Path | None:
-        """The workbook that is named in the place of an address table."""
+        """The workbook that is named in place of an address table."""
         named = Path(self.nicknames) if self.nicknames is not None else None
         return named if named is not None and is_workbook(named) else None
 
     def table_of(self, program: str | os.PathLike[str]) -> Path:
-        """The address table that new names of a program go into."""
+        """The address table for the new names of a program."""
         if self.nicknames is None or self.workbook is not None:
             return Path(program).parent / TABLE_NAME
         return Path(self.nicknames)
@@ -86,33 +86,34 @@ class Config(NamedTuple):
     file: Path | None = None
     programs: tuple[ProgramSettings, ...] = ()
     reserved: tuple[Address, ...] = ()
-    """Addresses that allocation leaves alone: what is reserved, and what lies outside of a bank's own settings."""
+    """Addresses that allocation leaves alone: the reserved ones, and those outside a bank's own settings."""
     check: CheckSettings = CheckSettings()
 
     def program(self, path: Path) -> ProgramSettings:
-        """The settings of the program at ``path``; without any of its own, the defaults."""
+        """Return the settings of the program at ``path``; the defaults if it has none of its own."""
         for settings in self.programs:
             if _same(settings.path, path):
                 return settings
         return ProgramSettings(path)
 
 
-def find_config(start: Path) -> Config:
-    """The settings that hold in the folder ``start``: the nearest file upward. Raises ConfigError."""
+def find_config(start: Path, files: Workspace | None = None) -> Config:
+    """Return the settings for the folder ``start``: the nearest file upward. Raises ConfigError."""
+    files = files or Workspace()
     for folder in (start.absolute(), *start.absolute().parents):
         for name in (OWN_FILE, PROJECT_FILE):
             path = folder / name
-            # What is there and no file is refused by who reads it: a pipe or a device has no settings.
+            # Whoever reads it refuses an entry that is not a file: a pipe or a device has no settings.
             if path.exists() and not path.is_dir():
-                config = _read(path, optional=name == PROJECT_FILE)
+                config = _read(path, files, optional=name == PROJECT_FILE)
                 if config is not None:
                     return config
     return Config(start)
 
 
-def read_config(path: Path) -> Config:
-    """The settings in a file that was named. Raises ConfigError, also when a project file has none for clickgen."""
-    config = _read(path, optional=False)
+def read_config(path: Path, files: Workspace | None = None) -> Config:
+    """Return the settings in a named file. Raises ConfigError, also if a project file has none for clickgen."""
+    config = _read(path, files or Workspace(), optional=False)
     assert config is not None
     return config
 
@@ -124,7 +125,7 @@ def _same(one: Path, other: Path) -> bool:
 
 
 def code_prefix(value: object) -> str:
-    """A code, or the beginning of some: ``CG501``, ``CG5``, ``ALL``. Raises ValueError with the way out."""
+    """Return a code, or the beginning of some: ``CG501``, ``CG5``, ``ALL``. Raises ValueError with the way out."""
     if value == "ALL":
         return "CG"
     if isinstance(value, str) and value.startswith("CG") and any(code.startswith(value) for code in CODES):
@@ -138,17 +139,17 @@ def code_prefix(value: object) -> str:
 T = TypeVar("T")
 
 
-def _read(path: Path, optional: bool) -> Config | None:
+def _read(path: Path, files: Workspace, optional: bool) -> Config | None:
     import tomllib
 
     try:
-        text = read_file(path, _FILE_MAX).decode("utf-8-sig")
+        text = files.read(path, _FILE_MAX).decode("utf-8-sig")
         tree: object = tomllib.loads(text.replace("\r\n", "\n").replace("\r", "\n"))
     except OSError as error:
         raise ConfigError(f"{path} cannot be read: {error.strerror or error}") from None
     except RecursionError:
         raise ConfigError(f"{path} is nested too deeply for settings") from None
-    except ValueError as error:  # no TOML, no UTF-8, or a number of thousands of digits
+    except ValueError as error:  # not TOML, not UTF-8, or a number of thousands of digits
         raise ConfigError(f"{path} is not TOML: {error}") from None
     _refuse_monsters(path, tree)
     if path.name != OWN_FILE and isinstance(tree, dict) and ("tool" in tree or path.name == PROJECT_FILE):
@@ -162,7 +163,7 @@ def _read(path: Path, optional: bool) -> Config | None:
 
 
 def _refuse_monsters(path: Path, tree: object) -> None:
-    """Raise ConfigError for what no setting is and no message could show: deep nesting and endless numbers."""
+    """Raise ConfigError for values that no setting has and no message could show: deep nesting and endless numbers."""
     waiting: list[tuple[object, int]] = [(tree, 0)]
     while waiting:
         value, depth = waiting.pop()
@@ -175,7 +176,7 @@ def _refuse_monsters(path: Path, tree: object) -> None:
 
 
 class _Table:
-    """One table of the file; whatever is wrong in it is named with file and key."""
+    """One table of the file; every fault in it is reported with file and key."""
 
     def __init__(self, file: Path, place: str, tree: object) -> None:
         self._file = file
@@ -281,7 +282,7 @@ class _Table:
         raise ConfigError(f"{self._file}: {place} must be a text in quotes, not {value!r}")
 
     def _pattern(self, place: str, value: object) -> str:
-        """A pattern that can name a path: what it begins with is the folder of the settings or a name in it."""
+        """A pattern that can name a path: it begins with the folder of the settings or a name in it."""
         text = self._text(place, value)
         names = [name for name in text.split("/") if name not in ("", ".")]
         if names and ".." not in names and "\\" not in text and not text.startswith("!"):

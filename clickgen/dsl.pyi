@@ -10,11 +10,11 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Final, Literal, Protocol, TypeAlias, TypeVar, overload
 
 class _Condition:
-    """What a rung, a branch or an input can depend on."""
+    """Anything that a rung, a branch or an input can depend on."""
     def __bool__(self) -> bool: ...
 
 class _NoCondition:
-    """What cannot stand as a condition."""
+    """Anything that cannot be a condition."""
     def __bool__(self) -> None: ...
     def __eq__(self, other: object) -> _NotComparable: ...
     def __ne__(self, other: object) -> _NotComparable: ...
@@ -23,7 +23,7 @@ class _NotComparable(_NoCondition):
     """CLICK compares decimal numbers with each other, hexadecimal words with each other, and text with text."""
 
 class _RangeComparison(_NoCondition):
-    """A range compared with a value: what a search looks for."""
+    """A range compared with a value, for a search."""
 
 class _AsNumber(_NoCondition):
     """Text on its way into a number."""
@@ -35,7 +35,7 @@ class _AsText(_NoCondition):
     """A number on its way into text."""
 
 class _Number:
-    """What a copy can turn into text."""
+    """Anything that a copy can turn into text."""
     def as_binary(self) -> _AsText:
         """The character whose code this is."""
     def as_text(
@@ -49,7 +49,7 @@ class _Number:
         """The digits: without leading zeros, or all of them with suppress_zero=False or pad=5."""
 
 class _Characters:
-    """What a copy can turn into a number."""
+    """Anything that a copy can turn into a number."""
     def as_value(self) -> _AsNumber:
         """The value that the digits have: "5" becomes 5."""
     def as_ascii(self) -> _AsNumber:
@@ -152,7 +152,7 @@ class _TextRange(_NoCondition):
     def __ge__(self, other: _Text | str) -> _RangeComparison: ...
 
 class _InX:
-    """What lies in X."""
+    """Addresses in X, one or several."""
     @property
     def immediate(self) -> _XImmediate:
         """The terminal itself, past the image of the scan."""
@@ -177,7 +177,7 @@ class _XImmediate(_Condition):
     """Terminals in X, past the image of the scan."""
 
 class _InY:
-    """What lies in Y."""
+    """Addresses in Y, one or several."""
     @property
     def immediate(self) -> _YImmediate:
         """The terminal itself, past the image of the scan."""
@@ -202,7 +202,7 @@ class _YImmediate(_NoCondition):
     """Terminals in Y, past the image of the scan."""
 
 class _InC:
-    """What lies in C."""
+    """Addresses in C, one or several."""
 
 class _C(_Bit, _InC):
     """An address in C: control relays."""
@@ -224,7 +224,7 @@ class _CPointer(_NoCondition):
     """The C address whose number a DS register holds."""
 
 class _InT:
-    """What lies in T."""
+    """Addresses in T, one or several."""
 
 class _T(_Bit, _InT):
     """An address in T: timer bits."""
@@ -243,7 +243,7 @@ class _TName(_T, _TBlock):
     """A nickname in T, or a block."""
 
 class _InCT:
-    """What lies in CT."""
+    """Addresses in CT, one or several."""
 
 class _CT(_Bit, _InCT):
     """An address in CT: counter bits."""
@@ -262,7 +262,7 @@ class _CTName(_CT, _CTBlock):
     """A nickname in CT, or a block."""
 
 class _InSC:
-    """What lies in SC."""
+    """Addresses in SC, one or several."""
 
 class _SC(_Bit, _InSC):
     """An address in SC: system control relays."""
@@ -281,7 +281,7 @@ class _SCName(_SC, _SCBlock):
     """A nickname in SC, or a block."""
 
 class _InDS:
-    """What lies in DS."""
+    """Addresses in DS, one or several."""
 
 class _DS(_Decimal, _InDS):
     """An address in DS: 16-bit integers."""
@@ -303,7 +303,7 @@ class _DSPointer(_NoCondition, _Number):
     """The DS address whose number a DS register holds."""
 
 class _InDD:
-    """What lies in DD."""
+    """Addresses in DD, one or several."""
 
 class _DD(_Decimal, _InDD):
     """An address in DD: 32-bit integers."""
@@ -325,7 +325,7 @@ class _DDPointer(_NoCondition, _Number):
     """The DD address whose number a DS register holds."""
 
 class _InDH:
-    """What lies in DH."""
+    """Addresses in DH, one or several."""
 
 class _DH(_Hexadecimal, _InDH):
     """An address in DH: hexadecimal words."""
@@ -347,7 +347,7 @@ class _DHPointer(_NoCondition, _Number):
     """The DH address whose number a DS register holds."""
 
 class _InDF:
-    """What lies in DF."""
+    """Addresses in DF, one or several."""
 
 class _DF(_Decimal, _InDF):
     """An address in DF: floating-point numbers."""
@@ -369,7 +369,7 @@ class _DFPointer(_NoCondition, _Number):
     """The DF address whose number a DS register holds."""
 
 class _InXD:
-    """What lies in XD."""
+    """Addresses in XD, one or several."""
 
 class _XD(_Hexadecimal, _InXD):
     """An address in XD: input words."""
@@ -391,7 +391,7 @@ class _XDPointer(_NoCondition, _Number):
     """The XD address whose number a DS register holds."""
 
 class _InYD:
-    """What lies in YD."""
+    """Addresses in YD, one or several."""
 
 class _YD(_Hexadecimal, _InYD):
     """An address in YD: output words."""
@@ -413,7 +413,7 @@ class _YDPointer(_NoCondition, _Number):
     """The YD address whose number a DS register holds."""
 
 class _InTD:
-    """What lies in TD."""
+    """Addresses in TD, one or several."""
 
 class _TD(_Decimal, _InTD):
     """An address in TD: timer current values."""
@@ -435,7 +435,7 @@ class _TDPointer(_NoCondition, _Number):
     """The TD address whose number a DS register holds."""
 
 class _InCTD:
-    """What lies in CTD."""
+    """Addresses in CTD, one or several."""
 
 class _CTD(_Decimal, _InCTD):
     """An address in CTD: counter current values."""
@@ -457,7 +457,7 @@ class _CTDPointer(_NoCondition, _Number):
     """The CTD address whose number a DS register holds."""
 
 class _InSD:
-    """What lies in SD."""
+    """Addresses in SD, one or several."""
 
 class _SD(_Decimal, _InSD):
     """An address in SD: system data registers."""
@@ -476,7 +476,7 @@ class _SDName(_SD, _SDBlock):
     """A nickname in SD, or a block."""
 
 class _InTXT:
-    """What lies in TXT."""
+    """Addresses in TXT, one or several."""
 
 class _TXT(_Text, _InTXT):
     """An address in TXT: text characters."""
@@ -1392,7 +1392,7 @@ class _Subroutine(Protocol):
     _is_subroutine: None
 @overload
 def sub(routine: Callable[[], None], /) -> _Subroutine:
-    """Marks a subroutine: it stands on the line above def name():."""
+    """Marks a subroutine, on the line above def name():."""
 @overload
 def sub(name: str, /) -> Callable[[Callable[[], None]], _Subroutine]:
     """Marks a subroutine that CLICK calls otherwise than the program: @sub("Auto Mode")."""
@@ -1517,7 +1517,7 @@ def tof(timer: _T, setpoint: _DS | int, unit: _Unit = Tms) -> None:
     """
 
 class _RtonBox:
-    """What is chained behind rton(...)."""
+    """The inputs that can be chained after rton(...)."""
     def reset(self, condition: _Series, /, *more: _Series) -> None: ...
 
 def rton(timer: _T, setpoint: _DS | int, unit: _Unit = Tms, reset: _Pin = ...) -> _RtonBox:
@@ -1527,7 +1527,7 @@ def rton(timer: _T, setpoint: _DS | int, unit: _Unit = Tms, reset: _Pin = ...) -
     """
 
 class _RtofBox:
-    """What is chained behind rtof(...)."""
+    """The inputs that can be chained after rtof(...)."""
     def reset(self, condition: _Series, /, *more: _Series) -> None: ...
 
 def rtof(timer: _T, setpoint: _DS | int, unit: _Unit = Tms, reset: _Pin = ...) -> _RtofBox:
@@ -1537,7 +1537,7 @@ def rtof(timer: _T, setpoint: _DS | int, unit: _Unit = Tms, reset: _Pin = ...) -
     """
 
 class _CtuBox:
-    """What is chained behind ctu(...)."""
+    """The inputs that can be chained after ctu(...)."""
     def reset(self, condition: _Series, /, *more: _Series) -> None: ...
 
 def ctu(counter: _CT, setpoint: _DS | _DD | int, reset: _Pin | None = None) -> _CtuBox:
@@ -1547,11 +1547,11 @@ def ctu(counter: _CT, setpoint: _DS | _DD | int, reset: _Pin | None = None) -> _
     """
 
 class _CtdBox:
-    """What is chained behind ctd(...)."""
+    """The inputs that can be chained after ctd(...)."""
     def reset(self, condition: _Series, /, *more: _Series) -> None: ...
 
 class _CtudBox:
-    """What is chained behind ctud(...)."""
+    """The inputs that can be chained after ctud(...)."""
     def down(self, condition: _Series, /, *more: _Series) -> _CtudBox: ...
     def reset(self, condition: _Series, /, *more: _Series) -> _CtudBox: ...
 
@@ -1850,7 +1850,7 @@ def copy_unpack(
     """
 
 class _ShiftBox:
-    """What is chained behind shift(...)."""
+    """The inputs that can be chained after shift(...)."""
     def clock(self, condition: _Series, /, *more: _Series) -> _ShiftBox: ...
     def reset(self, condition: _Series, /, *more: _Series) -> _ShiftBox: ...
 
@@ -2132,7 +2132,7 @@ def math_hex(formula: str, *, result_destination: _DH, oneshot: bool = False, on
     """
 
 class _EventDrumBox:
-    """What is chained behind event_drum(...)."""
+    """The inputs that can be chained after event_drum(...)."""
     def reset(self, condition: _Series, /, *more: _Series) -> _EventDrumBox: ...
     def jump(self, condition: _Series, /, *more: _Series, step: _DS | int) -> _EventDrumBox: ...
     def jog(self, condition: _Series, /, *more: _Series) -> _EventDrumBox: ...
@@ -2154,7 +2154,7 @@ def event_drum(
     """
 
 class _TimeDrumBox:
-    """What is chained behind time_drum(...)."""
+    """The inputs that can be chained after time_drum(...)."""
     def reset(self, condition: _Series, /, *more: _Series) -> _TimeDrumBox: ...
     def jump(self, condition: _Series, /, *more: _Series, step: _DS | int) -> _TimeDrumBox: ...
     def jog(self, condition: _Series, /, *more: _Series) -> _TimeDrumBox: ...

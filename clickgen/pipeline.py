@@ -10,13 +10,12 @@ from pathlib import Path
 from clickgen.click.ladder_files import ladder_files
 from clickgen.config import Settings
 from clickgen.device.banks import Address
-from clickgen.dialects.if_rungs.part_of import tell_of_programs
-from clickgen.dialects.if_rungs.read.imports import read_program
-from clickgen.dialects.if_rungs.read.parse import decode
+from clickgen.dialects.base import Dialect
+from clickgen.dialects.discover import importers
+from clickgen.dialects.registry import default, dialect_of
 from clickgen.facts.facts import Facts
 from clickgen.facts.left_names import Asked, Left, find_left
 from clickgen.fixes.verdict import judge_proposals
-from clickgen.instructions.raw import RAW
 from clickgen.ir.program import Program
 from clickgen.lower.place import placed_routines
 from clickgen.lower.scratch import Scratch
@@ -25,7 +24,8 @@ from clickgen.lower.split import ClickRoutine, ClickRung, lower
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.resolve.declare import name_program
 from clickgen.resolve.resolve import Resolved, resolve
-from clickgen.rules.errors import RULES, scratch_bits
+from clickgen.rules.judge import judge
+from clickgen.rules.registry import Folder, rules
 from clickgen.table.address_table import AddressTable
 from clickgen.table.layers import read_layers
 from clickgen.table.names import record_beside
@@ -46,6 +46,7 @@ class Build:
     settings: Settings
     files: Workspace
     problems: Diagnostics = field(default_factory=Diagnostics)
+    dialect: Dialect = field(default_factory=default)
     sources: tuple[SourceFile, ...] = ()
     program: Program | None = None
     table: AddressTable = field(default_factory=lambda: AddressTable.empty(""))
@@ -98,9 +99,10 @@ def _read_source(state: Build) -> None:
     except OSError as error:
         reason = "it is a folder" if state.path.is_dir() else error.strerror or str(error)
         raise CouldNotRun(f"{state.shown} cannot be read: {reason}") from None
-    source = decode(state.shown, data, state.problems)
+    state.dialect = dialect_of(state.shown, data)
+    source = state.dialect.decode(state.shown, data, state.problems)
     if source is not None:
-        state.program, state.sources = read_program(source, state.files.read, state.problems, state.files.memory)
+        state.program, state.sources = state.dialect.read(source, state.files, state.problems)
 
 
 def _read_table(state: Build) -> None:
@@ -116,7 +118,9 @@ def _read_table(state: Build) -> None:
 def _resolve(state: Build) -> None:
     if state.program is not None:
         settings = state.settings
-        state.resolved = resolve(state.program, state.table, settings.frozen, state.problems, settings.reserved)
+        state.resolved = resolve(
+            state.program, state.table, settings.frozen, state.problems, state.dialect, settings.reserved
+        )
         name_program(Asked.of(state.shown, settings.nicknames).words, state.problems)
         if settings.nicknames is None:
             tell_of_own_table(state.path, state.table_path, state.problems)
@@ -125,28 +129,39 @@ def _resolve(state: Build) -> None:
 def _judge_fixes(state: Build) -> None:
     if state.program is not None and state.resolved is not None:
         is_part = state.settings.is_part
-        judge_proposals(state.program.proposals, state.resolved, state.sources, state.problems, is_part)
+        judge_proposals(
+            state.program.proposals, state.resolved, state.sources, state.dialect.spell, state.problems, is_part
+        )
 
 
-def _check(state: Build) -> None:
+def _lay_out(state: Build) -> None:
+    """The facts, for rules."""
     if state.resolved is None:
         return
     placed = placed_still(state.record, state.table) | {row.address for row in state.resolved.allocated}
     sources = {source.path: source for source in state.sources}
     blocks = tuple(state.resolved.blocks.values())
-    state.facts = Facts(state.resolved.program, sources, state.rows, placed, blocks)
-    for rule in RULES:
-        rule(state.facts, state.problems)
-    if any(placed.spec is RAW for placed in state.facts.actions):
-        # Few programs keep tokens; the readers of ladder files know them.
-        from clickgen.click.read.kept import check
+    state.facts = Facts(
+        state.resolved.program,
+        state.dialect,
+        sources,
+        state.rows,
+        placed,
+        blocks,
+        scratch_rows=lambda: state.scratch_rows,
+        importers=lambda: importers(state.shown, state.files.read),
+    )
 
-        check(state.facts, state.problems)
-    if state.settings.is_part:
-        # A part has no main of its own.
-        state.problems.drop("CG401")
-    elif state.program is not None and state.program.main is None:
-        tell_of_programs(state.shown, state.files.read, state.problems)
+
+def _judge_by(folder: Folder) -> Callable[[Build], None]:
+    """The stage of a folder of rules."""
+
+    def stage(state: Build) -> None:
+        settings = state.settings
+        if state.facts is not None:
+            state.problems.found += judge(state.facts, rules(folder), settings.wants, settings.is_part)
+
+    return stage
 
 
 def _try_fixes(state: Build) -> None:
@@ -160,16 +175,7 @@ def _try_fixes(state: Build) -> None:
             return Seen(trial.problems.found, trial.resolved is not None and trial.resolved.is_declared)
 
         texts = {source.path: state.files.reads[source.path] or b"" for source in state.sources}
-        state.problems.found = tried(state.problems.found, texts, look)
-
-
-def _lint(state: Build) -> None:
-    from clickgen.rules.advice import RULES as ADVICE
-
-    assert state.facts is not None
-    for rule in ADVICE:
-        if state.settings.wants(rule.code) and (rule.holds_in_parts or not state.settings.is_part):
-            rule.check(state.facts, state.problems)
+        state.problems.found = tried(state.problems.found, texts, look, state.dialect.idle)
 
 
 def _lower(state: Build) -> None:
@@ -191,8 +197,6 @@ def _place_scratch(state: Build) -> None:
     state.new_rows = (*resolved.allocated, *(row for row in state.scratch_rows if not table.has_name(row.address)))
     if not frozen:
         state.table = table.extended((*resolved.rows, *state.scratch_rows))
-    if state.facts is not None:
-        scratch_bits.check(state.facts, state.scratch_rows, state.problems)
 
 
 def _find_left(state: Build) -> None:
@@ -216,16 +220,18 @@ STAGES: Stages = (
     (_read_table, False),
     (_resolve, False),
     (_judge_fixes, False),
-    (_check, False),
+    (_lay_out, False),
+    (_judge_by(Folder.ERRORS), False),
     (_try_fixes, False),
     (_lower, True),
     (_place_scratch, True),
+    (_judge_by(Folder.LOWERED), True),
     (_find_left, True),
     (_divide, True),
 )
 """The stages of a build in their order, each with whether it needs a program without errors."""
 
-CHECKS: Stages = (*STAGES, (_lint, True))
+CHECKS: Stages = (*STAGES, (_judge_by(Folder.ADVICE), True))
 """The stages of a check."""
 
 _TRIAL: Stages = tuple(stage for stage in STAGES if stage[0] not in (_try_fixes, _find_left))

@@ -1,4 +1,4 @@
-"""What the pipeline gives: the results of a build, of a check, and of a look for names."""
+"""The results of the pipeline: those of a build, of a check, and of a look for names."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from functools import cached_property
 from pathlib import Path
 
 from clickgen.device.banks import Address
+from clickgen.dialects.base import Dialect
 from clickgen.emit.built import BuiltProgram
 from clickgen.emit.delivery import Delivery, TableChange, deliver
 from clickgen.facts.facts import Facts
@@ -23,10 +24,10 @@ from clickgen.workspace import CouldNotRun
 
 @dataclass(frozen=True)
 class BuildResult:
-    """What a build made, in memory.
+    """The result of a build, in memory.
 
     ``files`` maps each output's path inside the output folder (``main.csv``, ``subroutines/auto.csv``) to its text; a
-    text is made when it is asked for. It is empty when there are errors.
+    text is made on request. It is empty if there are errors.
     """
 
     program: Path
@@ -35,27 +36,29 @@ class BuildResult:
     diagnostics: tuple[Diagnostic, ...]
     files: Mapping[str, str]
     built: BuiltProgram
-    """What the outputs are made from; without routines and rows when there are errors."""
+    """The source of the outputs; without routines and rows if there are errors."""
     new_rows: tuple[Row, ...]
     """The addresses that clickgen chose in this build, scratch included."""
     facts: Facts | None
     """The program without names, as far as it could be read."""
     table_path: Path
     address_table: AddressTable
-    """As it should be after the build."""
+    """The table as it should be after the build."""
     table_before: bytes | None
     """The file as it was read; None where there was none."""
+    dialect: Dialect
+    """The one that the program is written in."""
     left: tuple[Left, ...] = ()
     """The names that left the program while others came."""
 
     @property
     def routines(self) -> tuple[ClickRoutine, ...]:
-        """The program in CLICK rungs; empty when there are errors."""
+        """The program in CLICK rungs; empty if there are errors."""
         return self.built.routines
 
     @property
     def rows(self) -> tuple[Row, ...]:
-        """Every row of the address table as it should be after the build; empty when there are errors."""
+        """Every row of the address table as it should be after the build; empty if there are errors."""
         return self.built.rows
 
     @property
@@ -70,7 +73,7 @@ class BuildResult:
 
     @property
     def ok(self) -> bool:
-        """True when nothing is an error."""
+        """True if there is no error."""
         return not any(problem.is_error for problem in self.diagnostics)
 
     @cached_property
@@ -100,14 +103,14 @@ class BuildResult:
     def write(self, folder: Path) -> list[Path]:
         """Put the outputs into ``folder`` and the extended address table in its place: all of it or none.
 
-        Removes the files of an earlier build that this one does not make. Returns what really changed. Raises
-        CouldNotRun when the folder holds files that are not clickgen's and in the way; OSError when something cannot
-        be written; ChangedMeanwhile when the table changed since it was read.
+        Removes the files of an earlier build that this one does not make. Returns the paths that really changed. Raises
+        CouldNotRun if files that are not clickgen's are in the way in the folder; OSError if something cannot
+        be written; ChangedMeanwhile if the table changed since it was read.
         """
         return write_all([(self, folder)])
 
     def delivery(self, folder: Path) -> Delivery:
-        """What is to be put in place. Raises CouldNotRun for a program with errors."""
+        """Return the files to put in place. Raises CouldNotRun for a program with errors."""
         if not self.ok:
             raise CouldNotRun("a program with errors is not written")
         if self.address_table.base and self.table_before is None and not self.address_table.own_rows:
@@ -121,7 +124,7 @@ class BuildResult:
 def write_all(results: Sequence[tuple[BuildResult, Path]]) -> list[Path]:
     """Write several results, each into its folder, as ``BuildResult.write`` does: all of them or none.
 
-    Of programs that share an address table, each must have been built with the table that the one before it made.
+    If programs share an address table, each must have been built with the table that the one before it made.
     """
     return deliver([result.delivery(folder) for result, folder in results])
 
@@ -134,7 +137,7 @@ class CheckResult:
     sources: tuple[SourceFile, ...]
     diagnostics: tuple[Diagnostic, ...]
     reads: Mapping[str, bytes | None]
-    """What was read, by path; None for a file that is not there. The same bytes give the same result."""
+    """The files that were read, by path; None for a missing one. The same bytes give the same result."""
 
 
 @dataclass(frozen=True)
@@ -146,4 +149,4 @@ class KnownNames:
     diagnostics: tuple[Diagnostic, ...]
     table_path: Path
     table: bytes
-    """The address table with the names of the program, where these agree with it."""
+    """The address table with the names of the program, if these agree with it."""

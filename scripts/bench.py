@@ -9,7 +9,8 @@ a program of one rung with a formula, built again after a change of its table, a
 growth of the build from 500 to 4,000 rungs;
 a repeated check, and its growth with the number of files, against a bare python -c pass;
 growth of nicknames sync, nicknames check, with a CSV and with a workbook, and workbook with the rows of the table;
-import of a bundle of 500 rungs in 34 routines against pyrung's ladder_to_pyrung of the same bundle;
+nicknames check, nicknames sync and workbook of 10,000 names, and diff of two bundles, against a build of the same;
+import of bundles of 500 and of 4,000 rungs against pyrung's ladder_to_pyrung of the same bundle;
 clickgen --version against the same.
 """
 
@@ -73,7 +74,7 @@ def rung(number: int) -> str:
 
 
 def program(rungs: int, per_routine: int = PER_ROUTINE) -> str:
-    """A program of so many rungs in routines of so many, beside a main that calls them."""
+    """A program of this many rungs in routines of this many, and a main that calls them."""
     routines = []
     names = []
     for start in range(0, rungs, per_routine):
@@ -87,7 +88,7 @@ def program(rungs: int, per_routine: int = PER_ROUTINE) -> str:
 
 
 def clean_program(rungs: int) -> str:
-    """A program of so many rungs in which there is nothing to find."""
+    """A program of this many rungs without any problem."""
     body = "\n".join(
         f"    # Motor {n}\n    if all(c[{n + 1}], nc(x[{n % 16 + 1}])):\n        out(c[{n + 1001}])\n"
         for n in range(rungs)
@@ -96,7 +97,7 @@ def clean_program(rungs: int) -> str:
 
 
 def project(rows: int, folder: Path) -> Path:
-    """A program that uses half of the names of an address table of so many rows."""
+    """A program that uses half of the names of an address table of this many rows."""
     banks = [bank for bank in BANKS.values() if bank.allocatable and bank.name not in ("X", "Y")]
     share = rows / sum(bank.last for bank in banks)
     names = {bank: [f"{bank.name}_value_{n}" for n in range(1, round(bank.last * share) + 1)] for bank in banks}
@@ -139,11 +140,13 @@ class Spent(NamedTuple):
     memory: int
 
 
-def spent(command: Sequence[str], env: Mapping[str, str] | None = None, cwd: Path | None = None) -> Spent:
+def spent(
+    command: Sequence[str], env: Mapping[str, str] | None = None, cwd: Path | None = None, may_fail: bool = False
+) -> Spent:
     """What a process and those that it starts take."""
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=env, cwd=cwd)
     _, status, used = os.wait4(process.pid, 0)
-    if status:
+    if status and not may_fail:
         raise SystemExit(f"{' '.join(command)} failed: {status}")
     return Spent(used.ru_utime + used.ru_stime, used.ru_maxrss)
 
@@ -237,16 +240,58 @@ def one_formula(folder: Path, clickgen: Sequence[str]) -> None:
     )
 
 
-def imports(folder: Path, clickgen: Sequence[str]) -> tuple[float, float]:
-    """Importing a bundle without and with verification, each as a share of what pyrung takes for the same."""
-    path, bundle = folder / "imported" / "p500.py", folder / "bundle"
+def cpu(command: Sequence[str], before: Callable[[], None]) -> float:
+    """Return the CPU seconds of a process, user and system. A command that finds a difference exits with 1."""
+    before()
+    return spent(command, may_fail=True).seconds
+
+
+def share(command: Sequence[str], other: Sequence[str], before: Callable[[], None]) -> float:
+    """Return the CPU time of a command as a share of another's: the median of pairs that run in turn."""
+    pairs = [(cpu(command, before), cpu(other, before)) for _ in range(RUNS + 1)][1:]
+    return statistics.median(one / two for one, two in pairs)
+
+
+def against_a_build(folder: Path, clickgen: Sequence[str]) -> None:
+    """Measure the commands about names, the workbook and a diff against a build of the same program."""
+    path, output = folder / "table10000" / "plc.py", folder / "against"
+
+    def fresh() -> None:
+        shutil.rmtree(output, ignore_errors=True)
+        output.mkdir()
+
+    build = [*clickgen, "build", "--no-cache", str(path), "-o", str(output / "built")]
+    for what, command, most in (
+        ("nicknames check", ["nicknames", "check", str(path)], 1.2),
+        ("nicknames sync", ["nicknames", "sync", str(path)], 1.1),
+        ("workbook", ["workbook", "-o", str(output / "project.xlsx"), str(path)], 3),
+    ):
+        found = share([*clickgen, *command], build, fresh)
+        print(f"{what} of 10,000 names / a build of them, CPU: {found:.2f} (at most {most})")
+
+    sources = folder / "compared"
+    sources.mkdir()
+    text = program(2000)
+    bundles = []
+    for name, changed in (("one", text), ("other", text.replace("all(c.A1, c.A2,", "all(c.A2,", 40))):
+        (sources / f"{name}.py").write_text(changed)
+        bundles.append(str(sources / name))
+        command = [*clickgen, "build", "--no-cache", str(sources / f"{name}.py"), "-o", bundles[-1]]
+        subprocess.run(command, check=True, capture_output=True)
+    build = [*clickgen, "build", "--no-cache", str(sources / "one.py"), "-o", str(output / "built")]
+    found = share([*clickgen, "diff", *bundles], build, fresh)
+    print(f"diff of two bundles of 2,000 rungs / a build of one, CPU: {found:.2f} (at most 1)")
+
+
+def imports(folder: Path, clickgen: Sequence[str], subroutines: int, rungs: int) -> tuple[float, float]:
+    """Importing a bundle without and with verification, each as a share of pyrung's time for the same, CPU."""
+    path, bundle = folder / f"imported{rungs}" / "prog.py", folder / f"bundle{rungs}"
     path.parent.mkdir()
-    # 33 subroutines of 14 source rungs, each a little more than one CLICK rung.
-    path.write_text(program(33 * 14, 14))
+    path.write_text(program(subroutines * rungs, rungs))
     subprocess.run([*clickgen, "build", "--no-cache", str(path), "-o", str(bundle)], check=True, capture_output=True)
     routines = list(bundle.rglob("*.csv"))
-    rungs = sum(file.read_text().count("\nR,") for file in routines if file.name != "nicknames.csv")
-    print(f"a bundle of {rungs} rungs in {len(routines) - 1} routines:")
+    count = sum(file.read_text().count("\nR,") for file in routines if file.name != "nicknames.csv")
+    print(f"a bundle of {count} rungs in {len(routines) - 1} files:")
     output = folder / "import"
 
     def fresh() -> None:
@@ -256,11 +301,7 @@ def imports(folder: Path, clickgen: Sequence[str]) -> tuple[float, float]:
     code = "import sys; from pyrung.click import ladder_to_pyrung as read; read(sys.argv[1], output_path=sys.argv[2])"
     theirs = [sys.executable, "-c", code, str(bundle), str(output / "theirs.py")]
     ours = [*clickgen, "import", str(bundle), "-o", str(output / "ours.py")]
-    ratios = []
-    for command in ([*ours, "--no-verify"], ours):
-        one, other = compare(command, theirs, fresh)
-        ratios.append(one / other)
-    return ratios[0], ratios[1]
+    return share([*ours, "--no-verify"], theirs, fresh), share(ours, theirs, fresh)
 
 
 def main() -> None:
@@ -339,9 +380,12 @@ def main() -> None:
         per_row = ", ".join(f"{rows}: {1000 * spent / rows:.2f} ms" for rows, spent in times.items())
         print(f"nicknames check with a workbook as the table, time per row: {per_row} (linear: it does not rise)")
 
-        plain, verified = imports(folder, clickgen)
-        print(f"import of 500 rungs without verification / pyrung: {plain:.2f} (at most 1)")
-        print(f"import of 500 rungs with verification / pyrung: {verified:.2f} (at most 2)")
+        against_a_build(folder, clickgen)
+        # 33 subroutines of 14 source rungs, each a little more than one CLICK rung; and a program of the largest kind.
+        for subroutines, rungs, most in ((33, 14, 0.85), (29, 138, 1)):
+            plain, verified = imports(folder, clickgen, subroutines, rungs)
+            print(f"import without verification / pyrung, CPU: {plain:.2f}")
+            print(f"import with verification / pyrung, CPU: {verified:.2f} (at most {most})")
 
         version, nothing = compare([*clickgen, "--version"], [python, "-c", "pass"], lambda: None)
         print(f"clickgen --version / python -c pass: {version / nothing:.1f} (at most 6)")

@@ -1,4 +1,4 @@
-"""Print the development requirements of pyproject.toml, one to a line, for pips that know no dependency groups."""
+"""Print the development requirements of pyproject.toml, one to a line, for pips without dependency groups."""
 
 import tomllib
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Write the parts of the documentation that come from the code: instruction pages, problem pages and some tables.
+"""Write what comes from the code: the table of codes, instruction pages, problem pages and some tables of pages.
 
 The tests fail while one of them is stale, missing or left over.
 """
@@ -15,18 +15,21 @@ from docs_markdown import bullets, quoted, table
 
 from clickgen.commands.explain import explanation
 from clickgen.device.banks import BANKS, UPPER_BYTE_BANKS
+from clickgen.device.elsewhere import BANKS as FOREIGN_BANKS
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, Advice
-from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
 from clickgen.instructions import FAMILIES, control
 from clickgen.instructions.spec import Spec
-from clickgen.problems.codes import CODES, Severity
+from clickgen.problems.codes import CODES, Severity, entry_of
+from clickgen.problems.declared import Code
+from clickgen.rules import registry
 
 ROOT = Path(__file__).parents[1]
 LANGUAGE = ROOT / "docs" / "language.md"
 WORDS = ROOT / "docs" / "words-of-other-machines.md"
 INSTRUCTIONS = ROOT / "docs" / "instructions"
 PROBLEMS = ROOT / "docs" / "problems"
+TABLE = ROOT / "clickgen" / "problems" / "table.py"
 MATCHER = ROOT / ".github" / "clickgen-problem-matcher.json"
 MADE_FOLDERS = (INSTRUCTIONS, PROBLEMS)
 """Folders that hold nothing else."""
@@ -35,25 +38,42 @@ _PART = re.compile(r"(<!-- made from the code: (\w+) -->\n).*?(<!-- end -->)", r
 
 
 def made() -> dict[Path, str]:
-    """Every page that is made from the code or has a part that is, with the text that it should have."""
+    """Every page that is made from the code, fully or in part, with the text that it should have."""
     pages = {INSTRUCTIONS / f"{spec.name}.md": instruction_page(spec) for _, specs in families() for spec in specs}
     pages[INSTRUCTIONS / "README.md"] = index()
     pages[MATCHER] = problem_matcher()
-    pages |= {PROBLEMS / f"{code}.md": _with_origin(explanation(code)) for code in CODES}
+    pages[TABLE] = code_table()
+    pages |= problem_pages()
     for page in (LANGUAGE, WORDS, PROBLEMS / "README.md"):
         text = page.read_text("utf-8")
         pages[page] = _PART.sub(lambda match: f"{match[1]}\n{PARTS[match[2]]()}\n\n{match[3]}", text)
     return pages
 
 
+def codes() -> list[Code]:
+    """Every code as its rule or its page declares it: the table of codes is made from these, and may be stale."""
+    return [code for code, _ in registry.declarations().values()]
+
+
+def problem_pages() -> dict[Path, str]:
+    return {PROBLEMS / f"{code.name}.md": _with_origin(explanation(code)) for code in codes()}
+
+
+def code_table() -> str:
+    doc = (
+        "Every code: severity, on or off, the rule that declares it, title. scripts/docs.py makes this from the rules."
+    )
+    return f'"""{doc}"""\n\nTABLE = """\\\n{registry.table()}\n"""\n'
+
+
 def problem_matcher() -> str:
-    """How GitHub reads the concise format, with the severity that each code has."""
+    """The patterns for GitHub to read the concise format, with the severity of each code."""
     words = {Severity.ERROR: ("errors", "error"), Severity.WARNING: ("warnings", "warning")}
     words[Severity.INFO] = ("notes", "notice")
     matchers = []
     for severity, (owner, word) in words.items():
-        codes = "|".join(code for code, entry in CODES.items() if entry.severity is severity)
-        pattern = rf"^(?:(.+?):(\d+):(\d+): )?({codes})(?: \[\*\])? (\S.*)$"
+        names = "|".join(code.name for code in codes() if code.severity is severity)
+        pattern = rf"^(?:(.+?):(\d+):(\d+): )?({names})(?: \[\*\])? (\S.*)$"
         places = {"file": 1, "line": 2, "column": 3, "code": 4, "message": 5}
         matchers.append({"owner": f"clickgen-{owner}", "severity": word, "pattern": [{"regexp": pattern, **places}]})
     return json.dumps({"problemMatcher": matchers}, indent=2) + "\n"
@@ -65,7 +85,7 @@ def _with_origin(page: str) -> str:
 
 
 def stale() -> dict[Path, str | None]:
-    """The pages that are not as the code says, with the text that each should have; None where none should be."""
+    """The pages that differ from the code, with the text that each should have; None for one that should not exist."""
     pages = made()
     changed = {path: text for path, text in pages.items() if not path.is_file() or path.read_text("utf-8") != text}
     there = [path for folder in MADE_FOLDERS for path in folder.glob("*")]
@@ -73,6 +93,8 @@ def stale() -> dict[Path, str | None]:
 
 
 def main() -> None:
+    # The examples are built, perhaps by a rule that is new.
+    CODES.update(map(entry_of, registry.table().splitlines()))
     for folder in MADE_FOLDERS:
         folder.mkdir(exist_ok=True)
     for path, text in sorted(stale().items()):
@@ -84,7 +106,7 @@ def main() -> None:
 
 
 def families() -> Iterator[tuple[str, tuple[Spec, ...]]]:
-    """Each family of instructions by its title; return, for and pass are among them, though nothing calls these."""
+    """Each family of instructions by its title; return, for and pass are included, though nothing calls these."""
     for family in FAMILIES:
         title = re.split("[:(]", family.__doc__ or "")[0].strip()
         yield title, (*family.SPECS, control.RETURN, control.FOR, control.NOP) if family is control else family.SPECS
@@ -150,16 +172,16 @@ def codes_table() -> str:
     parts = []
     for group, title in _GROUPS.items():
         rows = [
-            (f"[{name}]({name}.md)", f"{code.severity.value}{'' if code.is_on else ', off'}", code.title)
-            for name, code in CODES.items()
-            if name.startswith(group)
+            (f"[{code.name}]({code.name}.md)", f"{code.severity.value}{'' if code.is_on else ', off'}", code.title)
+            for code in codes()
+            if code.name.startswith(group)
         ]
         parts += [f"## {title}", table(("Code", "Severity", "Title"), *rows)]
     return "\n\n".join(parts)
 
 
 def trade_tables() -> str:
-    """What is written as a condition, an action and in a formula elsewhere, and here."""
+    """The words for conditions, actions and formulas elsewhere, with their equivalents here."""
     parts = []
     for title, words in (("As a condition", CONDITIONS), ("As an action", ACTIONS), ("In a formula", FORMULAS)):
         rows: dict[Advice, list[str]] = {}

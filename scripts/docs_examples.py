@@ -1,4 +1,4 @@
-"""The examples of the pages as whole programs, and what CLICK gets of them."""
+"""The examples of the pages as whole programs, and the ladder that CLICK gets from them."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ _PROGRAMS = {
     "top": "{}\n\ndef main():\n" + _END,
     "table": "def main():\n" + _END,
 }
-"""The program that an example of each kind stands for."""
+"""The program for an example of each kind."""
 KINDS = tuple(_PROGRAMS)
 _INDENTS = {"rung": 4, "actions": 8}
 
 
 def program_of(kind: str, text: str) -> str:
-    """The whole program that an example stands for."""
+    """Return the whole program for an example."""
     return _PROGRAMS[kind].format(textwrap.indent(text, " " * _INDENTS.get(kind, 0)))
 
 
@@ -77,7 +77,7 @@ _LARGER = {
     **{spec.name: ("program", _CALLED) for spec in (CALL, RETURN)},
     **{spec.name: ("rung", _LOOP) for spec in (FOR, NEXT)},
 }
-"""The kind and text of the example where the Spec's own means nothing without another instruction."""
+"""The kind and text of an example for a Spec whose own means nothing without another instruction."""
 _WIDTH = 100
 
 
@@ -103,7 +103,7 @@ def _source(spec: Spec, node: ast.AST) -> str:
 
 
 def _chained(spec: Spec, call: ast.Call) -> str:
-    """The example with its inputs behind it: ``jump=lambda: c.A, jump_step=2`` as ``.jump(c.A, step=2)``."""
+    """Return the example with its inputs after it: ``jump=lambda: c.A, jump_step=2`` as ``.jump(c.A, step=2)``."""
     words = {word.arg: word.value for word in call.keywords}
     chain = ""
     for method, pin in spec.methods.items():

@@ -1,4 +1,4 @@
-"""The page of an instruction, made from its Spec and from what its example becomes."""
+"""The page of an instruction, made from its Spec and from the ladder of its example."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ def instruction_page(spec: Spec) -> str:
 
 
 _SYNTAX = {"return": "return", "for": "for _ in range(count, oneshot=False):", "pass": "pass"}
-"""What is written where it is not a call."""
+"""The syntax of instructions that are not calls."""
 
 
 def _signatures(spec: Spec) -> Iterator[str]:
-    """Every form that the instruction is written in."""
+    """Yield every form of the instruction."""
     yield _SYNTAX.get(spec.name, spec.signature)
     if spec.pins:
         settings = {param.of_pin: f", {param.chained}=..." for param in spec.params if param.of_pin}
@@ -63,7 +63,7 @@ _TAKES = {
     ParamKind.REMOTE: 'the first address in the other device: `"DS1"` or `ModbusAddress(...)`',
     ParamKind.RANGE_COMPARISON: "a range compared with a value: `ds[1:101] >= 100`",
 }
-"""Where the words of a problem would read oddly in a table."""
+"""Replacements for a problem's words that would read oddly in a table."""
 _CONSTANTS = {
     INTEGER: "an integer",
     HEX: "a hexadecimal word",
@@ -100,7 +100,7 @@ def _forms(slot: Slot) -> str:
 
 
 def _operand(slot: Slot) -> str:
-    """The banks and constants of an operand, those last that a warning goes with."""
+    """The banks and constants of an operand, with those that get a warning last."""
     limits = f" from {slot.limits[0]} to {slot.limits[1]}" if slot.limits else ""
     constants = [_CONSTANTS[form] + (limits if form == INTEGER else "") for form in slot.constants]
     sure = _places(slot, {*slot.cells, *slot.ranges, *slot.immediates} - {*slot.disputed}) + constants
@@ -147,7 +147,7 @@ def _pairs(spec: Spec) -> list[Pair]:
 
 
 def _matrix(spec: Spec) -> list[str]:
-    """The pairs that a copy copies between, with the lengths of the ranges where these are bound."""
+    """The pairs between which a copy copies, with the lengths of the ranges if these are limited."""
     pairs = _pairs(spec)
     rows = [("From", "To", "Addresses")]
     for pair in pairs:
@@ -213,5 +213,5 @@ def _in_click(spec: Spec) -> Iterator[str]:
     yield "Rung: its own." if spec.pins or spec.alone else "Rung: can be shared with other instructions."
     has_oneshot = any(param.name == "oneshot" for param in spec.params)
     yield "One-shot: yes, with `oneshot=True`." if has_oneshot else "One-shot: no."
-    bits = [f"{name} (`{system_name_of(address)}`)" for name in spec.sets_flags if (address := parse_address(name))]
+    bits = [f"{name} (`{system_name_of(address)}`)" for name in spec.effects.flags if (address := parse_address(name))]
     yield f"System bits that it may set: {listed(bits, 'and') if bits else 'none'}."

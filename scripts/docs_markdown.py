@@ -26,13 +26,13 @@ def quoted(word: object) -> str:
 
 
 def listed(words: Iterable[str], joiner: str = "or") -> str:
-    """``a, b or c``; the words are at least one."""
+    """``a, b or c``; there must be at least one word."""
     *first, last = words
     return f"{', '.join(first)} {joiner} {last}" if first else last
 
 
 def anchor(heading: str) -> str:
-    """What a link to a heading ends in."""
+    """The end of a link to a heading."""
     return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
 
 

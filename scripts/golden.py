@@ -1,6 +1,6 @@
-"""Write what every case of ``fixtures/cases`` builds into its ``expected`` folder. Read the diff before you commit it.
+"""Write the build of every case of ``fixtures/cases`` into its ``expected`` folder. Read the diff before you commit it.
 
-Without arguments every case; else the cases whose folders are named.
+Without arguments every case; else the named ones.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ def names() -> list[str]:
 
 
 def lay_out(case: Path, folder: Path) -> Path:
-    """Copy a program, its sibling files and its address table into ``folder``; returns the program there."""
+    """Copy a program, its sibling files and its address table into ``folder``; return the program there."""
     for path in case.iterdir():
         if path.is_file():
             shutil.copyfile(path, folder / path.name)
@@ -31,9 +31,9 @@ def lay_out(case: Path, folder: Path) -> Path:
 
 
 def outputs(case: Path) -> dict[str, bytes]:
-    """What a case builds, by the path in its ``expected`` folder: the files, the extended table, what was said.
+    """Return the build of a case, by the path in its ``expected`` folder: the files, the extended table, the messages.
 
-    Raises ValueError when the program has errors.
+    Raises ValueError if the program has errors.
     """
     with tempfile.TemporaryDirectory() as folder:
         result = clickgen.build(lay_out(case, Path(folder)))
@@ -59,7 +59,7 @@ def expected(case: Path) -> dict[str, bytes]:
 
 
 def regenerate(case: Path) -> list[str]:
-    """Write the golden files of a case anew; returns the names of those that changed."""
+    """Rewrite the golden files of a case; return the names of those that changed."""
     new, old = outputs(case), expected(case)
     folder = case / EXPECTED
     for name in old.keys() - new.keys():

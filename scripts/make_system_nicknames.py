@@ -1,7 +1,7 @@
 """Makes clickgen/device/system_nicknames.csv from an export of CLICK PLUS 3.41 and the catalog of pyclickplc.
 
-Where the two spell a name otherwise, the export is what CLICK shows (fixtures/click-3.41) and the catalog's spelling is
-kept as another one (click-facts [system.spellings]). ``--check`` writes nothing and only says whether the file is
+If the two spell a name differently, the export has CLICK's own spelling (fixtures/click-3.41), and the catalog's is
+kept as another one (click-facts [system.spellings]). ``--check`` writes nothing and only reports whether the file is
 stale.
 """
 
@@ -21,8 +21,8 @@ EXPORT = ROOT / "fixtures" / "click-3.41" / "system-names.csv"
 def system_nicknames_csv() -> str:
     """The data file: ``Address,Nickname,Other`` for each of CLICK's own points, in CLICK's row order.
 
-    A name stands once as a nickname. So where the export and the catalog give one name to two addresses, the address of
-    the export has it as its nickname, and that of the catalog has it under ``Other`` alone.
+    A name is a nickname only once. So if the export and the catalog give one name to two addresses, the address of
+    the export has it as its nickname, and that of the catalog has it only under ``Other``.
     """
     from pyclickplc.system import AUTOMATIONDIRECT_SYSTEM_NICKNAMES
 

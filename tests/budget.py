@@ -1,6 +1,7 @@
-"""How many examples a property runs: few, and always the same, in ``make test``; many, and new ones, in ``make fuzz``.
+"""The number of examples that a property runs: few, and always the same, in ``make test``; many new ones in ``make
+fuzz``.
 
-``@examples(30)`` above ``@given`` says the number for ``make test``. A property without it runs `PLAIN` examples. A
+``@examples(30)`` above ``@given`` sets the number for ``make test``. A property without it runs `PLAIN` examples. A
 round of ``make fuzz`` runs every property on twenty times as many.
 
 No property has a deadline, and none fails because its examples are slow to make: both would measure how busy the
@@ -17,7 +18,7 @@ from hypothesis import HealthCheck, settings
 T = TypeVar("T")
 
 PLAIN = 60
-"""The examples of a property that does not say a number: these are quick."""
+"""The examples of a property that sets no number: these are quick."""
 
 _times = 1
 
@@ -52,10 +53,10 @@ def some(items: Sequence[T], step: int) -> Sequence[T]:
 
 
 def rounds(count: int) -> range:
-    """So many rounds of a test with random numbers of its own, marked with ``pytest.mark.property``."""
+    """This many rounds of a test with random numbers of its own, marked with ``pytest.mark.property``."""
     return range(count * _times)
 
 
 def examples(count: int) -> settings:
-    """Run a property on so many examples in ``make test``."""
+    """Run a property on this many examples in ``make test``."""
     return settings(max_examples=count * _times)

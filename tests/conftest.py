@@ -1,6 +1,11 @@
-"""What holds for every test: how many examples a property runs, and the mark by which ``make fuzz`` finds it."""
+"""What holds for every test: how many examples a property runs, and the mark by which ``make fuzz`` finds it.
+
+And for the tests of rules: what they judge is judged in any order of the rules.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
 
 import budget
 import pytest
@@ -22,3 +27,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if getattr(getattr(item, "obj", None), "is_hypothesis_test", False):
             item.add_marker(pytest.mark.property)
+
+
+@pytest.fixture(autouse=True, scope="module")
+def rules_in_any_order(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Judge every program of the tests of rules once more, with the rules in another order."""
+    with pytest.MonkeyPatch.context() as patch:
+        if request.path.parent.name == "rules":
+            from any_order import judged_in_any_order
+
+            patch.setattr("clickgen.pipeline.judge", judged_in_any_order)
+        yield

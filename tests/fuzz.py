@@ -1,7 +1,7 @@
 """The properties of the tests as a long run: ``make fuzz``, or ``python tests/fuzz.py --minutes 10``.
 
 A round is a run of pytest over all properties with new examples, twenty times as many as in ``make test``. A property
-that fails prints its smallest example and sits out the rounds that follow. Exit code 1 when one failed.
+that fails prints its smallest example and sits out the following rounds. The exit code is 1 if one failed.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ TESTS = Path(__file__).parent
 
 
 def one_round(seed: int, options: argparse.Namespace, without: list[str]) -> list[str]:
-    """Run the properties once, without some of them; returns those that failed, by their pytest ids."""
+    """Run the properties once, except some of them; return those that failed, by their pytest ids."""
     with tempfile.TemporaryDirectory(prefix="clickgen-fuzz-") as folder:
         report = Path(folder) / "report.xml"
         command = [sys.executable, "-m", "pytest", "-q", "-r", "fE", "-m", "property", f"--rootdir={TESTS.parent}"]

@@ -18,11 +18,11 @@ if TYPE_CHECKING:
     from typing_extensions import Buffer
 
 OK, PROBLEMS, COULD_NOT_RUN = 0, 1, 2
-"""Exit codes: done; problems in the program; there was nothing to judge (no such file, bad flag, unreadable table)."""
+"""Exit codes: done; problems in the program; nothing to judge (no such file, bad flag, unreadable table)."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line and return its exit code. Never a traceback: what is unforeseen asks to be reported."""
+    """Run the command line and return its exit code. Never a traceback: an unforeseen error asks to be reported."""
     try:
         from clickgen.cli.parser import parse
 
@@ -30,11 +30,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         _written().clear()
         given = sys.argv[1:] if arguments is None else arguments
         if any("\0" in argument for argument in given):
-            # No system passes one; who calls this function may.
+            # No system passes one; a caller of this function may.
             complain("an argument holds a NUL character, which no file name can have")
             return COULD_NOT_RUN
         code = parse(given)
-        sys.stdout.flush()  # What cannot be shown is an error only while it can be told.
+        sys.stdout.flush()  # Output that cannot be shown is an error only while that can be reported.
         return code
     except KeyboardInterrupt as stop:
         return _stopped(stop)
@@ -64,7 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def tell(*lines: str, file: TextIO | None = None) -> None:
-    """Print lines, on the standard output if nothing else is said. Each stays one line, whatever names are in it."""
+    """Print lines, on the standard output by default. Each stays one line, whatever names are in it."""
     from clickgen.text.wording import escaped
 
     for line in lines:
@@ -72,13 +72,13 @@ def tell(*lines: str, file: TextIO | None = None) -> None:
 
 
 def complain(*lines: str) -> None:
-    """Say what is in the way, on the standard error, if anybody can hear it."""
+    """Report what is in the way, on the standard error, if anybody can hear it."""
     with contextlib.suppress(OSError, ValueError):
         tell(f"clickgen: {lines[0]}", *lines[1:], file=sys.stderr)
 
 
 def _reason(error: Exception) -> tuple[str, ...] | None:
-    """What kept a command from running; None for a fault of clickgen."""
+    """The error that kept a command from running; None for a fault of clickgen."""
     from clickgen.workspace import CouldNotRun
 
     if isinstance(error, CouldNotRun):
@@ -97,7 +97,7 @@ _NAMED_MAX = 5
 
 
 def _what_was_written() -> str:
-    """What a command that does not come to its end has already done."""
+    """The work that a command has done before it was stopped."""
     written = _written()
     if not written:
         return "nothing was written"
@@ -106,7 +106,7 @@ def _what_was_written() -> str:
 
 
 def _written() -> list[object]:
-    """The files that this command has put in place, where it has come so far as to load what does that."""
+    """The files that this command has put in place, if it has loaded the module that does that."""
     found: list[object] = getattr(sys.modules.get("clickgen.text.write"), "written", [])
     return found
 
@@ -137,13 +137,13 @@ class _Signals:
 
     def take(self) -> None:
         for number in (signal.SIGINT, signal.SIGTERM):
-            # Who starts a command in the background may want it to ignore them.
+            # A shell that starts a command in the background may want it to ignore them.
             if signal.getsignal(number) != signal.SIG_IGN:
                 signal.signal(number, self._stop)
         sys.unraisablehook = self._unraisable
 
     def begin(self) -> None:
-        """The command is loaded: from here on a signal is an exception, so that files can be put back."""
+        """Mark the command as loaded: from here on a signal is an exception, so that files can be put back."""
         self._is_running = True
 
     def _stop(self, number: int, _: object) -> None:
@@ -159,7 +159,7 @@ class _Signals:
         os._exit(128 + number)
 
     def _unraisable(self, fault: sys.UnraisableHookArgs) -> None:
-        """An exception where Python lets none through, such as a callback of the garbage collector."""
+        """Handle an exception where Python lets none through, such as a callback of the garbage collector."""
         if isinstance(fault.exc_value, KeyboardInterrupt):
             self._is_stopping = False
             self._leave(fault.exc_value.number if isinstance(fault.exc_value, Stopped) else signal.SIGINT)
@@ -174,7 +174,7 @@ begin = _signals.begin
 
 
 def run() -> NoReturn:
-    """The command as a process of its own: run it and end.
+    """Run the command as a process of its own, and end.
 
     A build makes hundreds of thousands of objects and few cycles. Collecting them in between, and taking all of them
     apart at the end, costs a fifth of the time; the system takes the memory back anyway.
@@ -182,7 +182,7 @@ def run() -> NoReturn:
     _signals.take()
     gc.disable()
     for name in ("stdout", "stderr"):
-        # Closed by who called us, as >&- does. What stands in for it stays open until the process ends.
+        # Closed by the caller, as >&- does. Its replacement stays open until the process ends.
         if getattr(sys, name) is None:
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
     _let_readers_go()
@@ -199,7 +199,7 @@ def run() -> NoReturn:
 
 
 class _Output(io.RawIOBase):
-    """A standard stream that takes what is written also when nobody reads it any more: the work is done in any case."""
+    """A standard stream that accepts output even when nobody reads it any more: the work is done in any case."""
 
     def __init__(self, stream: TextIO, raw: io.RawIOBase, forgives: Callable[[OSError], bool]) -> None:
         self._stream = stream  # It closes what is below it when nobody holds it.
@@ -225,15 +225,15 @@ class _Output(io.RawIOBase):
 
 
 def _is_gone(error: OSError) -> bool:
-    """True where the reader of a pipe went away, as head does; Windows has no word of its own for it."""
+    """True if the reader of a pipe went away, as head does; Windows has no error of its own for it."""
     return isinstance(error, BrokenPipeError) or (os.name == "nt" and error.errno == errno.EINVAL)
 
 
 def _let_readers_go() -> None:
     """Let no report that cannot be heard change the exit code.
 
-    On the standard output that is one whose reader went away: a full disk is an error. What the standard error cannot
-    take, nobody can be told.
+    On the standard output that is one whose reader went away: a full disk is an error. If the standard error fails,
+    nobody can be told.
     """
     for name, forgives in (("stdout", _is_gone), ("stderr", lambda _: True)):
         stream = getattr(sys, name)

@@ -10,14 +10,13 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain, tell
-from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
+from clickgen.cli.jobs import Job, Run, near
 from clickgen.commands.nicknames.elsewhere import build_among
-from clickgen.dialects.if_rungs.spelling import Spellings
 from clickgen.problems.diagnostics import Diagnostic
+from clickgen.problems.name_slips import Spellings
 from clickgen.problems.report.frames import summary, write_problems
 from clickgen.results import BuildResult, write_all
 from clickgen.table.own_table import own_table_setting
@@ -25,11 +24,10 @@ from clickgen.table.rows import Row
 from clickgen.text.lock import locked
 from clickgen.text.wording import counted
 from clickgen.text.write import ChangedMeanwhile
-from clickgen.workspace import CouldNotRun, Workspace, read_file
-from clickgen.workspace.memory import Memory
+from clickgen.workspace import CouldNotRun, Workspace
 
 _NAMES_MAX = 8
-"""So many new names a build lists."""
+"""A build lists this many new names."""
 
 DESCRIPTION = "Build a program: ladder CSV files, the nickname CSV, a listing and a source map."
 EXAMPLES = """\
@@ -57,51 +55,54 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Build and write, without a program every configured one, all of them or none; returns the exit code."""
-    jobs = _jobs(options.program, options.output, options.nicknames, options.frozen, options.config)
-    settle(jobs, options.config)
-    results = _built(jobs, options.config, not options.no_cache)
+    """Build and write one program or, without one, every configured one, all of them or none; return the exit code."""
+    this = Run(options.config)
+    if not options.no_cache:
+        this.remember()
+    jobs = _jobs(this, options.program, options.output, options.nicknames, options.frozen)
+    this.settle(jobs)
+    results = _built(jobs, this)
     if not all(result.ok for result in results):
         complain(f"{_summary(results)}; nothing was written")
         return PROBLEMS
     for job, result in zip(jobs, results, strict=True):
-        tell(*_report(result, job, options.config))
+        tell(*_report(result, job, this))
     return OK
 
 
 _TRIES = 5
 
 
-def _built(jobs: Sequence[Job], config: str | None, use_cache: bool) -> list[BuildResult]:
-    """Build and write; where a table changed in between, again, now with the folders locked against other builds."""
+def _built(jobs: Sequence[Job], this: Run) -> list[BuildResult]:
+    """Build and write; if a table changed in between, again, now with the folders locked against other builds."""
     told: set[Diagnostic] = set()
-    memory = Memory(settings_of(config).root if use_cache else None)
+    files = this.files
     with ExitStack() as stack:
         for left in reversed(range(_TRIES)):
-            results = build_among(jobs, partial(settings_of, config), Workspace(memory=memory))
-            # What is shown of a table is what was read, so before anything is written.
+            results = build_among(jobs, lambda: this.settings, files)
+            # The table is shown as it was read, so before anything is written.
             for result in results:
-                write_problems((each for each in result.diagnostics if each not in told), result.sources, sys.stderr)
+                news = [each for each in result.diagnostics if each not in told]
+                write_problems(news, result.sources, sys.stderr, files)
                 told.update(result.diagnostics)
             if not all(result.ok for result in results):
                 break
             try:
                 write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
-                memory.save()
+                files.memory.save()
                 break
             except ChangedMeanwhile:
                 if not left:
                     raise
+                files = Workspace(memory=files.memory)  # Somebody wrote a table after it was read.
                 stack.enter_context(locked(folder for job in jobs for folder in job.folders[1:] if folder.is_dir()))
     return results
 
 
-def _jobs(
-    program: str | None, output: str | None, nicknames: str | None, frozen: bool, config: str | None
-) -> list[Job]:
+def _jobs(this: Run, program: str | None, output: str | None, nicknames: str | None, frozen: bool) -> list[Job]:
     if output == "":
         raise CouldNotRun("the output folder after -o is empty")
-    found = jobs([program] if program is not None else [], nicknames, frozen, config)
+    found = this.jobs([program] if program is not None else [], nicknames, frozen)
     if len(found) > 1 and (output or nicknames):
         raise CouldNotRun("several programs are configured: -o and --nicknames go with one, so name it")
     if output:
@@ -113,7 +114,7 @@ def _jobs(
     return found
 
 
-def _report(result: BuildResult, job: Job, config: str | None) -> list[str]:
+def _report(result: BuildResult, job: Job, this: Run) -> list[str]:
     folder = job.folder
     main, subroutines = result.main, result.subroutines
     counts = [f"{counted(len(main.rungs), 'rung')} in main"]
@@ -125,7 +126,7 @@ def _report(result: BuildResult, job: Job, config: str | None) -> list[str]:
     if new:
         lines.append(f"{counted(len(new), 'new address', 'new addresses')} in {result.table_path}: commit it.")
         lines += _new_names(result)
-        lines += _shared(result, job, config)
+        lines += _shared(result, job, this)
     noted = _summary([result])
     if noted:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
@@ -156,7 +157,7 @@ def _new_names(result: BuildResult) -> list[str]:
     for row in new:
         bank = row.address.bank
         for other in (by_bank[bank][name] for name in spellings[bank].near(row.nickname)):
-            # Of two new names that look alike one line is enough.
+            # One line is enough for two new names that look alike.
             if other.address not in fresh or other.address.sort_key < row.address.sort_key:
                 pair = f"{row.address} {row.nickname} looks like {other.address} {other.nickname}"
                 lines.append(f"  {pair}: is one of them misspelled?")
@@ -167,20 +168,20 @@ def _new_names(result: BuildResult) -> list[str]:
 _MAIN = re.compile(rb"^def main\(", re.MULTILINE)
 
 
-def _shared(result: BuildResult, job: Job, config: str | None) -> Iterator[str]:
-    """Where a program beside this one has the same table because nobody named one: how to part them.
+def _shared(result: BuildResult, job: Job, this: Run) -> Iterator[str]:
+    """How to separate two programs that share a table because nobody named one.
 
-    Where the settings name both, somebody has decided it.
+    If the settings name both, somebody has decided it.
     """
     if job.settings.nicknames is not None:
         return
-    configured = {os.path.realpath(program.path) for program in settings_of(config).programs}
+    configured = {os.path.realpath(program.path) for program in this.settings.programs}
     is_configured = os.path.realpath(result.program) in configured
     own = {os.path.realpath(source.path) for source in result.sources}
     for path in sorted(result.program.parent.glob("*.py")):
         if is_configured and os.path.realpath(path) in configured:
             continue
-        if os.path.realpath(path) not in own and path.is_file() and _MAIN.search(read_file(path)):
+        if os.path.realpath(path) not in own and path.is_file() and _MAIN.search(this.files.read(path)):
             copy = near(result.program).with_suffix(".csv")
             yield f"{near(path)} has this table too. For two PLCs copy it to {copy}, and name that in clickgen.toml:"
             yield f"  {own_table_setting(near(result.program))}"

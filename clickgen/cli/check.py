@@ -17,24 +17,24 @@ from clickgen.cli import OK, PROBLEMS, complain, tell
 from clickgen.commands.check.programs import Outcome, Request, add_ignores
 from clickgen.commands.check.programs import run as run_check
 from clickgen.config import Config, code_prefix, find_config, read_config
-from clickgen.dialects.if_rungs.discover import Target
+from clickgen.dialects.discover import Target
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.problems.formats import FORMATS
 from clickgen.problems.report import Report, render, shown_path, use_color
 from clickgen.rules.select import Selection
 from clickgen.text.wording import counted, escaped
-from clickgen.workspace import READ_MAX, CouldNotRun, require_size
+from clickgen.workspace import READ_MAX, CouldNotRun, Workspace, require_size
 
 if TYPE_CHECKING:
     from clickgen.commands.check.baseline import Baseline
 
 _MANY_FILES = 8
-"""From so many programs on a terminal shows how far the check is."""
+"""From this many programs a terminal shows how far the check is."""
 
 
 class _Wrong(CouldNotRun):
-    """Flags that do not go together; the message says which."""
+    """Flags that exclude each other; the message says which."""
 
 
 DESCRIPTION = (
@@ -93,14 +93,15 @@ def _codes(text: str) -> list[str]:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Check what the command line names; returns the exit code."""
+    """Check what the command line names; return the exit code."""
     _refuse_contradictions(options)
-    config = read_config(Path(options.config)) if options.config else find_config(Path.cwd())
+    files = Workspace()
+    config = read_config(Path(options.config), files) if options.config else find_config(Path.cwd(), files)
     _refuse_input(options, _inputs(options, config))
     if options.fix or options.add_ignore:
         _put_back(options, config)
     with _progress() as progress:
-        request = _request(options, config, progress)
+        request = _request(options, config, files, progress)
         outcome = run_check(request, options.fix or options.diff, options.unsafe_fixes)
     _refuse_input(options, outcome.checked)
     for folder in outcome.empty:
@@ -122,7 +123,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _tell_diff(options: argparse.Namespace, outcome: Outcome) -> int:
-    """What fixes would change; on the standard error how much is left that none mends."""
+    """Show what fixes would change; on the standard error how much is left that none fixes."""
     diff = "".join(_diffs(outcome))
     _put(diff, options.output)
     left = _report(options, outcome)._replace(fixed=0)  # Nothing was written.
@@ -187,7 +188,7 @@ def _put_back(options: argparse.Namespace, config: Config) -> None:
 
 
 def _refuse_input(options: argparse.Namespace, inputs: Iterable[str | os.PathLike[str] | None]) -> None:
-    """A report takes the place of an earlier one, and of nothing else. Raises CouldNotRun."""
+    """Refuse a report that would replace anything but an earlier one. Raises CouldNotRun."""
     if not options.output:
         return
     place = os.path.realpath(options.output)
@@ -198,11 +199,13 @@ def _refuse_input(options: argparse.Namespace, inputs: Iterable[str | os.PathLik
 
 
 def _is_same(path: str | os.PathLike[str], place: str) -> bool:
-    """True for two names of one file, as where capitals do not count."""
+    """True for two names of one file, for example where case does not count."""
     return os.path.exists(path) and os.path.exists(place) and os.path.samefile(path, place)
 
 
-def _request(options: argparse.Namespace, config: Config, progress: Callable[[int, int], None]) -> Request:
+def _request(
+    options: argparse.Namespace, config: Config, files: Workspace, progress: Callable[[int, int], None]
+) -> Request:
     settings = config.check
     select = _joined(options.select)
     selection = Selection(
@@ -224,33 +227,34 @@ def _request(options: argparse.Namespace, config: Config, progress: Callable[[in
         not options.no_cache,
         stdin,
         progress,
-        _baseline(Path(options.baseline)) if options.baseline else None,
-        partial(_named_elsewhere, config),
+        _baseline(Path(options.baseline), files) if options.baseline else None,
+        partial(_named_elsewhere, config, files),
+        files,
     )
 
 
 def _standard_input() -> bytes:
-    """The program on the standard input. Raises CouldNotRun when whoever started the command closed it."""
+    """Return the program on the standard input. Raises CouldNotRun if the caller of the command closed it."""
     if sys.stdin is None:
         raise CouldNotRun("the standard input is closed: clickgen check - < prog.py")
     return sys.stdin.buffer.read(READ_MAX + 1)
 
 
-def _named_elsewhere(config: Config, target: Target) -> frozenset[str]:
-    """What the other programs around the table of one name."""
+def _named_elsewhere(config: Config, files: Workspace, target: Target) -> frozenset[str]:
+    """The names that the other programs around the table of one use."""
     from clickgen.cli.jobs import Job
     from clickgen.commands.nicknames.elsewhere import named_elsewhere
     from clickgen.config import Settings
 
     job = Job(target.path, Settings(target.nicknames, reserved=config.reserved), Path())
-    return named_elsewhere(job, config)
+    return named_elsewhere(job, config, files)
 
 
 def _joined(lists: list[list[str]] | None) -> tuple[str, ...] | None:
     return None if lists is None else tuple(code for codes in lists for code in codes)
 
 
-# -- telling ----------------------------------------------------------------------------------------------------------
+# -- reporting --------------------------------------------------------------------------------------------------------
 
 
 def _tell(options: argparse.Namespace, outcome: Outcome, to_stderr: bool) -> int:
@@ -279,16 +283,16 @@ def _report(options: argparse.Namespace, outcome: Outcome, color: bool = False) 
     )
 
 
-def _baseline(path: Path) -> Baseline | None:
-    """What was found when the repository began; None where this run is to write it."""
+def _baseline(path: Path, files: Workspace) -> Baseline | None:
+    """The findings from when the repository began; None if this run should write them."""
     from clickgen.commands.check.baseline import Baseline, read_baseline
 
-    known = read_baseline(path)
+    known = read_baseline(path, files)
     return None if known is None else Baseline(known, _named_from(path))
 
 
 def _begin_baseline(path: Path, outcome: Outcome) -> Outcome:
-    """Write what was found into a new baseline; what is left are the errors."""
+    """Write the findings into a new baseline; only the errors are left."""
     from clickgen.commands.check.baseline import Baseline, baseline_text
     from clickgen.problems.finding_keys import keys_of
 
@@ -301,7 +305,7 @@ def _begin_baseline(path: Path, outcome: Outcome) -> Outcome:
 
 
 def _named_from(path: Path) -> Callable[[str], str]:
-    """How a baseline names files: as seen from its own folder."""
+    """A file's name in a baseline: relative to its own folder."""
     folder = os.path.dirname(os.path.abspath(path))
     return lambda file: shown_path(file, folder)
 
@@ -310,7 +314,7 @@ _COUNTED = ("text", "concise", "json")
 
 
 def _statistics(report: Report, output_format: str) -> str:
-    """How often each code was found, the most frequent first; ``[*]`` marks those that a safe fix mends."""
+    """How often each code was found, the most frequent first; ``[*]`` marks those that a safe fix corrects."""
     counts = Counter(finding.code for finding in report.findings)
     mended = Counter(finding.code for finding in report.findings if finding.fix and finding.fix.is_safe)
     width = max((len(str(count)) for count in counts.values()), default=0)
@@ -353,7 +357,7 @@ def _put(text: str, output: str | None) -> None:
 def _put_in_file(path: Path, text: str) -> None:
     from clickgen.text.write import put_in_place
 
-    # A file name that is no text cannot be written as UTF-8.
+    # A file name that is not text cannot be written as UTF-8.
     put_in_place({path: text.encode(errors="backslashreplace")}, no_links=[path])
 
 

@@ -1,4 +1,4 @@
-"""``clickgen diff``: what two programs, bundles or revisions do otherwise."""
+"""``clickgen diff``: the differences between two programs, bundles or revisions."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS, complain
-from clickgen.cli.jobs import jobs
-from clickgen.cli.jobs import settings_of as settings_of_folder
+from clickgen.cli.jobs import Run
 from clickgen.commands.diff.as_text import Line, report, summary
 from clickgen.commands.diff.changes import Difference
 from clickgen.commands.diff.names import name_changes
@@ -60,19 +59,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Compare two sides and show the difference; returns the exit code."""
+    """Compare two sides and show the difference; return the exit code."""
+    this = Run(options.config)
 
     def settings_of(program: str) -> Settings:
-        [job] = jobs([program], options.nicknames, config=options.config)
+        [job] = this.jobs([program], options.nicknames)
         return job.settings
 
-    wanted = Wanted(settings_of, options.nicknames, options.export, options.config)
+    wanted = Wanted(settings_of, this.files, options.nicknames, options.export, options.config)
 
     def configured(revision: str) -> list[str]:
         with TemporaryDirectory(prefix="clickgen-") as folder:
             return configured_in(revision, wanted, Path(folder))
 
-    pairs = pairs_of(options.one, options.other, settings_of_folder(options.config), configured)
+    pairs = pairs_of(options.one, options.other, this.settings, configured, this.files)
     compared: list[tuple[Pair, Difference | None]] = []
     for pair in pairs:
         if compared and options.output_format == "text":
@@ -91,7 +91,7 @@ def _code(difference: Difference | None) -> int:
 
 
 def _compared(pair: Pair, wanted: Wanted) -> Difference | None:
-    """The difference of two sides; None where one of them has errors, which are told."""
+    """The difference of two sides; None if one of them has errors, which are reported."""
     try:
         with TemporaryDirectory(prefix="clickgen-") as first, TemporaryDirectory(prefix="clickgen-") as second:
             older = absent_side(pair.one) if pair.is_new else read_side(pair.one, wanted, Path(first), complain)

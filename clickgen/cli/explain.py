@@ -1,4 +1,4 @@
-"""``clickgen explain NAME``: what a code means, what an instruction takes, what a word of the trade is here."""
+"""``clickgen explain NAME``: the meaning of a code, the operands of an instruction, a word of the trade here."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ import argparse
 
 from clickgen.cli import COULD_NOT_RUN, OK, complain
 from clickgen.commands.explain import explanation, instruction_page, instructions, plain, topics
-from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, FORMULAS, bank_hint
+from clickgen.dialects.registry import default
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import did_you_mean
+from clickgen.rules.registry import declared
 
 DESCRIPTION = "What a code means and what to do; an instruction; a part of the language; a word of another machine."
 EXAMPLES = """\
@@ -28,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print the page; returns the exit code."""
+    """Print the page; return the exit code."""
     written = " ".join(options.name)
     if not written:
         print(_overview(), end="")
@@ -42,10 +43,10 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _page(written: str) -> str:
-    """The page of a code, an instruction, a topic or a word of the trade; "" where there is none."""
+    """The page of a code, an instruction, a topic or a word of the trade; "" if there is none."""
     name = written.lower().removesuffix("()")
     if written.upper() in CODES:
-        return plain(explanation(written.upper()))
+        return plain(explanation(declared(written.upper())))
     if name in instructions():
         return plain(instruction_page(name))
     pages = topics()
@@ -58,13 +59,8 @@ def _page(written: str) -> str:
 
 
 def _word(name: str) -> str:
-    """What a word of another machine is here, in a condition, as an action and in a formula."""
-    lines = []
-    for place, table in (("In a condition", CONDITIONS), ("As an action", ACTIONS), ("In a formula", FORMULAS)):
-        if name in table:
-            lines.append(f"{place}: {table[name].shown}\n")
-    hint = bank_hint(name)
-    return "".join([*lines, f"As a bank: {hint}\n" if hint else ""])
+    """The meaning of a word of another machine here, in a condition, as an action and in a formula."""
+    return "".join(f"{line}\n" for line in default().explain_word(name))
 
 
 def _overview() -> str:

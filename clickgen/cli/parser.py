@@ -25,7 +25,7 @@ COMMANDS = {
     "rules": ("clickgen.cli.rules", "list every code"),
     "explain": ("clickgen.cli.explain", "say what a code, an instruction or a word means"),
 }
-"""Each command's module and what it is for, in the order of the help."""
+"""Each command's module and its purpose, in the order of the help."""
 
 _EXAMPLES = """\
 examples:
@@ -53,7 +53,7 @@ class _Help(argparse.RawDescriptionHelpFormatter):
         super().__init__(prog, width=max(width, 40) - 2)
 
     def _fill_text(self, text: str, width: int, indent: str) -> str:
-        """Examples stay as they are; a description is wrapped."""
+        """Keeps examples unchanged and wraps a description."""
         if "\n" in text:
             return super()._fill_text(text, width, indent)
         return argparse.HelpFormatter._fill_text(self, text, width, indent)
@@ -70,7 +70,7 @@ def _hint(message: str, parser: argparse.ArgumentParser) -> str:
 
     words = message.replace("'", " ").replace(":", " ").split()
     known = [option for action in parser._actions for option in (*action.option_strings, *(action.choices or ()))]
-    # These name flags that are spelled right.
+    # These name flags that are spelled correctly.
     if "are required" in message or "expected" in message:
         return ""
     for word in words:
@@ -92,7 +92,7 @@ def parse(arguments: Sequence[str]) -> int:
     )
     parser.add_argument("--version", action="version", version=f"clickgen {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", dest="command", parser_class=_Parser)
-    # Only the command that is asked for is loaded: the others would take longer than a check out of the cache.
+    # Only the requested command is loaded: the others would take longer than a check from the cache.
     wanted = arguments[0] if arguments else ""
     for name, (module, purpose) in COMMANDS.items():
         if name == wanted:

@@ -16,7 +16,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Print the list; returns the exit code."""
+    """Print the list; return the exit code."""
     if options.output_format == "json":
         import json
 

@@ -30,7 +30,7 @@ def ladder_files(routines: Iterable[ClickRoutine], problems: Diagnostics) -> dic
                 "CG424",
                 routine.span,
                 f"main has {len(routine.rungs)} CLICK rungs and goes into {len(parts)} ladder files",
-                "paste them one behind the other, in the order of their names",
+                "paste them one after the other, in the order of their names",
             )
         # ClickNick pastes main's parts sorted by name (click-facts [ladder-file.guided]): all numbers have as many
         # digits.

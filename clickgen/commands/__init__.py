@@ -1,1 +1,1 @@
-"""What the commands do; the command line itself is in cli."""
+"""The work of the commands; the command line itself is in cli."""

@@ -1,6 +1,6 @@
-"""What a code means, as Markdown: of a rule about logic from the rule, of any other from its own file.
+"""What a code means, as Markdown, made of what declares it: a rule, or a page of ``problems/explanations``.
 
-And, from the pages of the documentation, an instruction and a part of the language.
+Also, from the pages of the documentation, an instruction and a part of the language.
 """
 
 from __future__ import annotations
@@ -9,33 +9,23 @@ import re
 import textwrap
 from pathlib import Path
 
-from clickgen.problems.codes import CODES, Severity
-
-_FOLDER = Path(__file__).parents[1] / "problems" / "explanations"
-_WORDS = {Severity.ERROR: "Error", Severity.WARNING: "Warning", Severity.INFO: "Note"}
+from clickgen.problems.codes import Severity
+from clickgen.problems.declared import WORDS, Code
 
 
-def explanation(code: str) -> str:
-    """The page of a code: title, severity, why it matters, examples. Raises KeyError for a code that is none."""
-    entry = CODES[code]
-    word = _WORDS[entry.severity] + ("" if entry.is_on else ", off by default")
-    path = _FOLDER / f"{code}.md"
-    body = path.read_text("utf-8") if path.is_file() else _of_rule(code)
-    return f"# {code}: {entry.title}\n\n**{word}.** {body.strip()}\n"
-
-
-def _of_rule(code: str) -> str:
-    from clickgen.rules.advice import RULES
-
-    rule = next(rule for rule in RULES if rule.code == code)
-    parts = [rule.why.strip()]
-    for number, example in enumerate(rule.wrong):
-        parts += ["" if number else "Found in the lines that `# <-` marks:", _block(example.text)]
+def explanation(code: Code) -> str:
+    """The page of a code: title, severity, why it matters, examples."""
+    word = WORDS[code.severity] + ("" if code.is_on else ", off by default")
+    parts = [f"# {code.name}: {code.title}", f"**{word}.** {code.why.strip()}"]
+    for number, example in enumerate(code.wrong):
+        parts += [] if number else ["Found in the lines that `# <-` marks:"]
+        parts.append(_block(example.text))
         if example.fixed:
             parts += ["`--fix` makes of it:", _block(example.fixed)]
-    parts.append("Not found:")
-    parts += [_block(example) for example in rule.right]
-    return "\n\n".join(part for part in parts if part)
+    if code.right:
+        parts.append("The way out:" if code.wrong and code.severity is Severity.ERROR else "Not found:")
+    parts += [_block(example) for example in code.right]
+    return "\n\n".join(parts) + "\n"
 
 
 def _block(text: str) -> str:
@@ -50,7 +40,7 @@ def documentation() -> Path:
 
 
 def instruction_page(name: str) -> str:
-    """The page of an instruction, by its name. Raises KeyError where there is none."""
+    """Return the page of an instruction, by its name. Raises KeyError if there is none."""
     if name not in instructions():
         raise KeyError(name)
     text = (documentation() / "instructions" / f"{name}.md").read_text("utf-8")
@@ -58,15 +48,14 @@ def instruction_page(name: str) -> str:
 
 
 def instructions() -> dict[str, str]:
-    """What each instruction does, return, for and pass among them."""
-    from clickgen.instructions import INSTRUCTIONS
-    from clickgen.instructions.control import FOR, NOP, RETURN
+    """A line on each instruction, including return, for and pass."""
+    from clickgen.instructions import every
 
-    return {spec.name: spec.summary for spec in (*INSTRUCTIONS.values(), RETURN, FOR, NOP)}
+    return {spec.name: spec.summary for spec in every()}
 
 
 def topics() -> dict[str, str]:
-    """The parts of the language page, each by its title in small letters; the instructions are a list."""
+    """The parts of the language page, each by its title in lower case; the instructions are a list."""
     text = (documentation() / "language.md").read_text("utf-8")
     parts = re.split(r"^## ", text, flags=re.MULTILINE)[1:]
     pages = {part.partition("\n")[0].lower(): f"# {part}" for part in parts}
@@ -76,7 +65,7 @@ def topics() -> dict[str, str]:
 
 
 def plain(markdown: str) -> str:
-    """Markdown for a terminal: without comments and fences, examples indented."""
+    """Return Markdown for a terminal: without comments and fences, examples indented."""
     text = re.sub(r"<!--.*?-->\n", "", markdown)
     text = re.sub(
         r"^```\w*\n(.*?)^```$", lambda match: textwrap.indent(match[1].rstrip(), "    "), text, flags=re.DOTALL | re.M

@@ -1,1 +1,1 @@
-"""What a CLICK is: its memory banks, limits, system points. Below every stage; knows none of them."""
+"""CLICK as a machine: its memory banks, limits, system points. Below every stage; knows none of them."""

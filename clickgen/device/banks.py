@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import Enum
+from functools import lru_cache
 from typing import NamedTuple
 
 
 class Kind(Enum):
-    """What one cell of a bank holds; the value is CLICK's word for it in a nickname CSV."""
+    """The content of one cell of a bank; the value is CLICK's word for it in a nickname CSV."""
 
     BIT = "BIT"
     INT16 = "INT"
@@ -30,7 +31,7 @@ VALUE_CLASSES = {
     Kind.TEXT: "text",
     Kind.BIT: "bit",
 }
-"""What is compared with its own class only (click-facts [compare.classes])."""
+"""Kinds that can be compared only with their own class (click-facts [compare.classes])."""
 
 FLOAT_MAX = 3.4028235e38
 FLOAT_MIN = 1.1754944e-38
@@ -59,9 +60,9 @@ class Bank:
     title: str
     retentive: bool = False
     settings_fixed: bool = False
-    """True where CLICK lets nobody edit initial value and retention: SC, SD, XD, YD (click-facts [bank.fixed])."""
+    """True if nobody can edit initial value and retention in CLICK: SC, SD, XD, YD (click-facts [bank.fixed])."""
     allocatable: bool = True
-    """True where clickgen may choose an address for a name."""
+    """True if clickgen may choose an address for a name here."""
     digits: int = 1
 
     @property
@@ -82,10 +83,13 @@ class Bank:
         return self.name.lower()
 
     def has(self, number: int) -> bool:
-        return any(first <= number <= last for first, last in self.ranges)
+        for first, last in self.ranges:  # noqa: SIM110  any() takes twice the time, and every address asks.
+            if first <= number <= last:
+                return True
+        return False
 
     def gap_in(self, first: int, last: int) -> int | None:
-        """The first number of a stretch that the bank does not have; None where it has all."""
+        """The first number of a stretch that the bank does not have; None if it has them all."""
         for start, end in self.ranges:
             if start <= first <= end:
                 first = end + 1
@@ -129,7 +133,7 @@ BANKS: dict[str, Bank] = {bank.name: bank for bank in _ALL}
 ORDER: dict[str, int] = {name: index for index, name in enumerate(BANKS)}
 
 CURRENT_VALUE_OF = {"TD": "T", "CTD": "CT"}
-"""The banks of current values, and the bank of the bits they belong to, by the same numbers
+"""The banks of current values, each with the bank of its bits, which have the same numbers
 (click-facts [bank.current-values])."""
 
 VALUE_BANK = {bit: value for value, bit in CURRENT_VALUE_OF.items()}
@@ -138,7 +142,7 @@ POINTED = ("C", "DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "TXT")
 """The banks that a pointer can point into (click-facts [copy.pointers])."""
 
 READ_ONLY = {"X": "an input", "T": "a timer's bit", "CT": "a counter's bit", "XD": "an input word"}
-"""The banks that no instruction writes, and what they are (click-facts [bank.read-only])."""
+"""The banks that no instruction writes, with a description (click-facts [bank.read-only])."""
 
 WORD_TWINS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
 """Bits and the words that hold the same points: changing either changes the other."""
@@ -146,15 +150,15 @@ WORD_TWINS = {"X": "XD", "XD": "X", "Y": "YD", "YD": "Y"}
 TWIN_BANKS = {**WORD_TWINS, **VALUE_BANK, **CURRENT_VALUE_OF}
 """Banks whose cells change with those of another: points and words, bits of timers and counters and current values.
 
-When a bit follows a current value that an instruction writes, no source says: it may be at once (click-facts
+No source says when a bit follows a current value that an instruction writes: it may be at once (click-facts
 [bank.bit-and-value]).
 """
 
 MOVING_BANKS = ("T", "TD", "SC", "SD")
-"""Banks whose cells may change between two rungs although no instruction there writes them, for those who must be sure.
+"""Banks whose cells may change between two rungs though no instruction there writes them, for callers who must be sure.
 
-``device/system.py`` knows which points of SC and SD stay as they are. ``lower/effects.py`` says why splitting takes it
-that timers stay too.
+``device/system.py`` knows which points of SC and SD do not change. ``lower/effects.py`` says why splitting assumes
+that timers do not either.
 """
 
 UPPER_BYTE_BANKS = ("XD", "YD")
@@ -191,7 +195,7 @@ def current_value(bit: Address) -> Address:
 def points_of(word: Address) -> list[Address]:
     """The inputs or outputs that a word of XD or YD holds: XD0 is X001 to X016, XD0u X021 to X036, XD3 X301 to X316.
 
-    So the numbers of slots and words suggest (click-facts [bank.words]); any other address holds no points.
+    The numbers of slots and words suggest this (click-facts [bank.words]); any other address holds no points.
     """
     if word.bank not in UPPER_BYTE_BANKS:
         return []
@@ -214,8 +218,9 @@ _DIGITS_MAX = 4
 """The largest number is DS4500; int() refuses a text of thousands of digits."""
 
 
+@lru_cache(maxsize=1 << 15)
 def parse_address(text: str) -> Address | None:
-    """Read an address as CLICK writes it (``X001``, ``DS17``, ``XD0u``; any case), or None if it is none."""
+    """Read an address as CLICK writes it (``X001``, ``DS17``, ``XD0u``; any case); None if the text is not one."""
     text = text.strip()
     name = text.rstrip("uU0123456789").upper()
     bank = BANKS.get(name)

@@ -1,6 +1,6 @@
-"""CLICK's clock: the registers that show the time, those that set it, and what each can hold.
+"""CLICK's clock: the registers that show the time, those that set it, and the range of each.
 
-The help of CLICK gives the ranges, and 1 for Sunday to 7 for Saturday (click-facts [system.clock]).
+CLICK's help gives the ranges, and 1 for Sunday to 7 for Saturday (click-facts [system.clock]).
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _SHOWN = {
 _SET = {29: _YEAR, 31: _MONTH, 32: _DAY, 34: _HOUR, 35: _MINUTE, 36: _SECOND}
 
 CLOCK: Mapping[Address, Part] = {Address("SD", number): part for number, part in (_SHOWN | _SET).items()}
-"""The registers of the clock, those that set it among them."""
+"""The registers of the clock, including those that set it."""
 
 SETS_CLOCK = frozenset(Address("SD", number) for number in _SET)
 """The registers that SC53 (date) and SC55 (time) take over (click-facts [system.clock-set])."""

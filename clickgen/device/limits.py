@@ -37,9 +37,9 @@ _STYLES = (
     (re.compile(r"\*(.+?)\*", re.DOTALL), "i"),
     (re.compile(r"(?<!\w)_(.+?)_(?!\w)", re.DOTALL), "i"),
 )
-"""Marks that become bold, underlined or italic text in turn, and RTF's word for each."""
+"""The marks that turn text bold, underlined or italic, with RTF's word for each."""
 _STYLED_MAX = 2 * COMMENT_BYTES_MAX
-"""The characters in which marks are looked for."""
+"""The number of characters that are searched for marks."""
 _LINE_BREAK = 5
 """The bytes of a line break in RTF."""
 
@@ -49,14 +49,14 @@ def comment_bytes(comment: str) -> int:
     text = "".join(map(_down_converted, comment.translate(_SUBSTITUTES)))
     for character in "\\{}":
         text = text.replace(character, "\\" + character)
-    # Marks only make a comment longer, and looking for them in one that is far too long could take for ever.
+    # Marks only make a comment longer, and searching a comment that is far too long could take for ever.
     for pattern, word in _STYLES if len(text) <= _STYLED_MAX else ():
         text = pattern.sub(rf"{{\\{word} \1}}", text)
     return len(text) + (_LINE_BREAK - 1) * text.count("\n")
 
 
 def _down_converted(character: str) -> str:
-    """What a character outside ASCII becomes: its base letter, nothing for a mark, else a question mark."""
+    """The replacement of a character outside ASCII: its base letter, nothing for a mark, else a question mark."""
     if character.isascii():
         return character
     kept = []
@@ -69,7 +69,7 @@ def _down_converted(character: str) -> str:
 
 
 def styled_part(comment: str) -> str:
-    """The first stretch of a comment that CLICK would show bold, underlined or italic; "" when there is none."""
+    """The first stretch of a comment that CLICK would show bold, underlined or italic; "" if there is none."""
     for pattern, _ in _STYLES:
         match = pattern.search(comment[:_STYLED_MAX])
         if match:

@@ -1,5 +1,5 @@
-"""What Modbus has: register types, their numbers, and how much goes into one request (the Modbus protocol, and the
-codec where CLICK's own reading of it counts); and under which number each address of CLICK is found."""
+"""Modbus: register types, their numbers, and the size of one request (by the Modbus protocol, or by the codec where
+CLICK reads it in its own way); and the Modbus number of each address of CLICK."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from clickgen.device.system import WRITABLE_SC, WRITABLE_SD
 
 COIL, DISCRETE_INPUT, HOLDING, INPUT = "coil", "discrete_input", "holding", "input"
 REGISTER_TYPES = (COIL, DISCRETE_INPUT, HOLDING, INPUT)
-"""By the names that laddercodec has for them."""
+"""By laddercodec's names for them."""
 
 TYPE_WORDS = {
     COIL: "a coil",
@@ -28,17 +28,17 @@ NUMBERS_984 = {
     INPUT: (300001, 365536),
     HOLDING: (400001, 465536),
 }
-"""The 984 numbers of each register type; laddercodec divides them in the same places
+"""The 984 numbers of each register type; laddercodec divides them at the same places
 (click-facts [modbus.six-digits])."""
 
 _MANUAL_TYPES = {1: DISCRETE_INPUT, 3: INPUT, 4: HOLDING}
-"""The first of the five digits that manuals print, and what it stands for; CLICK has six digits for the same
+"""The first of the five digits that manuals print, and its register type; CLICK has six digits for the same
 (click-facts [modbus.six-digits])."""
 
 HEX_MAX = 0xFFFF
 PORT_MAX = 65535
 TCP_DEVICE_MAX = 255
-"""One byte stands for a device in the network."""
+"""One byte identifies a device in the network."""
 RTU_DEVICE_MAX = 247
 """Devices on one serial line; 0 is all of them at once (click-facts [modbus.devices])."""
 
@@ -48,7 +48,7 @@ WORDS_WRITTEN_MAX, WORDS_READ_MAX = 123, 125
 
 
 def register_type_of(number: int) -> str | None:
-    """The register type of a 984 number, or None when there is no such number."""
+    """The register type of a 984 number, or None if there is no such number."""
     return next((name for name, (low, high) in NUMBERS_984.items() if low <= number <= high), None)
 
 
@@ -63,12 +63,12 @@ class ModbusNumber(NamedTuple):
 
     @property
     def decimal(self) -> str:
-        """The number in the 984 counting, as CLICK shows it: ``400001``."""
+        """The 984 number, as CLICK shows it: ``400001``."""
         return str(NUMBERS_984[self.register_type][0] + self.offset)
 
     @property
     def hexadecimal(self) -> str:
-        """The number in CLICK's hexadecimal counting: ``0000h``."""
+        """CLICK's hexadecimal number: ``0000h``."""
         return f"{self.offset:04X}h"
 
     @property
@@ -83,7 +83,7 @@ FUNCTION_CODES = {COIL: "FC=01,05,15", DISCRETE_INPUT: "FC=02", HOLDING: "FC=03,
 
 
 class _Place(NamedTuple):
-    """Where a bank begins, and how many addresses one register, and how many registers one address takes."""
+    """The beginning of a bank, how many addresses one register takes, and how many registers one address takes."""
 
     register_type: str
     base: int
@@ -113,7 +113,7 @@ _PLACES = {
 (click-facts [modbus.numbers, modbus.upper-words, modbus.word-order])."""
 
 _CLICK_COILS = range(_PLACES["C"].base + 1, _PLACES["C"].base + 1 + BANKS["C"].last)
-"""C1 to C2000 of another CLICK, the only coils of one between 10001 and 49999."""
+"""C1 to C2000 of another CLICK: its only coils between 10001 and 49999."""
 
 _SLOT_POINTS = 32
 """Registers of a slot of X or Y; only 16 are points of the module, and slot 0 has two groups of 16
@@ -123,7 +123,7 @@ _WRITABLE = {
     "SC": (WRITABLE_SC - {303, 304, 305, 306, 323, 324, 325, 326}, COIL),
     "SD": (WRITABLE_SD, HOLDING),
 }
-"""Which of the read-only banks' addresses the export lets a master write, and as what
+"""The addresses of read-only banks that a master may write according to the export, and their type there
 (click-facts [modbus.writable])."""
 
 

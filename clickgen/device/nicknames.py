@@ -1,4 +1,4 @@
-"""What CLICK takes as a nickname and as an address comment (click-facts [name.characters])."""
+"""Nicknames and address comments that CLICK takes (click-facts [name.characters])."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ _CHARACTER_NAMES = {
 
 
 def nickname_fault(name: str, *, system: bool = False) -> str | None:
-    """What is wrong with a nickname, in one short sentence, or None when CLICK takes it.
+    """Return the fault of a nickname in one short sentence, or None if CLICK takes it.
 
-    ``system`` judges a name that CLICK itself gave: it may begin with an underscore and hold punctuation.
+    ``system`` is for a name that CLICK itself gave: it may begin with an underscore and hold punctuation.
     """
     if _PLAIN.fullmatch(name) and name.lower() not in RESERVED:
         return None
@@ -59,13 +59,13 @@ def nickname_fault(name: str, *, system: bool = False) -> str | None:
 
 
 def nickname_fault_at(address: Address, name: str) -> str | None:
-    """What is wrong with a nickname of an address; CLICK's own names pass on CLICK's own points."""
+    """Return the fault of a nickname of an address; CLICK's own names pass on CLICK's own points."""
     fault = nickname_fault(name)
     return nickname_fault(name, system=True) if fault and is_click_owned(address, name) else fault
 
 
 def is_click_owned(address: Address, name: str) -> bool:
-    """True where a nickname may be CLICK's own: on SC and SD, and ``_IO...`` on X (an analog module's state).
+    """True if a nickname may be CLICK's own: on SC and SD, and ``_IO...`` on X (an analog module's state).
 
     click-facts [name.underscore, system.io-names]
     """
@@ -73,13 +73,13 @@ def is_click_owned(address: Address, name: str) -> bool:
 
 
 def comment_fault(text: str) -> str | None:
-    """What is wrong with an address comment, in one short sentence, or None when CLICK takes it."""
+    """Return the fault of an address comment in one short sentence, or None if CLICK takes it."""
     if len(text) > COMMENT_MAX:
         return f"it has {len(text)} characters and CLICK takes {COMMENT_MAX}"
     if text.isprintable():
         return None
     for character in text:
-        # A NUL or a lone surrogate has no place in a UTF-8 text file; line breaks can stand between quotes.
+        # A UTF-8 text file cannot hold a NUL or a lone surrogate; line breaks are allowed between quotes.
         if (character < " " and character not in "\t\n\r") or character == "\x7f" or "\ud800" <= character <= "\udfff":
             return f"it holds {_named(character)}"
     return None

@@ -1,4 +1,4 @@
-"""CLICK's own files: how its projects, program files and captures are known, and what else is given for a program.
+"""CLICK's own files: recognizes projects, program files, captures, and other files given in place of a program.
 
 The marks are in click-facts [click-file.captures, click-file.program, click-file.project].
 """
@@ -11,7 +11,7 @@ import re
 import shlex
 
 _MARKS = (b"SC-PRJ", b"scp.bin.zi")
-"""Each alone marks a project: some have both, some the first alone."""
+"""Each alone marks a project: some have both, some only the first."""
 _MEMBERS_MAX = 64
 _ENDING = ".ckp"
 PROGRAM_MAGIC = b"SC-SCR  "
@@ -27,7 +27,7 @@ CLICKS_LADDER = (
 
 
 def no_program(data: bytes, name: str) -> tuple[str, str] | None:
-    """What a file is that was given for a program, and the way out; None for what may be one."""
+    """Return the kind of a file given in place of a program, and the way out; None for what may be a program."""
     ending = os.path.splitext(name)[1].casefold()
     is_text = b"\0" not in data[:4096] and not data.startswith(_ARCHIVES)
     if is_click_project(data, name):
@@ -55,14 +55,14 @@ def is_click_project(data: bytes, name: str = "") -> bool:
     """True for the bytes of a project, or for a file that is named like one."""
     if name.casefold().endswith(_ENDING) or data.startswith(_MARKS[0]):
         return True
-    # A comment of a text may hold a mark.
+    # A comment in a text may hold a mark.
     if b"\0" in data and any(mark in data for mark in _MARKS):
         return True
     return data.startswith(b"PK\x03\x04") and _has_project(data)
 
 
 def _has_project(data: bytes) -> bool:
-    """True for an archive with a member that begins as a project does."""
+    """True for an archive with a member that begins like a project."""
     # Few programs are archives.
     import zipfile
     import zlib
@@ -74,5 +74,5 @@ def _has_project(data: bytes) -> bool:
                     if file.read(len(_MARKS[0])) == _MARKS[0]:
                         return True
     except (zipfile.BadZipFile, NotImplementedError, RuntimeError, OSError, EOFError, ValueError, zlib.error):
-        pass  # damaged, encrypted, or packed in a way that is not known
+        pass  # damaged, encrypted, or packed in an unknown way
     return False

@@ -1,7 +1,7 @@
 """CLICK's own points: the names of its system relays and registers, and which of them a program may write.
 
-The names are those that CLICK PLUS 3.41 shows (click-facts [system.names]). Spellings of other lists are known as well,
-so that a program that was written with them still builds (click-facts [system.moved, system.spellings]);
+The names are those that CLICK PLUS 3.41 shows (click-facts [system.names]). Spellings of other lists are known too,
+so a program that was written with them still builds (click-facts [system.moved, system.spellings]);
 scripts/make_system_nicknames.py says where each comes from.
 """
 
@@ -18,10 +18,10 @@ from clickgen.device.banks import Address
 ALWAYS_ON = Address("SC", 1)
 
 WRITABLE_SC = frozenset((50, 51, 53, 55, 60, 61, 65, 66, 67, 75, 76, 120, 121, 303, 304, 305, 306, 323, 324, 325, 326))
-"""The numbers of the SC bits that a coil may drive (click-facts [bank.writable-sc]); the disputed ones included."""
+"""The numbers of the SC bits that a coil may drive (click-facts [bank.writable-sc]), including the disputed ones."""
 
 DISPUTED_SC = frozenset((305, 306, 325, 326))
-"""SC bits that one list, taken from an export, has as writable and CLICK PLUS 3.41 has not
+"""SC bits that are writable in one list, taken from an export, but not in CLICK PLUS 3.41
 (click-facts [bank.writable-sc-disputed])."""
 
 WRITABLE_SD = frozenset(
@@ -30,12 +30,12 @@ WRITABLE_SD = frozenset(
 """The numbers of the SD registers that an instruction may write (click-facts [bank.writable-sd]); CLICK 3.41 agrees."""
 
 _STEADY = {"SC": frozenset((1, 2, 3, 40, 43, 44, 202)), "SD": frozenset((5, 6, 7, 8, 9, 13, *range(188, 200)))}
-"""The system points that stay as they are until the next scan, unless an instruction of the program changes them.
+"""The system points that do not change until the next scan, unless an instruction of the program changes them.
 
 SC1 to SC3 and SD9 count scans. SC40, SC43 and SC44 are results of instructions (click-facts [scan.flags]). SC202,
-SD13, the firmware's versions (SD5 to SD8) and the MAC addresses (SD188 to SD199) are settings. So their names say in
+SD13, the firmware's versions (SD5 to SD8) and the MAC addresses (SD188 to SD199) are settings, by their names in
 CLICK's own export (click-facts [scan.system-points]). No source says when CLICK changes the others, such as its clocks
-and what a port reports.
+and the reports of its ports.
 """
 
 _Key = TypeVar("_Key", str, tuple[str, ...])
@@ -43,7 +43,7 @@ _DATA = Path(__file__).with_name("system_nicknames.csv")
 
 
 class SystemPoint(NamedTuple):
-    """One of CLICK's own points. ``name`` is "" where CLICK 3.41 shows none, ``other`` is what another list has."""
+    """One of CLICK's own points. ``name`` is "" if CLICK 3.41 shows none, ``other`` is the name in another list."""
 
     address: Address
     name: str
@@ -69,11 +69,11 @@ def system_nicknames() -> dict[str, tuple[str, Address]]:
 
 
 def addresses_of_system_name(name: str) -> tuple[Address, ...]:
-    """What one of CLICK's own names means; several addresses where that is in doubt, none for any other name.
+    """Return the meaning of one of CLICK's own names: several addresses if it is in doubt, none for any other name.
 
-    Case does not count. Spaces do not either, as CLICK sets one before some brackets and not before others
-    (``_RTC_Year(4 digits)``) and nobody remembers which. Two addresses have a name that moved between versions of
-    CLICK, and one that CLICK 3.41 does not show, but that differs only in spaces and underscores from names of two
+    Case does not count. Nor do spaces, since CLICK puts one before some brackets and not before others
+    (``_RTC_Year(4 digits)``) and nobody remembers which. A name has two addresses if it moved between versions of
+    CLICK, or if CLICK 3.41 does not show it and it differs only in spaces and underscores from names of two
     addresses: ``_I/O_Module_Error`` is SC22 in an older list, and SC20 is ``_I/O Module Error`` in CLICK 3.41.
     """
     lower = name.lower()
@@ -85,7 +85,7 @@ def addresses_of_system_name(name: str) -> tuple[Address, ...]:
 
 
 def doubt_about(name: str) -> str:
-    """``_X is SD132 in CLICK 3.41 and SD134 in another version``: the reason why a name has several addresses."""
+    """The reason why a name has several addresses: ``_X is SD132 in CLICK 3.41 and SD134 in another version``."""
     addresses = addresses_of_system_name(name)
     said = [
         (written, f"{address} in {'CLICK 3.41' if written == point.name else 'another version'}")
@@ -105,7 +105,7 @@ def changes_by_itself(address: Address) -> bool:
 
 
 def find_system_name(name: str) -> tuple[str, Address] | None:
-    """The system point with this name, and the name that CLICK shows for it; None where two have had the name."""
+    """The system point with this name, and the name that CLICK shows for it; None if two points have had the name."""
     addresses = addresses_of_system_name(name)
     return (_shown()[addresses[0]], addresses[0]) if len(addresses) == 1 else None
 
@@ -116,12 +116,12 @@ def system_name_of(address: Address) -> str | None:
 
 
 def is_system_name_of(name: str, address: Address) -> bool:
-    """True for a name that CLICK gives to this address, be it in one version only."""
+    """True for a name that CLICK gives to this address, even in one version only."""
     return address in addresses_of_system_name(name)
 
 
 def near_system_name(name: str, bank: str) -> str:
-    """The one system point of a bank that a misspelled name can only mean; "" when there is none, or a doubt.
+    """The only system point of a bank that a misspelled name can mean; "" if there is none, or a doubt.
 
     A register beside the right one is a wrong register: ``_RTC_New_Hour`` is no spelling of ``_RTC_Hours``. So numbers,
     short words and words that CLICK uses itself must agree, and only one other word may have a slip in it.
@@ -203,14 +203,14 @@ _SAME_WORDS = {
     for word in words.split()
 }
 _SILENT_WORDS = frozenset(("clock", "flag", "bit", "the"))
-"""Words that say nothing beside two others: ``_1sec`` can only be ``_1sec_Clock``."""
+"""Words that add nothing to two others: ``_1sec`` can only be ``_1sec_Clock``."""
 _WORD = re.compile(r"1st|\d+|[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+", re.ASCII)
 
 
 def _meaning(name: str) -> tuple[str, ...]:
     """The words of a name in one spelling: ``First_Scan`` is ``_1st_SCAN``, and ``Clock_1s`` is ``_1sec_Clock``.
 
-    They stay in order: nobody knows whether ``_RTC_Hour_New`` is ``_RTC_New_Hour``.
+    Their order stays: nobody knows whether ``_RTC_Hour_New`` is ``_RTC_New_Hour``.
     """
     words = [_SAME_WORDS.get(word.lower(), word.lower()) for word in _WORD.findall(name)]
     telling = [word for word in words if word not in _SILENT_WORDS]
@@ -220,7 +220,7 @@ def _meaning(name: str) -> tuple[str, ...]:
 # -- slips of the pen -------------------------------------------------------------------------------------------------
 
 _SHORTEST_SLIP = 4
-"""In a shorter word one other letter makes another word: ``on`` and ``of``, ``day`` and ``dry``."""
+"""In a shorter word, another letter makes another word: ``on`` and ``of``, ``day`` and ``dry``."""
 
 
 def _words(name: str) -> list[str]:
@@ -250,7 +250,7 @@ def _is_slip(written: list[str], known: list[str]) -> bool:
 
 
 def _is_one_letter_off(one: str, other: str) -> bool:
-    """One letter too many, too few or another, or two neighbours the other way round."""
+    """True for one letter too many, too few or different, or two neighbours exchanged."""
     if len(one) > len(other):
         one, other = other, one
     start = next((index for index, letter in enumerate(one) if letter != other[index]), len(one))

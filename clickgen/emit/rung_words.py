@@ -9,10 +9,9 @@ from clickgen.click.draw.tokens import NEVER_CONTACT, action_token, operand_toke
 from clickgen.click.draw.words import condition_words, term_words
 from clickgen.device.banks import CURRENT_VALUE_OF, Address
 from clickgen.device.system import system_name_of
-from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import All, Always, Any, Condition
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer
-from clickgen.ir.program import Action, Branch, Item
+from clickgen.ir.program import Action, Branch, Item, KeptToken
 
 _KEYWORD = re.compile(r"[a-z_]+=")
 _KEPT_HEAD = 3
@@ -60,7 +59,9 @@ def item_lines(indent: str, items: tuple[Item, ...], names: Names) -> Iterator[s
             yield from item_lines(indent + "  ", item.items, names)
         else:
             assert isinstance(item, Action)
-            yield from _broken(indent, action_token(item, names.show))
+            kept = item.args.get("token")
+            is_kept = isinstance(kept, KeptToken) and not kept.is_formula
+            yield from _broken(indent, action_token(item, names.show), is_kept)
             for param in item.spec.pins:
                 condition = item.pin(param.name)
                 if condition is None and not param.missing_pin:
@@ -69,7 +70,7 @@ def item_lines(indent: str, items: tuple[Item, ...], names: Names) -> Iterator[s
                 yield f"{indent}  {pin_token(item, param, names.show)} if {words}"
 
 
-def _broken(indent: str, token: str) -> Iterator[str]:
+def _broken(indent: str, token: str, is_kept: bool) -> Iterator[str]:
     """An instruction; a long one that CLICK writes with keywords has each of them on a line of its own.
 
     So have the fields of a long one that is kept, and a pattern has a line for each of its rows.
@@ -79,7 +80,7 @@ def _broken(indent: str, token: str) -> Iterator[str]:
         return
     head, opening, inner = token.partition("(")
     parts = _parts(inner[:-1])
-    is_kept = head == RAW.name and len(parts) > _KEPT_HEAD
+    is_kept = is_kept and len(parts) > _KEPT_HEAD
     if not (is_kept or all(_KEYWORD.match(part) for part in parts)):
         yield indent + token
         return

@@ -1,1 +1,1 @@
-"""What is wrong with a program: the rules that every build applies, one file each."""
+"""A flat view of the resolved program and its uses, for the rules."""

@@ -1,4 +1,4 @@
-"""What instructions change, as stretches of addresses: what a rung has written may no longer be what it was."""
+"""The addresses that instructions change, as stretches: after a rung has written, a condition may have changed."""
 
 from __future__ import annotations
 
@@ -9,20 +9,16 @@ from functools import cached_property
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, MOVING_BANKS, TWIN_BANKS, Address, points_of
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use, addresses_of, extents_of
-from clickgen.instructions import communication
-from clickgen.instructions.control import CALL
-from clickgen.instructions.raw import RAW
+from clickgen.instructions.effects import Flow
 from clickgen.ir.operands import Immediate, Operand, Pointer
 from clickgen.ir.program import Action
 
 Extent = tuple[str, int, int]
 """A bank, and the first and last number."""
 
-_MESSAGES = frozenset(spec.name for spec in (*communication.SPECS, RAW))
-
 
 def extents_written(operand: Operand) -> list[Extent]:
-    """What writing an operand may change: the bits of current values too, and through a pointer all of its bank."""
+    """The stretches that writing an operand may change: bits of current values too, and all of a pointer's bank."""
     if isinstance(operand, Pointer):
         return [(bank, 0, BANKS[bank].last) for bank in (operand.bank, TWIN_BANKS.get(operand.bank, operand.bank))]
     extents = extents_of(operand)
@@ -36,7 +32,7 @@ def with_points(operand: Operand) -> set[Address]:
 
 
 def meets(extents: Iterable[Extent], operand: Operand) -> bool:
-    """True when some of these stretches holds an address of the operand."""
+    """True if any of these stretches holds an address of the operand."""
     own = extents_of(operand)
     return any(
         bank == name and first <= end and start <= last for bank, first, last in own for name, start, end in extents
@@ -44,31 +40,31 @@ def meets(extents: Iterable[Extent], operand: Operand) -> bool:
 
 
 class Changes:
-    """What each instruction of a program writes; a call writes what its subroutine writes."""
+    """The stretches that each instruction of a program writes; a call writes what its subroutine writes."""
 
     def __init__(self, facts: Facts) -> None:
         self._facts = facts
 
     def of(self, action: Action) -> list[Extent]:
-        """What running an action may change, CLICK's status bits aside."""
-        if action.spec is CALL:
-            return self._by_routine.get(action.word("subroutine"), [])
+        """The stretches that running an action may change, except CLICK's status bits."""
+        if action.effects.flow is Flow.CALL:
+            return self._by_routine.get(action.called, [])
         return self._by_action.get(id(action), [])
 
     def surely(self, action: Action) -> list[Extent]:
-        """What an action writes for sure where it runs: not what a pointer may lead to, and nothing of a call."""
+        """The stretches that an action certainly writes if it runs: not a pointer's target, and nothing of a call."""
         return self._named_by_action.get(id(action), [])
 
     def may_change(self, operand: Operand, extents: Iterable[Extent]) -> bool:
-        """True when an operand of a condition may have another value after these changes."""
+        """True if an operand of a condition may have another value after these changes."""
         if isinstance(operand, Immediate) or not self.arriving.isdisjoint(with_points(operand)):
             return True
         return any(bank in MOVING_BANKS for bank, _, _ in extents_of(operand)) or meets(extents, operand)
 
     @cached_property
     def arriving(self) -> frozenset[Address]:
-        """What other devices write, in their own time, with the points of words."""
-        uses = (use for use in self._written if use.action and use.action.spec.name in _MESSAGES)
+        """The addresses that other devices write, in their own time, with the points of words."""
+        uses = (use for use in self._written if use.action and use.action.may_be_late)
         return frozenset(address for use in uses for address in with_points(use.operand))
 
     @cached_property

@@ -1,4 +1,4 @@
-"""What copies put into a register: constants, other registers, and what these hold in turn."""
+"""The values that copies put into a register: constants, other registers, and what these hold in turn."""
 
 from __future__ import annotations
 
@@ -7,16 +7,19 @@ from collections.abc import Iterator
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.copies import COPY, COPY_BLOCK, COPY_FILL
+from clickgen.instructions.effects import Shape
 from clickgen.ir.operands import Cell, Constant, Pointer, Range, Single
 from clickgen.ir.reach import touches
 
+_PLAIN = (Shape.VALUE, Shape.FILL, Shape.BLOCK)
+"""The ways in which a value arrives as it is."""
+
 
 def put_in(writer: Placed, address: Address) -> Single | None:
-    """The one value that a copy puts into an address; None where the writer is no copy, or one of another kind."""
-    if writer.spec not in (COPY, COPY_FILL, COPY_BLOCK):
+    """The one value that a copy puts into an address; None if the writer is not a copy, or one of another kind."""
+    if writer.effects.shape not in _PLAIN:
         return None
-    source = writer.action.args["source"]
+    source = writer.action.moved
     if isinstance(source, Range):
         written = [one for touch in touches(writer.action) if touch.is_written for one in addresses_of(touch.operand)]
         read = source.addresses()
@@ -25,9 +28,9 @@ def put_in(writer: Placed, address: Address) -> Single | None:
 
 
 def origins(facts: Facts, address: Address) -> Iterator[Single]:
-    """The registers and constants that copies, and copies of copies, put into a register as they are.
+    """The registers and constants that copies, and copies of copies, put unchanged into a register.
 
-    A whole number goes into any register as it is, a floating-point number only into another of its bank.
+    A whole number goes unchanged into any register, a floating-point number only into another one of its bank.
     """
     seen = {address}
     waiting = [address]

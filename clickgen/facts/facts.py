@@ -1,17 +1,17 @@
-"""A resolved program laid out flat for the rules: every action with where it stands, every contact, comparison."""
+"""A resolved program flattened for the rules: every action with its place, every contact, every comparison."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.system import ALWAYS_ON, system_name_of
+from clickgen.dialects.base import Dialect, Spelling
 from clickgen.facts.uses import Uses, addresses_of
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import CALL, END, NEXT, RETURN
+from clickgen.instructions.effects import Effects, Flow
 from clickgen.instructions.spec import Spec
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Single
@@ -25,22 +25,22 @@ from clickgen.text.wording import shorten
 
 FIRST_SCAN = Address("SC", 2)
 STARTING = frozenset((ALWAYS_ON, FIRST_SCAN))
-"""The bits that are always on and on in the first scan: what hangs on them alone gets the program ready."""
+"""The bits that are always on, and on in the first scan: an action on these alone prepares the program."""
 
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """An action and where it stands."""
+    """An action and its place."""
 
     action: Action
     routine: Routine
     rung: Rung
     loop: Action | None
-    """The ``for`` of the loop that it stands in, whether its body closes it or next_loop()."""
+    """The ``for`` of the loop around it, whether its body closes it or next_loop()."""
     in_body: bool
     """True in a rung of a loop's body, False in a rung of the routine itself."""
     condition: Condition
-    """All that must hold for the action to run: its rung's condition, those of branches, of an outer loop."""
+    """Everything that must hold for the action to run: its rung's condition, those of branches, of an outer loop."""
     opens_loop: bool = False
     """True for a ``for`` that next_loop() closes."""
 
@@ -49,24 +49,28 @@ class Placed:
         return self.action.spec
 
     @property
+    def effects(self) -> Effects:
+        return self.action.spec.effects
+
+    @property
     def is_unconditional(self) -> bool:
-        """True when nothing but the scan itself decides whether the action runs."""
+        """True if only the scan itself decides whether the action runs."""
         terms = self.condition.terms if isinstance(self.condition, All) else (self.condition,)
         return all(isinstance(term, Always) for term in terms)
 
     def depends_only_on(self, addresses: Collection[Address]) -> bool:
-        """True when its condition looks at none but these."""
+        """True if its condition looks at none but these."""
         operands = condition_operands(self.condition)
         return all(address in addresses for operand in operands for address in addresses_of(operand))
 
 
 @dataclass(frozen=True, slots=True)
 class Site:
-    """A condition and where it stands."""
+    """A condition and its place."""
 
     condition: Condition
     above: tuple[Condition, ...]
-    """What is in series with it and looked at in the same moment: its rung's condition, those of branches."""
+    """The conditions in series with it and looked at at the same moment: its rung's condition, those of branches."""
     routine: Routine
     rung: Rung
     pin: str = ""
@@ -75,17 +79,27 @@ class Site:
 
 @dataclass(frozen=True)
 class Facts:
-    """``sources`` are the program's files by path, ``rows`` what the address table will say after a build.
+    """``sources`` are the program's files by path, ``rows`` the rows of the address table after a build.
 
     ``blocks`` are those of the source and of the table.
     """
 
     program: Program
+    dialect: Dialect
     sources: Mapping[str, SourceFile] = field(default_factory=dict)
     rows: Mapping[Address, Row] = field(default_factory=dict)
     placed: frozenset[Address] = frozenset()
     """The addresses that clickgen chose for a name, in this build or before."""
     blocks: Collection[Block] = ()
+    scratch_rows: Callable[[], Collection[Row]] = tuple
+    """The rows of the scratch cells; none before the program is lowered."""
+    importers: Callable[[], Sequence[str]] = tuple
+    """The programs beside this one that import its file."""
+
+    @property
+    def spell(self) -> Spelling:
+        """How the program's dialect writes what messages show."""
+        return self.dialect.spell
 
     def shown(self, address: Address) -> str:
         """An address with its nickname, for a message: ``C5 (Motor)``."""
@@ -95,7 +109,7 @@ class Facts:
         return f"{address} ({name})" if name else str(address)
 
     def nickname(self, address: Address) -> str:
-        """What the address is called; ``""`` where it has no nickname."""
+        """The nickname of an address; ``""`` if it has none."""
         row = self.rows.get(address)
         return row.nickname if row else ""
 
@@ -122,7 +136,7 @@ class Facts:
     def _side(self, compare: Compare, side: Single) -> str:
         if isinstance(side, Cell):
             return self.shown(side.address)
-        # A register by itself is compared with a 0 that stands nowhere.
+        # A register by itself is compared with an unwritten 0.
         return "0" if compare.left.span == compare.right.span else self.text(side.span)
 
     def text(self, span: Span) -> str:
@@ -136,7 +150,8 @@ class Facts:
     def with_test(self, placed: Placed, test: str) -> str:
         """An action's rung with one more test in series, for a way out: ``all(c.Run, ds.Rows > 0)``."""
         condition = placed.rung.condition
-        return test if isinstance(condition, Always) else f"all({shorten(self.text(condition.span))}, {test})"
+        is_free = isinstance(condition, Always)
+        return test if is_free else self.spell.every(shorten(self.text(condition.span)), test)
 
     @cached_property
     def uses(self) -> Uses:
@@ -160,21 +175,21 @@ class Facts:
 
     @cached_property
     def declared(self) -> Mapping[Address, Declaration]:
-        """What ``nickname(...)`` says in the source, by address."""
+        """The ``nickname(...)`` of each address in the source."""
         return {declaration.cell.address: declaration for declaration in self.program.declarations}
 
     def initial(self, address: Address) -> str:
-        """What the address begins with, as the table writes it; ``""`` where it says nothing."""
+        """The initial value of the address as in the table; ``""`` if it has none."""
         row = self.rows.get(address)
         return row.initial if row else ""
 
     def is_retentive(self, address: Address) -> bool:
-        """True when the address keeps its value over a power cycle."""
+        """True if the address keeps its value over a power cycle."""
         row = self.rows.get(address)
         return row.retentive if row else BANKS[address.bank].retentive
 
     def is_set_up(self, address: Address) -> bool:
-        """True where the source or the table says what the address begins with or keeps, beyond what CLICK assumes."""
+        """True if the source or the table gives initial value or retention beyond CLICK's defaults."""
         declared = self.declared.get(address)
         if declared and (declared.initial is not None or declared.retentive is not None):
             return True
@@ -187,12 +202,12 @@ class Facts:
             actions = {id(use.action): None for use in self.uses.writes(address)}
             writers = tuple(self._by_action[action] for action in actions)
             if self.uses.is_in_long_range(address.bank):
-                return writers  # What is kept for each address of many long ranges takes too much memory.
+                return writers  # Caching these for each address of many long ranges takes too much memory.
             self._writers[address] = writers
         return self._writers[address]
 
     def place_of(self, action: Action) -> Placed:
-        """Where an action of the program stands."""
+        """The place of an action of the program."""
         return self._by_action[id(action)]
 
     @cached_property
@@ -213,12 +228,12 @@ class Facts:
         """The calls of each subroutine that is called, by its name."""
         calls: dict[str, list[Placed]] = {}
         for placed in self.actions:
-            if placed.spec is CALL:
-                calls.setdefault(placed.action.word("subroutine"), []).append(placed)
+            if placed.effects.flow is Flow.CALL:
+                calls.setdefault(placed.action.called, []).append(placed)
         return {name: tuple(placed) for name, placed in calls.items()}
 
     def sometimes(self, routine: Routine) -> Any | None:
-        """When a subroutine is called; None when that is in every scan, or never."""
+        """The condition under which a subroutine is called; None if that is in every scan, or never."""
         calls = self.calls.get(routine.name, ())
         conditions = tuple(self.seen_through(call.condition) for call in calls)
         never = Contact(Cell(ALWAYS_ON, routine.span), routine.span, negated=True)
@@ -229,7 +244,7 @@ class Facts:
     @cached_property
     def left_early(self) -> frozenset[str]:
         """The names of the routines that an end() or return under a condition may leave before their last rung."""
-        exits = (placed for placed in self.actions if placed.spec in (END, RETURN))
+        exits = (placed for placed in self.actions if placed.effects.leaves)
         return frozenset(placed.routine.name for placed in exits if not placed.is_unconditional)
 
     def run_apart(self, one: Routine, other: Routine) -> bool:
@@ -247,15 +262,15 @@ class Facts:
         return {}
 
     def exclude_each_other(self, one: Placed, other: Placed) -> bool:
-        """True when two actions never run in the same scan, as far as the program changes nothing in between."""
+        """True if two actions never run in the same scan, as far as the program changes nothing in between."""
         return are_exclusive(*self.ways_to(one), *self.ways_to(other))
 
     def ways_to(self, placed: Placed) -> tuple[Condition, Condition]:
-        """What must hold for an action to run, and the same seen through the coils that stand for conditions."""
+        """What must hold for an action to run, and the same seen through the coils that represent conditions."""
         return placed.condition, self.seen_through(placed.condition)
 
     def seen_through(self, condition: Condition) -> Condition:
-        """The condition with what drives it in the place of each coil of main that ``out`` alone drives."""
+        """The condition with each coil of main that only ``out`` drives replaced by what drives it."""
         if isinstance(condition, All | Any):
             return type(condition)(tuple(map(self.seen_through, condition.terms)), condition.span)
         if not isinstance(condition, Contact) or condition.negated or condition.edge:
@@ -279,11 +294,11 @@ class Facts:
         (writer,) = writers
         is_level = not any(isinstance(leaf, Contact) and leaf.edge for leaf in leaves(writer.condition))
         is_steady = writer.routine.is_main and not writer.loop and not writer.action.flag("oneshot")
-        return writer.condition if writer.spec is OUT and is_steady and is_level else None
+        return writer.condition if writer.effects.follows_power and is_steady and is_level else None
 
     @cached_property
     def sites(self) -> tuple[Site, ...]:
-        """Every condition of rungs, branches and pins with where it stands, in source order."""
+        """Every condition of rungs, branches and pins with its place, in source order."""
         return tuple(
             site for routine in self.program.routines for rung in routine.rungs for site in _rung_sites(rung, routine)
         )
@@ -315,7 +330,7 @@ def _placed_in(routine: Routine) -> Iterator[Placed]:
     for rung in routine.rungs:
         for placed in _placed(rung.items, routine, rung, None, (rung.condition,)):
             yield replace(placed, loop=opened) if opened and placed.loop is None else placed
-            if placed.spec is NEXT:
+            if placed.effects.flow is Flow.NEXT:
                 opened = None
             elif placed.opens_loop:
                 opened = opened or placed.action

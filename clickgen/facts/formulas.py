@@ -1,4 +1,4 @@
-"""Formulas for the rules: where a part stands, and registers in them that hold nothing but 0."""
+"""Formulas for the rules: the place of a part, and registers in them that hold nothing but 0."""
 
 from __future__ import annotations
 
@@ -8,8 +8,7 @@ from typing import NamedTuple
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.uses import Use
 from clickgen.formula.values import value_of
-from clickgen.instructions import maths
-from clickgen.instructions.copies import COPY, COPY_FILL
+from clickgen.instructions.effects import Shape
 from clickgen.ir.conditions import Compare
 from clickgen.ir.formula_nodes import Node
 from clickgen.ir.operands import Cell, Hex, Integer, Real
@@ -18,7 +17,7 @@ from clickgen.logic.conditions import are_exclusive
 from clickgen.text.source import Span
 
 _BANKS = ("DS", "DD", "DH", "DF")
-"""Banks whose registers hold what the program puts there, and what a panel does."""
+"""Banks whose registers hold only what the program or a panel puts there."""
 
 
 class Calculation(NamedTuple):
@@ -29,20 +28,20 @@ class Calculation(NamedTuple):
 
     @property
     def destination(self) -> Cell | None:
-        cell = self.placed.action.args["destination"]
+        cell = self.placed.action.moved_to
         return cell if isinstance(cell, Cell) else None
 
 
 def calculations(facts: Facts) -> Iterator[Calculation]:
     """Every calc and math_hex of a program, in source order."""
     for placed in facts.actions:
-        formula = placed.action.args.get("formula")
-        if placed.spec in maths.SPECS and isinstance(formula, FormulaText):
+        formula = placed.action.moved
+        if isinstance(formula, FormulaText):
             yield Calculation(placed, formula)
 
 
 def place_of(facts: Facts, formula: FormulaText, node: Node) -> Span:
-    """Where a part of the formula stands; the whole formula where its literal is more than quotes around it."""
+    """The place of a part of the formula; the whole formula if its literal is more than quotes around it."""
     span = formula.span
     text = facts.text(span)
     if text[:1] not in ('"', "'") or text[:2] in ('""', "''") or "\\" in text or text.count(text[0]) != 2:
@@ -52,13 +51,13 @@ def place_of(facts: Facts, formula: FormulaText, node: Node) -> Span:
 
 def shown_register(facts: Facts, cell: Cell) -> str:
     """A register as the language writes it."""
-    return facts.text(cell.span) or f"{cell.bank.lower()}[{cell.address.number}]"
+    return facts.text(cell.span) or facts.spell.cell(cell.address)
 
 
 def holds_only_zero(facts: Facts, placed: Placed, cell: Cell) -> str:
-    """``nothing`` or ``nothing but 0``: what the program writes to a register that is 0 where a formula runs.
+    """``nothing`` or ``nothing but 0``: what the program writes to a register that is 0 when a formula runs.
 
-    "" where it may hold another number, as far as the program says.
+    "" if it may hold another number, as far as the program shows.
     """
     if cell.bank not in _BANKS or facts.is_set_up(cell.address):
         return ""
@@ -71,7 +70,7 @@ def holds_only_zero(facts: Facts, placed: Placed, cell: Cell) -> str:
 
 
 def _is_tested(placed: Placed, cell: Cell) -> bool:
-    """True when the formula only runs while the register is not 0."""
+    """True if the formula only runs while the register is not 0."""
     zero = Hex(0, cell.span) if cell.bank == "DH" else Integer(0, cell.span)
     return are_exclusive(placed.condition, Compare("==", cell, zero, cell.span))
 
@@ -79,8 +78,8 @@ def _is_tested(placed: Placed, cell: Cell) -> bool:
 def _writes_zero(use: Use) -> bool:
     """True for an instruction that writes nothing but 0."""
     assert use.action is not None
-    formula = use.action.args.get("formula")
-    if isinstance(formula, FormulaText):
-        return value_of(formula.formula.root) == 0
-    source = use.action.args.get("source")
-    return use.action.spec in (COPY, COPY_FILL) and isinstance(source, Integer | Hex | Real) and source.value == 0
+    moved = use.action.moved
+    if isinstance(moved, FormulaText):
+        return value_of(moved.formula.root) == 0
+    is_plain = use.action.effects.shape in (Shape.VALUE, Shape.FILL)
+    return is_plain and isinstance(moved, Integer | Hex | Real) and moved.value == 0

@@ -7,20 +7,18 @@ from typing import NamedTuple
 
 from clickgen.device.system import ALWAYS_ON
 from clickgen.facts.facts import Facts
-from clickgen.instructions.control import END, NEXT, RETURN
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import All, Always, Any, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, Branch, Item, Rung, actions_in, loops_in, rungs_in
-
-_EXITS = (END, RETURN)
 
 
 def never_run(facts: Facts) -> set[int]:
     """The ids of actions that decide nothing: in subroutines that nothing calls, and after an end() or return."""
     missed = (one for routine in facts.program.routines for one in unreached(routine.rungs))
-    # What CLICK gets to with its rung off turns its bit off.
+    # An action that CLICK reaches with its rung off turns its bit off.
     idle = {id(one.action) for one in missed if not one.is_looked_at}
-    if facts.program.main is None:  # A part of a program: what runs, another file says.
+    if facts.program.main is None:  # A part of a program: another file decides what runs.
         return idle
     uncalled = (one for one in facts.actions if not one.routine.is_main and one.routine.name not in facts.calls)
     return idle | {id(placed.action) for placed in uncalled}
@@ -33,19 +31,19 @@ class Missed(NamedTuple):
     rung: Rung
     action: Action
     is_rung_reached: bool
-    """True when only the end of the rung is never reached."""
+    """True if only the end of the rung is never reached."""
     is_looked_at: bool = False
-    """True when CLICK gets there while the rung is off: a coil there is turned off, and never on."""
+    """True if CLICK reaches it while the rung is off: a coil there is turned off, and never on."""
 
 
 def unreached(rungs: tuple[Rung, ...]) -> Iterator[Missed]:
-    """The actions after what always leaves, of a routine or of a loop's body."""
+    """Yield the actions of a routine or of a loop's body after one that always leaves."""
     left: Action | None = None
     is_open = left_in_loop = False
     for rung in rungs:
         actions = [action for one in rungs_in((rung,)) for action in actions_in(one.items)]
-        if any(action.spec is NEXT for action in actions):
-            # What leaves inside a loop leaves only when the loop runs at all.
+        if any(action.effects.flow is Flow.NEXT for action in actions):
+            # An action that leaves inside a loop leaves only if the loop runs at all.
             is_open = False
             if left_in_loop:
                 left, left_in_loop = None, False
@@ -65,14 +63,14 @@ def unreached(rungs: tuple[Rung, ...]) -> Iterator[Missed]:
 
 
 def _left_in(items: tuple[Item, ...], rung: Rung, is_certain: bool, behind: list[Missed]) -> Action | None:
-    """What leaves among these items whenever their condition is on; ``behind`` gets what can never run after it."""
+    """The item that leaves whenever their condition is on; ``behind`` gets the actions that can never run after it."""
     for index, item in enumerate(items):
         left: Action | None = None
         if isinstance(item, Branch):
             is_always = _is_always(item.condition)
             inner = _left_in(item.items, rung, is_certain and is_always, behind)
             left = inner if is_always else None
-        elif isinstance(item, Action) and item.spec in _EXITS:
+        elif isinstance(item, Action) and item.effects.leaves:
             left = item
         if left is not None:
             behind += [Missed(left, rung, action, True, not is_certain) for action in actions_in(items[index + 1 :])]

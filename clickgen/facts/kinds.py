@@ -7,30 +7,32 @@ import re
 from clickgen.device.banks import BANKS, Kind
 from clickgen.facts.facts import Facts
 from clickgen.facts.values import range_fault
+from clickgen.instructions.offered import COPY, COPY_PACK, SEARCH
 from clickgen.ir.conditions import Compare
-from clickgen.ir.operands import CharCode, Constant, Hex, Integer, Real, Single, Text
+from clickgen.ir.operands import Cell, CharCode, Constant, Hex, Integer, Real, Single, Text
 from clickgen.text.source import Span
 
 _WHOLE = (Kind.INT16, Kind.INT32)
-_HOME = {Kind.INT16: "ds", Kind.INT32: "dd", Kind.FLOAT: "df", Kind.HEX: "dh"}
+_HOME = {Kind.INT16: "DS", Kind.INT32: "DD", Kind.FLOAT: "DF", Kind.HEX: "DH"}
 _NUMBER = re.compile(r"\s*[+-]?\d{1,10}(?:\.\d{1,10})?\s*")
 _HEX = re.compile(r"[0-9A-Fa-f]{1,4}")
 _NOWHERE = Span("", 0, 0, 0, 0)
 
 
 def same_kind(facts: Facts, compare: Compare) -> str:
-    """The comparison as it is right, or with the rung that copies one of its sides before."""
+    """The corrected comparison, or the comparison with a rung before it that copies one of its sides."""
     left, right = compare.left, compare.right
     if isinstance(left, Constant):
         return _with_constant(facts, compare, left, right)
     if isinstance(right, Constant):
         return _with_constant(facts, compare, right, left)
-    # The decimal side stays: of the other a copy is compared.
+    # The decimal side stays: the other side is copied and the copy compared.
     ranks = {Kind.TEXT: 2, Kind.HEX: 1}
     copied, kept = sorted((left, right), key=lambda side: -ranks.get(_kind(side), 0))
-    option = ", options=to_value" if _kind(copied) is Kind.TEXT else ""
-    home = f"{_HOME[_kind(kept)]}.Copy"
-    return _after(f"copy({facts.text(copied.span)}, {home}{option})", _written(facts, compare, copied, home))
+    option = {"options": "to_value"} if _kind(copied) is Kind.TEXT else {}
+    home = facts.spell.name(_HOME[_kind(kept)], "Copy")
+    copy = facts.spell.call(COPY, facts.text(copied.span), home, **option)
+    return _after(facts, copy, _written(facts, compare, copied, home))
 
 
 def _kind(register: Single) -> Kind:
@@ -38,13 +40,13 @@ def _kind(register: Single) -> Kind:
 
 
 def _written(facts: Facts, compare: Compare, side: Single, text: str) -> str:
-    """The comparison with this text in the place of one of its sides."""
+    """The comparison with this text in place of one of its sides."""
     texts = [text if one is side else facts.text(one.span) for one in (compare.left, compare.right)]
-    return f"{texts[0]} {compare.op} {texts[1]}"
+    return facts.spell.compared(texts[0], compare.op, texts[1])
 
 
-def _after(action: str, condition: str) -> str:
-    return f"put a rung before it, if True: {action}, and write {condition}"
+def _after(facts: Facts, action: str, condition: str) -> str:
+    return f"put a rung before it, {facts.spell.rung('', action)}, and write {condition}"
 
 
 def _with_constant(facts: Facts, compare: Compare, constant: Constant, register: Single) -> str:
@@ -52,29 +54,37 @@ def _with_constant(facts: Facts, compare: Compare, constant: Constant, register:
     if kind is Kind.TEXT:
         return _beside_text(facts, compare, constant, register)
     number = _number_of(constant, kind)
-    shown = _shown(number, kind)
+    shown = _shown(facts, number, kind)
     if shown:
         help = f"write {_written(facts, compare, constant, shown)}"
         if kind is Kind.HEX and isinstance(constant, Text) and constant.value.isdigit() and int(constant.value) > 9:
-            help += f", or 0x{int(constant.value):04X} where {constant.value} is decimal"
+            help += f", or {facts.spell.hexadecimal(int(constant.value))} where {constant.value} is decimal"
         return (
             f"{help}, the code of {constant.value}"
             if isinstance(constant, Text) and not _reads(constant, kind)
             else help
         )
     if isinstance(constant, Real | Integer):
-        home = "df.Copy" if isinstance(constant, Real) else "dd.Copy"
-        return _after(f"copy({facts.text(register.span)}, {home})", _written(facts, compare, register, home))
+        home = facts.spell.name("DF" if isinstance(constant, Real) else "DD", "Copy")
+        copy = facts.spell.call(COPY, facts.text(register.span), home)
+        return _after(facts, copy, _written(facts, compare, register, home))
     if isinstance(constant, Text) and constant.value.isascii() and constant.value.isprintable():
-        size, text = len(constant.value), facts.text(constant.span)
-        search = f"search(txt[1:{1 + size}] == {text}, result=ds.FoundAt, found=c.Found)"
-        one = _written(facts, compare, constant, "0x0001" if kind is Kind.HEX else "1")
-        return f"a register holds a number, write {one}; a text is in TXT: {_after(search, 'c.Found')}"
+        searched = facts.spell.range("TXT", 1, len(constant.value))
+        search, found = searched_for(facts, searched, facts.text(constant.span))
+        one = _written(facts, compare, constant, facts.spell.hexadecimal(1) if kind is Kind.HEX else "1")
+        return f"a register holds a number, write {one}; a text is in TXT: {_after(facts, search, found)}"
     return f"write the number as the register holds it: {_written(facts, compare, constant, '1')}"
 
 
+def searched_for(facts: Facts, searched: str, text: str) -> tuple[str, str]:
+    """The search for a text in a range, and the bit that says that it is there."""
+    found = facts.spell.name("C", "Found")
+    named = {"result": facts.spell.name("DS", "FoundAt"), "found": found}
+    return facts.spell.call(SEARCH, facts.spell.compared(searched, "==", text), **named), found
+
+
 def _reads(text: Text, kind: Kind) -> bool:
-    """True for a text that is a number to read, and no character."""
+    """True for a text that is a number to read, not a character."""
     return (_HEX if kind is Kind.HEX else _NUMBER).fullmatch(text.value) is not None
 
 
@@ -95,12 +105,12 @@ def _number_of(constant: Constant, kind: Kind) -> int | float | None:
     return int(constant.value) if isinstance(constant, Real) and constant.value.is_integer() else None
 
 
-def _shown(number: int | float | None, kind: Kind) -> str:
-    """A number as the language writes it beside a register of this kind; "" where it does not fit."""
+def _shown(facts: Facts, number: int | float | None, kind: Kind) -> str:
+    """A number as the language writes it beside a register of this kind; "" if it does not fit."""
     if number is None:
         return ""
     if kind is Kind.HEX:
-        return f"0x{number:04X}" if isinstance(number, int) and 0 <= number <= 0xFFFF else ""
+        return facts.spell.hexadecimal(number) if isinstance(number, int) and 0 <= number <= 0xFFFF else ""
     constant = Integer(number, _NOWHERE) if isinstance(number, int) else Real(number, str(number), _NOWHERE)
     return "" if range_fault(constant, kind) else str(number)
 
@@ -109,16 +119,17 @@ def _beside_text(facts: Facts, compare: Compare, constant: Constant, register: S
     """``txt[1] == 5``: the digit, the character with a code, or the number that several digits are."""
     text = facts.text(register.span)
     if isinstance(constant, Integer) and 0 <= constant.value <= 9:
-        return f"write {_written(facts, compare, constant, f'{chr(34)}{constant.value}{chr(34)}')}"
+        return f"write {_written(facts, compare, constant, facts.spell.quoted(str(constant.value)))}"
     if isinstance(constant, Hex) and constant.value <= 0x7F:
         sign = chr(constant.value)
         shown = sign if sign.isalnum() else f"${constant.value:02X}"
-        return f"write {_written(facts, compare, constant, f'{chr(34)}{shown}{chr(34)}')}"
+        return f"write {_written(facts, compare, constant, facts.spell.quoted(shown))}"
     number = str(constant.value) if isinstance(constant, Hex) else facts.text(constant.span)
-    match = re.fullmatch(r"txt\[(\d+)\]", text)
-    first = int(match[1]) if match else 1
-    last = min(first + len(number), 1001)
-    home = "df.Value" if isinstance(constant, Real) else "dd.Value"
+    is_numbered = isinstance(register, Cell) and text == facts.spell.cell(register.address)
+    first = register.address.number if isinstance(register, Cell) and is_numbered else 1
+    last = min(first + len(number) - 1, BANKS["TXT"].last)
+    home = facts.spell.name("DF" if isinstance(constant, Real) else "DD", "Value")
     sides = [home if side is register else number for side in (compare.left, compare.right)]
-    packed = _after(f"copy_pack(txt[{first}:{last}], {home})", f"{sides[0]} {compare.op} {sides[1]}")
+    pack = facts.spell.call(COPY_PACK, facts.spell.range("TXT", first, last), home)
+    packed = _after(facts, pack, facts.spell.compared(sides[0], compare.op, sides[1]))
     return f"a TXT address holds one character; of a number with several digits {packed}"

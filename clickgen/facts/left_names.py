@@ -1,9 +1,9 @@
 """Names that clickgen placed and that left the program while new ones came: a rename in the text abandons the value.
 
-A rename that is half done leaves both names in the program: one is written and never read, the other read and never
+A half-done rename leaves both names in the program: one is written and never read, the other read and never
 written.
 
-It is no rule: it needs the address table and the record of what clickgen placed, and a build tells it too.
+It is not a rule: it needs the address table and the record of what clickgen placed, and a build reports it too.
 """
 
 from __future__ import annotations
@@ -16,34 +16,34 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from clickgen.device.banks import Address
-from clickgen.dialects.if_rungs.spelling import is_slip
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use
 from clickgen.problems.codes import LEFT
 from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.problems.name_slips import is_slip
 from clickgen.table.address_table import AddressTable
 from clickgen.table.record import left_in, placed_in
 from clickgen.table.rows import Row, is_scratch
 from clickgen.text.source import Span
 
 _SAME = 0.5
-"""Names that are at least so much alike are taken for an old and a new one, before the order decides."""
+"""Names at least this much alike are taken for an old and a new one, before the order decides."""
 
 
 class Asked(NamedTuple):
-    """The program and its table as commands name them; the table is "" where it is the one beside the program."""
+    """The program and its table as commands name them; the table is "" if it is the one beside the program."""
 
     program: str
     table: str
 
     @staticmethod
     def of(program: str, nicknames: str | os.PathLike[str] | None) -> Asked:
-        """Names as seen from the working folder."""
+        """Return the names relative to the working folder."""
         return Asked(program, os.fspath(nicknames or "").removeprefix(os.getcwd() + os.sep))
 
     @property
     def words(self) -> str:
-        """The program and its table as a command line has them."""
+        """The program and its table as on a command line."""
         return shlex.join([self.program, *(["--nicknames", self.table] if self.table else [])])
 
 
@@ -53,9 +53,9 @@ class Left(NamedTuple):
     old: Row
     new: Row
     is_half: bool = False
-    """True where the program says both names."""
+    """True if the program has both names."""
     is_sure: bool = True
-    """False where the new name may be another old one as well: that is told while it is new, and not recorded."""
+    """False if the new name may be another old one as well: that is reported while it is new, and not recorded."""
 
 
 def find_left(
@@ -67,7 +67,7 @@ def find_left(
     asked: Asked,
     problems: Diagnostics,
 ) -> tuple[Left, ...]:
-    """The names that left a program, each reported. ``record`` is the file of what clickgen placed in the table."""
+    """Report and return the names that left a program. ``record`` is the file of what clickgen placed in the table."""
     if record is None:
         return ()
     rows = [row for row in table.own_rows if row.line]
@@ -85,10 +85,10 @@ def left_names(
     new: Iterable[Row],
     named_elsewhere: frozenset[str] = frozenset(),
 ) -> list[Left]:
-    """The retentive names of the table that nothing uses any more, each with the new name of its bank.
+    """Return the retentive names of the table that nothing uses any more, each with the new name of its bank.
 
     ``placed`` and ``left`` are the record of what clickgen placed, ``new`` are the rows of this build;
-    ``named_elsewhere`` has the names, in small letters, and addresses that other programs of the table use.
+    ``named_elsewhere`` has the names, in lower case, and addresses that other programs of the table use.
     """
     table = {row.address: row for row in rows if row.line}
     gone = {
@@ -125,13 +125,13 @@ def _keeps_its_value(facts: Facts, row: Row, placed: Mapping[Address, str]) -> b
     return is_placed and row.retentive and not is_scratch(row) and row.address not in facts.declared
 
 
-# -- renames that are half done ---------------------------------------------------------------------------------------
+# -- half-done renames ------------------------------------------------------------------------------------------------
 
 
 def _halves(facts: Facts, kept: list[Row], new: list[Row]) -> list[Left]:
-    """Each new name with the one that it seems to be by another name, while the program says both.
+    """Pair each new name with the old one that it seems to replace, while the program has both.
 
-    Names that are alike are paired, and others only where there is no third one: a program whose panel writes setpoints
+    Names that are alike are paired, and others only if there is no third one: a program whose panel writes setpoints
     and reads results has many names that are only read or only written.
     """
     if len(new) * len(kept) > _PAIRS_MAX:
@@ -146,18 +146,18 @@ def _halves(facts: Facts, kept: list[Row], new: list[Row]) -> list[Left]:
             is_told = _is_alike(old, row)
         else:
             is_told = True
-        # What looks like a slip of the hand is told as one.
+        # A pair that looks like a slip of the hand is reported as one.
         if is_told and not is_slip(old.nickname, row.nickname):
             found.append(Left(old, row, True, is_sure))
     return found
 
 
 _PAIRS_MAX = 10_000
-"""Of so many names nothing says which is which."""
+"""With this many names nothing shows which is which."""
 
 
 def _are_halves(facts: Facts, old: Row, new: Row) -> bool:
-    """True where of two names one is written and never read, and the other read and never written."""
+    """True if one of two names is written and never read, and the other read and never written."""
     if old.address.bank != new.address.bank:
         return False
     ours, others = _sides(facts, old), _sides(facts, new)
@@ -167,7 +167,7 @@ def _are_halves(facts: Facts, old: Row, new: Row) -> bool:
 
 
 def _sides(facts: Facts, row: Row) -> set[bool] | None:
-    """Whether a name is written, and whether it is read; None where its address is used otherwise than by this name."""
+    """Whether a name is written, and whether it is read; None if its address is used other than by this name."""
     uses = facts.uses.at(row.address)
     if not all(_is_by_name(facts, use) for use in uses):
         return None
@@ -192,11 +192,11 @@ def _likeness(one: Row, other: Row) -> float:
     return difflib.SequenceMatcher(None, one.nickname.lower(), other.nickname.lower()).ratio()
 
 
-# -- renames that are done --------------------------------------------------------------------------------------------
+# -- finished renames -------------------------------------------------------------------------------------------------
 
 
 def _paired(gone: list[Row], new: list[Row]) -> list[Left]:
-    """Each name that left with a new one of its bank: first those that are alike, the rest in their order."""
+    """Pair each name that left with a new one of its bank: first those that are alike, the rest in their order."""
     likeness = [
         (_likeness(old, row), n, m)
         for n, old in enumerate(gone)
@@ -224,7 +224,7 @@ def _is_used(facts: Facts, address: Address) -> bool:
 def report_left(
     facts: Facts, problems: Diagnostics, left: Iterable[Left], program: str, table: str, place: Mapping[Address, Span]
 ) -> None:
-    """Say what left; ``program`` and ``table`` are as commands name them, "" for the table beside the program."""
+    """Report what left; ``program`` and ``table`` are as commands name them, "" for the table beside the program."""
     words = [shlex.quote(program), *(["--nicknames", shlex.quote(table)] if table else [])]
     for old, new, is_half, is_sure in left:
         use = next(iter(facts.uses.at(new.address)), None)
@@ -249,7 +249,7 @@ def report_left(
 def _report_half(
     problems: Diagnostics, facts: Facts, pair: Left, use: Use, rename: list[str], words: list[str]
 ) -> None:
-    """Say that a rename seems half done, and the commands that finish it."""
+    """Report that a rename seems half done, and the commands that finish it."""
     old, new, _, is_sure = pair
     other = next(iter(facts.uses.at(old.address)))
     sync = "clickgen nicknames sync"

@@ -1,4 +1,4 @@
-"""What happens to the bits and values of a subroutine while it is not called, and who notices."""
+"""The bits and values of a subroutine while it is not called, and who notices that they stay."""
 
 from __future__ import annotations
 
@@ -10,8 +10,6 @@ from clickgen.device.system import ALWAYS_ON
 from clickgen.facts.facts import STARTING, Facts, Placed, Site
 from clickgen.facts.uses import addresses_of
 from clickgen.facts.written import equals, left_in
-from clickgen.instructions.coils import OUT, RESET
-from clickgen.instructions.timers import TON
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine, rungs_in
@@ -19,19 +17,19 @@ from clickgen.ir.walk import condition_operands
 from clickgen.logic.conditions import are_exclusive, implies, looked_at, terms_of
 
 _DEPTH_MAX = 5
-"""Through so many coils a rung is followed."""
+"""A rung is followed through this many coils."""
 _WRITERS_MAX = 20
-"""Of something that more instructions write, nobody says that it stands still."""
+"""If more instructions than this write an address, it is not reported as frozen."""
 
 
 class Watch:
-    """Who feels it that a bit or value stands still while a subroutine is not called."""
+    """Finds who notices that a bit or value freezes while a subroutine is not called."""
 
     def __init__(self, facts: Facts) -> None:
         self._facts = facts
         found = ((routine.name, facts.sometimes(routine)) for routine in facts.program.subroutines)
         self.sometimes: dict[str, Any] = {name: condition for name, condition in found if condition}
-        """When each subroutine is called that is not called in every scan."""
+        """The condition for each subroutine that is not called in every scan."""
         self._sites: dict[Address, list[Site]] = defaultdict(list)
         for site in facts.sites:
             for address in {one for operand in condition_operands(site.condition) for one in addresses_of(operand)}:
@@ -39,7 +37,7 @@ class Watch:
         self._orders: dict[str, Mapping[int, int]] = {}
 
     def is_felt(self, address: Address, routine: Routine) -> bool:
-        """True where something outside the subroutine looks at an address also while the subroutine is not called."""
+        """True if something outside the subroutine looks at an address while the subroutine is not called."""
         when = self.sometimes[routine.name]
         for use in self._facts.uses.reads(address):
             if use.routine is not routine and use.leaf is None:
@@ -52,9 +50,9 @@ class Watch:
         )
 
     def is_taken_up(self, bit: Address, placed: Placed) -> bool:
-        """True where the next call looks at a bit before this action writes it anew, or nobody in the program does.
+        """True if the next call looks at a bit before this action rewrites it, or nobody in the program does.
 
-        A coil that seals itself in takes up what it was. What nothing reads is for a panel.
+        A coil that seals itself in starts from its old state. A bit that nothing reads is for a panel.
         """
         reads = self._facts.uses.reads(bit)
         own = self._order(placed.routine)
@@ -63,7 +61,7 @@ class Watch:
         )
 
     def is_written_meanwhile(self, bit: Address, routine: Routine) -> bool:
-        """True where something may turn a bit off while the subroutine is not called, or before that ends the calls."""
+        """True if something may turn a bit off while the subroutine is not called, or before that ends the calls."""
         ends_itself = any(
             writer.routine is routine
             for key in looked_at(self.sometimes[routine.name])
@@ -72,22 +70,23 @@ class Watch:
         )
         writers = self._facts.writers(bit)
         return len(writers) > _WRITERS_MAX or any(
-            self._runs_meanwhile(writer, routine) or (ends_itself and writer.spec is RESET) for writer in writers
+            self._runs_meanwhile(writer, routine) or (ends_itself and writer.action.turns is False)
+            for writer in writers
         )
 
     def is_stopped_meanwhile(self, timer: Placed) -> bool:
-        """True where something turns the rung of a timer off while its subroutine is not called: it begins anew."""
-        return timer.spec is TON and any(
+        """True if something turns the rung of a timer off while its subroutine is not called: it starts again."""
+        return timer.effects.falls_back and any(
             self._is_stopped(term, timer.routine) for term in self._needed(timer.condition, timer.routine)
         )
 
     def _needed(self, condition: Condition, routine: Routine, depth: int = 0) -> Iterator[Contact | Compare]:
-        """What a condition asks for, through the coils of its own routine, which every call writes anew."""
+        """The contacts that a condition needs, through the coils of its own routine, which every call rewrites."""
         for term in terms_of(condition):
             if isinstance(term, Contact) and not term.negated and not term.edge and isinstance(term.operand, Cell):
                 writers = self._facts.writers(term.operand.address)
-                is_coil = len(writers) == 1 and writers[0].spec is OUT and writers[0].routine is routine
-                if is_coil and depth < _DEPTH_MAX:
+                is_coil = len(writers) == 1 and writers[0].effects.follows_power
+                if is_coil and writers[0].routine is routine and depth < _DEPTH_MAX:
                     yield from self._needed(writers[0].condition, routine, depth + 1)
                 else:
                     yield term
@@ -95,14 +94,14 @@ class Watch:
                 yield term
 
     def _is_stopped(self, term: Contact | Compare, routine: Routine) -> bool:
-        """True where something resets a bit, or writes another number, while the subroutine is not called."""
+        """True if something resets a bit, or writes another number, while the subroutine is not called."""
         for address in {one for operand in condition_operands(term) for one in addresses_of(operand)}:
             for writer in self._facts.writers(address)[:_WRITERS_MAX]:
                 if writer.depends_only_on(STARTING) or not self._runs_meanwhile(writer, routine):
                     continue
                 left = left_in(writer, address, 0)
                 is_other = left is not None and are_exclusive(term, equals(address, left, term.span))
-                if writer.spec is RESET or is_other:
+                if writer.action.turns is False or is_other:
                     return True
         return False
 
@@ -133,7 +132,7 @@ class Watch:
 
 
 def _with(condition: Condition, bit: Address, is_on: bool) -> Condition | None:
-    """A condition with a bit that stands still, on or off; None where it looks at the address as a value."""
+    """A condition with a frozen bit, on or off; None if it looks at the address as a value."""
     if isinstance(condition, All | Any):
         terms = [_with(term, bit, is_on) for term in condition.terms]
         known = [term for term in terms if term is not None]

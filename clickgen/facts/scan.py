@@ -1,4 +1,4 @@
-"""One scan laid flat: the actions of main, and at each call those of the subroutine."""
+"""One flattened scan: the actions of main, and at each call those of the subroutine."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions.control import CALL, RETURN
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import All
 from clickgen.ir.program import Routine, Rung
 
 _CALLS_MAX = 4
-"""So many calls of one subroutine are followed."""
+"""This many calls of one subroutine are followed."""
 
 
 class Step(NamedTuple):
@@ -23,7 +23,7 @@ class Step(NamedTuple):
     call: Placed | None
     """The call that leads to it; None for an action of the routine with which the scan begins."""
     own: Placed
-    """The action as it stands in its routine."""
+    """The action as it is in its routine."""
 
     @property
     def rung(self) -> Rung:
@@ -32,7 +32,7 @@ class Step(NamedTuple):
 
 
 def scans(facts: Facts) -> Iterator[Iterator[Step]]:
-    """The scan that begins with main, and then each routine by itself whose calls are not followed."""
+    """Yield the scan that begins with main, then each routine whose calls are not followed."""
     followed: Counter[str] = Counter()
     routines = {routine.name: routine for routine in facts.program.subroutines}
     if facts.program.main is not None:
@@ -44,13 +44,13 @@ def scans(facts: Facts) -> Iterator[Iterator[Step]]:
 
 def _steps(facts: Facts, routine: Routine, routines: dict[str, Routine], followed: Counter[str]) -> Iterator[Step]:
     for placed in facts.actions_of(routine):
-        called = routines.get(placed.action.word("subroutine")) if placed.spec is CALL else None
+        called = routines.get(placed.action.called)
         if called is None or placed.loop or followed[called.name] >= _CALLS_MAX:
             yield Step(placed, None, placed)
             continue
         followed[called.name] += 1
         for inner in facts.actions_of(called):
-            if inner.spec is RETURN and inner.is_unconditional:
+            if inner.effects.flow is Flow.RETURN and inner.is_unconditional:
                 break
             condition = All((placed.condition, inner.condition), inner.condition.span)
             yield Step(replace(inner, condition=condition), placed, inner)

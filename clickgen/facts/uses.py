@@ -20,7 +20,7 @@ from clickgen.ir.walk import condition_operands, leaves
 _LONG = 64
 """A range of more addresses is kept as a range."""
 _STRETCHES_MAX = 64
-"""Of so many stretches it is kept which ranges cover them."""
+"""For this many stretches the ranges that cover them are cached."""
 
 
 class Use(NamedTuple):
@@ -39,12 +39,12 @@ class Use(NamedTuple):
 
 @dataclass
 class Uses:
-    """Every use of a program in source order, and what is known of an address."""
+    """Every use of a program in source order, indexed by address."""
 
     every: list[Use] = field(default_factory=list)
     _by_address: dict[Address, list[Use]] = field(default_factory=lambda: defaultdict(list))
     _written: dict[Address, list[Use]] = field(default_factory=lambda: defaultdict(list))
-    """Of ``_by_address`` what writes."""
+    """The uses in ``_by_address`` that write."""
     _ranges: dict[str, list[Use]] = field(default_factory=lambda: defaultdict(list))
     _pointed: dict[tuple[str, bool], list[Use]] = field(default_factory=lambda: defaultdict(list))
 
@@ -73,7 +73,7 @@ class Uses:
 
     @property
     def addresses(self) -> Iterable[Address]:
-        """Every address that is named, those of long ranges aside."""
+        """Every address that is named, except those of long ranges."""
         return self._by_address
 
     def at(self, address: Address) -> list[Use]:
@@ -87,7 +87,7 @@ class Uses:
         return [use for use in self.at(address) if not use.is_written]
 
     def is_in_long_range(self, bank: str) -> bool:
-        """True where some range of the bank is so long that its uses are not kept for each address."""
+        """True if some range of the bank is so long that its uses are not kept for each address."""
         return bank in self._ranges
 
     def _far(self, address: Address) -> list[Use]:
@@ -118,15 +118,15 @@ class Uses:
         }
 
     def may_be_written(self, operand: Operand) -> bool:
-        """True when some address of a cell or a range is written anywhere, or a pointer may lead to it."""
+        """True if some address of a cell or a range is written anywhere, or a pointer may lead to it."""
         return self._may_be(operand, True)
 
     def may_be_read(self, operand: Operand) -> bool:
-        """True when some address of a cell or a range is read anywhere, or a pointer may lead to it."""
+        """True if some address of a cell or a range is read anywhere, or a pointer may lead to it."""
         return self._may_be(operand, False)
 
     def is_pointed(self, bank: str, is_written: bool) -> bool:
-        """True when a pointer writes (or reads) some address of the bank, or a word that holds its points."""
+        """True if a pointer writes (or reads) some address of the bank, or a word that holds its points."""
         return any(self._pointed.get((name, is_written)) for name in (bank, WORD_TWINS.get(bank, "")))
 
     def _may_be(self, operand: Operand, is_written: bool) -> bool:
@@ -146,7 +146,7 @@ class Uses:
 
 
 def addresses_of(operand: object) -> list[Address]:
-    """The addresses that an operand names itself; none for a pointer, a constant, or what is no operand."""
+    """The addresses that an operand itself names; none for a pointer, a constant, or anything else."""
     target = operand.target if isinstance(operand, Immediate) else operand
     if isinstance(target, Cell):
         return [target.address]
@@ -154,7 +154,7 @@ def addresses_of(operand: object) -> list[Address]:
 
 
 def extents_of(operand: Operand) -> list[tuple[str, int, int]]:
-    """The bank, first and last number of what an operand names itself, and of the points that its words hold."""
+    """The bank, first and last number of the cells that an operand itself names, and of the points of its words."""
     if isinstance(operand, Immediate):
         operand = operand.target
     if isinstance(operand, Cell):

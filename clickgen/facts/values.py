@@ -5,18 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from clickgen.device.banks import FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, VALUE_CLASSES, Kind
+from clickgen.dialects.base import Spelling
+from clickgen.instructions.offered import COPY
 from clickgen.instructions.spec import Spec
 from clickgen.ir.operands import CharCode, Hex, Integer, Operand, Real, Text, form_of
-from clickgen.problems.diagnostics import Diagnostics
 from clickgen.resolve.constants import kind_of
-from clickgen.text.source import Span
-
-_REFUSALS = ("CG301", "CG304", "CG307", "CG308")
-
-
-def refused_operands(problems: Diagnostics) -> set[Span | None]:
-    """The places of operands that their instruction does not take: nothing more is to be said of them."""
-    return {problem.span for problem in problems.found if problem.code in _REFUSALS}
 
 
 def value_class(operand: Operand) -> str:
@@ -30,7 +23,7 @@ def value_class(operand: Operand) -> str:
 
 
 def constant_fault(constant: Operand, kind: Kind | None) -> str:
-    """What is wrong with a constant that a value of this kind is to take; "" when nothing is, or it is no constant."""
+    """The fault of a constant for a value of this kind; "" if it has none, or is not a constant."""
     if isinstance(constant, Real) and kind in (Kind.INT16, Kind.INT32, Kind.HEX) and not constant.value.is_integer():
         return f"{constant.text} loses its fraction in a whole number"
     return range_fault(constant, kind)
@@ -60,34 +53,37 @@ def range_fault(constant: Operand, kind: Kind | None) -> str:
     return ""
 
 
-def fitting(constant: Operand, kind: Kind | None, text: str, copied: Callable[[str], str]) -> str:
+def fitting(constant: Operand, kind: Kind | None, text: str, spell: Spelling, copied: Callable[[str], str]) -> str:
     """A constant that a value of this kind takes, or a register that takes this one.
 
     ``text`` is the constant as the program writes it, ``copied`` gives the action with another in its place.
     """
     if isinstance(constant, Real):
         if kind in (Kind.INT16, Kind.INT32, Kind.HEX) and abs(constant.value) <= FLOAT_MAX:
-            return f"DF holds decimals: copy({text}, df.Name); a whole number near it is {int(constant.value)}"
+            copy = spell.call(COPY, text, spell.name("DF", "Name"))
+            return f"DF holds decimals: {copy}; a whole number near it is {int(constant.value)}"
         return "DF holds -3.4028235E+38 to 3.4028235E+38, and nothing nearer to 0 than 1.1754944E-38 but 0"
     if not isinstance(constant, Integer | Hex):
         return "write a constant that fits"
     value, low, high = constant.value, *INTEGER_RANGES[Kind.INT32]
     bits = 32 if kind is Kind.INT32 else 16
     if kind is Kind.HEX and -(2**15) <= value < 0:
-        return f"DH holds 0x0000 to 0xFFFF; these 16 bits are {copied(f'0x{value + 2**16:04X}')}"
+        return f"DH holds 0x0000 to 0xFFFF; these 16 bits are {copied(spell.hexadecimal(value + 2**16))}"
     ways = []
     is_hex = text[:2].lower() == "0x" or text.rstrip("'\"").lower().endswith("h")
     if is_hex and kind is not Kind.HEX and 2 ** (bits - 1) <= value < 2**bits:
         ways.append(f"these {bits} bits are {copied(str(value - 2**bits))}")
-        ways += [f"DH holds them as they are: copy({text}, dh.Name)"] if bits == 16 else []
+        if bits == 16:
+            ways.append(f"DH holds them as they are: {spell.call(COPY, text, spell.name('DH', 'Name'))}")
     if bits == 16 and low <= value <= high:
-        ways.append(f"DD holds {low} to {high}: copy({value}, dd.Name)")
+        ways.append(f"DD holds {low} to {high}: {spell.call(COPY, str(value), spell.name('DD', 'Name'))}")
     elif abs(value) <= FLOAT_MAX:
-        ways.append(f"DF holds greater numbers, to 7 digits: copy({value}.0, df.Name)")
+        copy = spell.call(COPY, f"{value}.0", spell.name("DF", "Name"))
+        ways.append(f"DF holds greater numbers, to 7 digits: {copy}")
     return "; ".join(ways) or "write a constant that fits"
 
 
 def copies(spec: Spec, source: object, target: object) -> bool:
-    """True where an instruction of the copy family copies from one of these to the other."""
+    """True if an instruction of the copy family copies from one of these to the other."""
     pairs = [pair for variant in spec.variants for pair in variant.pairs]
     return any(form_of(source) in pair.sources and form_of(target) in pair.targets for pair in pairs)

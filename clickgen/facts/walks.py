@@ -1,4 +1,4 @@
-"""How a program moves a register by itself: the numbers that it gives it, and what counts it up."""
+"""How a program moves a register by itself: the numbers that it gives it, and the steps that count it up."""
 
 from __future__ import annotations
 
@@ -15,36 +15,36 @@ from clickgen.logic.conditions import implies, terms_of
 
 
 class Step(NamedTuple):
-    """What counts a register up."""
+    """An instruction that counts a register up."""
 
     placed: Placed
     size: int
     times: int | None
     """How often one run of its loop does so; None outside of loops."""
     moves: Placed
-    """What decides whether it counts: the loop, or the action itself under the conditions that each turn looks at."""
+    """The action that decides whether it counts: the loop, or the action itself under the conditions of each turn."""
 
     @property
     def size_at_once(self) -> int:
-        """How much it counts while nothing that decides it is looked at."""
+        """How much it counts before anything that decides it is looked at again."""
         return self.size * (self.times or 1) if self.moves is not self.placed else self.size
 
 
 class Walk(NamedTuple):
-    """How a program moves a register: the numbers that it gives it, and what counts it up."""
+    """How a program moves a register: the numbers that it gives it, and the steps that count it up."""
 
     numbers: tuple[int, ...]
     steps: tuple[Step, ...]
     size: int
     """The greatest number that it is counted up by at once."""
     wraps: tuple[Placed, ...]
-    """What takes it back to a number under a condition on the register itself."""
+    """The actions that take it back to a number under a condition on the register itself."""
     starts: tuple[tuple[Placed, int], ...]
-    """What gives it a number, and which, whenever it is counted up."""
+    """The actions that give it a number whenever it is counted up, with that number."""
 
 
 def walk_of(facts: Facts, address: Address) -> Walk | None:
-    """How the program moves a register; None where a panel or a calculation may give it any number."""
+    """Return how the program moves a register; None if a panel or a calculation may give it any number."""
     numbers: list[int] = []
     steps: list[Step] = []
     wraps: list[Placed] = []
@@ -76,7 +76,7 @@ def walk_of(facts: Facts, address: Address) -> Walk | None:
 
 
 def _step(facts: Facts, writer: Placed, size: int, address: Address) -> Step | None:
-    """A step, and how often a loop repeats it; None where that is not known."""
+    """A step, and how often a loop repeats it; None if that is not known."""
     if writer.loop is None:
         return Step(writer, size, None, writer)
     times = _times(facts, writer.loop)
@@ -88,7 +88,7 @@ def _step(facts: Facts, writer: Placed, size: int, address: Address) -> Step | N
 
 
 def each_turn(facts: Facts, placed: Placed) -> Placed:
-    """An action of a loop with the conditions alone that each turn looks at, and not those of the loop itself."""
+    """An action of a loop with only the conditions that each turn looks at, not those of the loop itself."""
     if placed.loop is None:
         return placed
     above = {id(term) for term in terms_of(facts.place_of(placed.loop).condition)}
@@ -97,7 +97,7 @@ def each_turn(facts: Facts, placed: Placed) -> Placed:
 
 
 def _times(facts: Facts, loop: Action) -> int | None:
-    """How often a loop runs at most; None where its register may hold any number."""
+    """How often a loop runs at most; None if its register may hold any number."""
     count = loop.args["count"]
     if isinstance(count, Integer):
         return count.value
@@ -110,7 +110,7 @@ def _times(facts: Facts, loop: Action) -> int | None:
 
 
 def _runs_with(facts: Facts, giver: Placed, moves: Placed) -> bool:
-    """True for what gives the register a number in every scan in which it is counted up."""
+    """True for an action that gives the register a number in every scan in which it is counted up."""
     if giver.action.flag("oneshot") and not moves.action.flag("oneshot"):
         return False
     if giver.routine is not moves.routine:

@@ -1,1 +1,1 @@
-"""Whether a fix is safe: judged on the resolved program, where names are addresses."""
+"""Decides whether a fix is safe, on the resolved program, where names are addresses."""

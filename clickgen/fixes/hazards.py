@@ -1,4 +1,4 @@
-"""Whether rungs or branches in the place of elif and else do the same, although they all look and all run.
+"""Decides whether rungs or branches in place of elif and else do the same, although they all look and all run.
 
 A rung of its own looks after the actions of those before it. An output whose rung or branch is off is turned off.
 """
@@ -9,11 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations, pairwise
 
 from clickgen.device.banks import MOVING_BANKS, Address
-from clickgen.instructions import communication, copies, maths
-from clickgen.instructions.coils import RESET, SET
-from clickgen.instructions.control import CALL, END, FOR, NEXT, NOP, RETURN
-from clickgen.instructions.raw import NOT_IMPORTED, RAW
-from clickgen.instructions.timers import RTOF
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import Condition
 from clickgen.ir.operands import Cell, Named, form_of
 from clickgen.ir.program import Action, Branch, Item, Loop, Program, actions_in, rungs_in
@@ -22,17 +18,11 @@ from clickgen.ir.walk import action_operands, condition_operands
 from clickgen.lower.effects import Cells, Effects, has_edge, is_volatile, reads
 from clickgen.lower.expand import OffDelays
 
-_KEPT = (RAW, NOT_IMPORTED)
-"""Nobody knows what these do, nor when."""
-_LEAVING = (END, RETURN, NEXT)
-_QUIET = (SET, RESET, NOP, CALL, *_LEAVING, *copies.SPECS, *maths.SPECS)
-"""Instructions that change nothing while their condition does not hold."""
-
 
 class Hazards:
-    """What the actions of a resolved program change, and what changes by itself.
+    """The changes by the actions of a resolved program, and the cells that change by themselves.
 
-    ``is_whole`` is False when there may be instructions that nobody has read. Arms that the program has no room for
+    ``is_whole`` is False if there may be instructions that nobody has read. Arms that the program has no room for
     are in ``proposals``.
     """
 
@@ -47,15 +37,15 @@ class Hazards:
         ]
         delays = OffDelays(lambda bank, _, span: Cell(Address(bank, 0), span))
         for action in actions:
-            if action.spec is RTOF and isinstance(action.args.get("timer"), Cell):
+            if action.spec.built_from is not None and action.owned is not None:
                 delays.add(action)
         self._effects = Effects(program.routines, delays)
         self._arriving = self._arriving_in(actions) if is_whole else None
 
     def may_undo(self, arms: Sequence[Alternative]) -> bool:
-        """True when an arm that does not run may undo what an earlier one did: out turns its bit off then."""
+        """True if an arm that does not run may undo what an earlier one did: out turns its bit off then."""
         for earlier, later in combinations(arms, 2):
-            loud = [action for action in _all_actions(later.items) if action.spec not in _QUIET]
+            loud = [action for action in _all_actions(later.items) if not action.effects.needs_power]
             if loud:
                 done, undone = self._written(earlier.items), self._written_by(loud)
                 if done is None or undone is None or done.meets(undone):
@@ -63,13 +53,13 @@ class Hazards:
         return False
 
     def may_look_again(self, arms: Sequence[Alternative]) -> bool:
-        """True when what each later arm asks is the same before and after the actions of the arms before it."""
+        """True if the condition of each later arm is the same before and after the actions of the arms before it."""
         if self._arriving is None:
             return False
         written = Cells()
         for earlier, later in pairwise(arms):
             done = self._written(earlier.items)
-            if done is None or any(action.spec in _LEAVING for action in _all_actions(earlier.items)):
+            if done is None or any(map(_may_leave, _all_actions(earlier.items))):
                 return False
             written.update(done)
             looked_at = reads(later.alone)
@@ -85,13 +75,13 @@ class Hazards:
         return self._written_by(_all_actions(items))
 
     def _written_by(self, actions: Iterable[Action]) -> Cells | None:
-        """The cells that these actions may change; None when that is not known."""
+        """The cells that these actions may change; None if that is not known."""
         cells = Cells()
         for action in actions:
-            if action.spec is FOR or action.spec in _KEPT or not _is_resolved(action):
+            if action.effects.flow is Flow.LOOP or action.effects.is_unknown or not _is_resolved(action):
                 return None
-            if action.spec is CALL:
-                routine = self._routines.get(action.word("subroutine"))
+            if action.effects.flow is Flow.CALL:
+                routine = self._routines.get(action.called)
                 if routine is None or not routine.is_whole:
                     return None
                 called = [inner for rung in rungs_in(routine.rungs) for inner in actions_in(rung.items)]
@@ -101,12 +91,12 @@ class Hazards:
         return cells
 
     def _arriving_in(self, actions: Iterable[Action]) -> Cells | None:
-        """What other devices bring, in their own time: data, and how a message fared. None when that is not known."""
+        """The cells that other devices change in their own time: data and message status. None if that is not known."""
         cells = Cells()
         for action in actions:
-            if action.spec in _KEPT:
+            if action.effects.is_unknown:
                 return None
-            if action.spec in communication.SPECS:
+            if action.effects.is_late:
                 if not _is_resolved(action):
                     return None
                 cells.update(self._effects.writes(action))
@@ -114,7 +104,7 @@ class Hazards:
 
 
 def _all_actions(items: tuple[Item, ...]) -> Iterator[Action]:
-    """Every action, those in the bodies of loops included."""
+    """Yield every action, including those in the bodies of loops."""
     for item in items:
         if isinstance(item, Branch):
             yield from _all_actions(item.items)
@@ -126,12 +116,17 @@ def _all_actions(items: tuple[Item, ...]) -> Iterator[Action]:
             yield item
 
 
+def _may_leave(action: Action) -> bool:
+    """True where the rungs below may not run in this scan, or run again."""
+    return action.effects.leaves or action.effects.flow is Flow.NEXT
+
+
 def _is_resolved(action: Action) -> bool:
     return not any(isinstance(operand, Named) for operand in action_operands(action))
 
 
 def _is_unsteady(condition: Condition) -> bool:
-    """True when it may be another thing later in the scan, or when looking at it twice is not looking once."""
+    """True if it may be different later in the scan, or if looking at it twice is not looking once."""
     is_moving = any(form_of(operand) in MOVING_BANKS for operand in condition_operands(condition))
     return is_moving or has_edge(condition) or is_volatile(condition)
 

@@ -1,4 +1,4 @@
-"""Proof that conditions which stand alone hold exactly when the arms of an if with elif and else ran."""
+"""Proves that separate conditions hold exactly when the arms of an if with elif and else ran."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from clickgen.logic.conditions import are_exclusive, implies, terms_of
 
 
 def stand_alone(arms: Sequence[Alternative]) -> bool:
-    """True when every arm's own condition holds alone exactly when it holds and none of the earlier ones does."""
+    """True if every arm's own condition holds alone exactly when it holds and none of the earlier ones does."""
     tests = [_opaque(arm.test) for arm in arms]
     return all(
         _stands_alone(_opaque(arm.alone), tests[index], tests[:index])
@@ -31,21 +31,21 @@ def _stands_alone(alone: Condition, own: Condition, earlier: Sequence[Condition]
 
 
 def _excludes(test: Condition, own: Condition, terms: Sequence[Condition]) -> bool:
-    """True when an earlier test never holds together with these terms. One of them mostly shows it at once."""
+    """True if an earlier test never holds together with these terms. One of them mostly shows it at once."""
     return are_exclusive(test, own) or any(are_exclusive(test, term) for term in terms) or are_exclusive(test, *terms)
 
 
 def _follows(term: Condition, own: Condition, earlier: Sequence[Condition]) -> bool:
-    """True when a term holds whenever the arm runs. Mostly the arm's own test or one earlier test shows it."""
+    """True if a term holds whenever the arm runs. Mostly the arm's own test or one earlier test shows it."""
     if implies(own, term) or any(implies(own, Any((term, test), term.span)) for test in earlier):
         return True
     return implies(own, Any((term, *earlier), term.span))
 
 
 def _opaque(condition: Condition) -> Condition:
-    """The condition with a bit of its own in the place of each comparison of floating-point values.
+    """The condition with a bit of its own in place of each comparison of floating-point values.
 
-    Of a register that may hold no number nobody knows what a comparison says of another one.
+    If a register may hold no number, nobody knows what one comparison says of another.
     """
     if isinstance(condition, All | Any):
         return type(condition)(tuple(map(_opaque, condition.terms)), condition.span)

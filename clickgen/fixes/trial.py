@@ -1,4 +1,4 @@
-"""Trying the fixes of errors: one is offered only where the statement that it mends has no error any more.
+"""Tries the fixes of errors: one is offered only if the statement that it fixes has no error any more.
 
 The program is read again with the fix in it, and with the fixes of the errors that come up in the same lines:
 ``x[1] AND x[2]`` becomes ``x[1] and x[2]``, and that ``all(x[1], x[2])``.
@@ -14,21 +14,25 @@ from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.edits import Edit, Fix, apply_fixes, fixes_that_fit
 
 _ROUNDS_MAX = 6
-"""So often a fix may make room for another one in its lines."""
+"""This many times a fix may make room for another one in its lines."""
 _TRIALS_MAX = 40
-"""So many readings are spent on fixes that fail together; what is left then is offered after the others."""
+"""This many readings are spent on fixes that fail together; any left after that are offered after the others."""
 _BROKEN_MAX = 20
-"""So many other lines that Python cannot read are put aside to see the one that was mended."""
+"""This many other lines that Python cannot read are put aside to see the fixed one."""
 
 _ACTION = "CG112"
-"""A statement that becomes an action. What stands in conditions, ``fixes.judge`` has judged."""
+"""A statement that becomes an action. ``fixes.judge`` has judged those in conditions."""
 _OF_THE_ROUTINE = ("CG401", "CG403", "CG404", "CG408", "CG409")
-"""Errors that another line of the routine takes away."""
+"""Errors that another line of the routine removes."""
 _NAME = re.compile(r"\b[a-z]{1,3}(?:\.[A-Za-z_]|\[[\"'])")
 
 
+Idle = Callable[[str], str]
+"""A line that does nothing in the place of one that cannot be read; "" where there is none."""
+
+
 class Seen(NamedTuple):
-    """What is found in a program. ``is_declared`` is False where not everything that declares names could be read."""
+    """The findings in a program. ``is_declared`` is False if some of what declares names could not be read."""
 
     problems: Sequence[Diagnostic]
     is_declared: bool
@@ -38,13 +42,13 @@ Look = Callable[[Mapping[str, bytes]], Seen]
 """Reads the program with other contents of some files, by their paths as problems name them."""
 
 
-def tried(problems: Sequence[Diagnostic], texts: Mapping[str, bytes], look: Look) -> list[Diagnostic]:
-    """The problems, and of the fixes of errors only those that mend their statement.
+def tried(problems: Sequence[Diagnostic], texts: Mapping[str, bytes], look: Look, idle: Idle) -> list[Diagnostic]:
+    """Return the problems, with only those fixes of errors that mend their statement.
 
-    A fix that writes an action with a name is not safe where a declaration could not be read: it may name a block.
+    A fix that writes an action with a name is not safe if a declaration could not be read: it may name a block.
     """
     with_fix = [one for one in problems if one.is_error and one.fix is not None and _file_of(one) in texts]
-    trials = _Trials(texts, look)
+    trials = _Trials(texts, look, idle)
     verdicts: dict[Diagnostic, _Verdict] = {}
     for is_safe in (True, False):
         group = [one for one in with_fix if one.fix is not None and one.fix.is_safe is is_safe]
@@ -57,9 +61,9 @@ class _Verdict(NamedTuple):
     holds: bool
     is_declared: bool
     fault: Diagnostic | None
-    """What is wrong with the statement after the fix."""
+    """The problem of the statement after the fix."""
     written: frozenset[str]
-    """What the fix writes, and what the others write that it makes room for."""
+    """The texts that the fix writes, and those of the fixes that it makes room for."""
 
 
 def _judged(problem: Diagnostic, verdict: _Verdict) -> Diagnostic:
@@ -73,7 +77,7 @@ def _judged(problem: Diagnostic, verdict: _Verdict) -> Diagnostic:
 
 
 def _help(problem: Diagnostic, verdict: _Verdict) -> str:
-    """A way out that works: where the text's own one meets another error, that error's way out is told."""
+    """A way out that works: if the text's own one meets another error, that error's way out is given."""
     written, fault = problem.help.removeprefix("write "), verdict.fault
     if fault is None or written not in verdict.written:
         return problem.help
@@ -82,8 +86,9 @@ def _help(problem: Diagnostic, verdict: _Verdict) -> str:
 
 
 class _Trials:
-    def __init__(self, texts: Mapping[str, bytes], look: Look) -> None:
+    def __init__(self, texts: Mapping[str, bytes], look: Look, idle: Idle) -> None:
         self._texts = texts
+        self._idle = idle
         self._look = look
         self._left = _TRIALS_MAX
 
@@ -120,10 +125,10 @@ class _Trials:
         return verdicts
 
     def _until_quiet(self, files: Mapping[str, _File], is_safe: bool) -> tuple[Seen, dict[str, bool], list[Fix]]:
-        """What is found when no error in the mended lines has a fix of its own any more.
+        """Find what is left when no error in the fixed lines has a fix of its own any more.
 
-        With it whether each file could be read then, other lines that Python cannot read put aside, and the fixes that
-        were written on the way.
+        Also return whether each file could be read then, with other lines that Python cannot read put aside, and the
+        fixes that were written on the way.
         """
         broken = rounds = 0
         followers: list[Fix] = []
@@ -148,7 +153,7 @@ class _Trials:
             }
             put_aside = False
             for path, one in unread.items():
-                if files[path].is_mended(one) or broken >= _BROKEN_MAX or not files[path].put_aside(one):
+                if files[path].is_mended(one) or broken >= _BROKEN_MAX or not files[path].put_aside(one, self._idle):
                     is_whole[path] = False
                 else:
                     broken += 1
@@ -158,7 +163,7 @@ class _Trials:
 
 
 _UNREAD = ("CG101", "CG118")
-"""What keeps a file from being read at all."""
+"""The errors that keep a file from being read at all."""
 
 
 class _Place:
@@ -181,12 +186,12 @@ class _File:
         self._chosen: list[Fix] = []
 
     def taken(self, fixes: Sequence[Fix]) -> list[Fix]:
-        """Those of the fixes that can be written together; ``write`` does it."""
+        """Those of the fixes that can be written together; ``write`` writes them."""
         self._chosen = fixes_that_fit(self.data.decode("utf-8"), fixes)
         return self._chosen
 
     def track(self, fix: Fix, problem: Diagnostic) -> _Place:
-        # A new line below another one leaves that one as it is.
+        # A new line below another one leaves that one unchanged.
         written = [edit.span for edit in fix.edits if not edit.text.startswith("\n")]
         lines = {line for span in written for line in range(span.line, span.end_line + 1)}
         place = _Place(lines | ({problem.span.line} if problem.span else set()))
@@ -203,20 +208,17 @@ class _File:
             place.lines = _moved(place.lines, edits)
         self.data = text.encode("utf-8")
 
-    def put_aside(self, problem: Diagnostic) -> bool:
-        """Put a rung that does nothing in the place of a line that Python cannot read; False where it may declare."""
+    def put_aside(self, problem: Diagnostic, idle: Idle) -> bool:
+        """Put what does nothing in the place of a line that cannot be read; False where there is nothing."""
         assert problem.span is not None
         lines = self.data.decode("utf-8").splitlines(keepends=True)
         number = problem.span.line - 1
         if not 0 <= number < len(lines):
             return False
-        line = lines[number]
-        code = line.strip()
-        indent = line[: len(line) - len(line.lstrip())]
-        instead = "if True:" if code.partition("#")[0].rstrip().endswith(":") else "pass"
-        if not indent or code == instead:
+        instead = idle(lines[number])
+        if not instead:
             return False
-        lines[number] = f"{indent}{instead}\n"
+        lines[number] = instead
         self.data = "".join(lines).encode("utf-8")
         return True
 
@@ -225,7 +227,7 @@ def _moved(lines: Iterable[int], edits: Sequence[Edit]) -> set[int]:
     """The lines of a text after these edits, which are in order and do not overlap."""
     moved: set[int] = set()
     for line in lines:
-        # Of a line that is written anew, all that takes its place belongs to it.
+        # Everything that replaces a rewritten line belongs to it.
         there = [edit for edit in edits if edit.span.line <= line <= edit.span.end_line]
         first = min([line, *(edit.span.line for edit in there)])
         before = [edit for edit in edits if edit.span.end_line < first]

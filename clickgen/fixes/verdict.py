@@ -1,14 +1,15 @@
-"""The fixes that the text suggests get their verdict: safe, not safe, or none.
+"""Gives the fixes that the text suggests their verdict: safe, not safe, or none.
 
-A fix is safe only where the resolved program proves it: every name that it speaks of is a known address, what it turns
-round has an opposite, the conditions that it writes hold exactly when the arms ran, and nothing that stands between two
-rungs changes what the later one asks.
+A fix is safe only if the resolved program proves it: every name in it is a known address, the conditions that it
+reverses have an opposite, those that it writes hold exactly when the arms ran, and nothing between two
+rungs changes the condition of the later one.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from clickgen.dialects.base import Spelling
 from clickgen.fixes.hazards import Hazards
 from clickgen.fixes.proof import stand_alone
 from clickgen.ir.conditions import Compare, Contact
@@ -19,7 +20,6 @@ from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.resolve.resolve import Resolved
 from clickgen.text.edits import Fix
 from clickgen.text.source import SourceFile, Span
-from clickgen.text.wording import no_opposite
 
 _CONDITIONS = ("CG104", "CG105", "CG106", "CG107")
 """Errors in conditions: the instructions beside them are read."""
@@ -30,17 +30,18 @@ def judge_proposals(
     written: Iterable[Proposal],
     resolved: Resolved,
     sources: Iterable[SourceFile],
+    spell: Spelling,
     problems: Diagnostics,
     is_part: bool = False,
 ) -> None:
     """Give each problem with a proposal its fix and its help.
 
-    ``written`` are the proposals as the text has them, in the order of those in ``resolved``. In a part of a program
+    ``written`` has the proposals as the text has them, in the order of those in ``resolved``. In a part of a program
     other files will declare names.
     """
     pairs = {(one.code, one.span): (one, known) for one, known in zip(written, resolved.proposals, strict=True)}
     if pairs:
-        judge = _Judge(resolved, {source.path: source for source in sources}, problems, is_part)
+        judge = _Judge(resolved, {source.path: source for source in sources}, spell, problems, is_part)
         problems.found = [
             judge.judged(problem, *pairs[problem.code, problem.span])
             if problem.span and (problem.code, problem.span) in pairs
@@ -51,8 +52,14 @@ def judge_proposals(
 
 class _Judge:
     def __init__(
-        self, resolved: Resolved, sources: Mapping[str, SourceFile], problems: Diagnostics, is_part: bool
+        self,
+        resolved: Resolved,
+        sources: Mapping[str, SourceFile],
+        spell: Spelling,
+        problems: Diagnostics,
+        is_part: bool,
     ) -> None:
+        self._spell = spell
         self._sources = sources
         self._chosen = resolved.chosen
         self._is_declared = resolved.is_declared and not is_part
@@ -65,7 +72,7 @@ class _Judge:
         for said, leaf in zip(written.turned, resolved.turned, strict=True):
             shown = self._text(said.span)
             if _is_block(said, leaf):
-                return problem._replace(help=no_opposite(shown, is_negated), fix=None)
+                return problem._replace(help=self._spell.no_opposite(shown, is_negated), fix=None)
             if self._may_be_block(leaf):
                 why = f"{shown} may be a block, and nothing is the opposite of one"
                 return problem._replace(help=f"{why}: {_OTHERS_FIRST}", fix=None)
@@ -88,7 +95,7 @@ class _Judge:
     # -- blocks -------------------------------------------------------------------------------------------------------
 
     def _may_be_block(self, leaf: Contact | Compare) -> bool:
-        """True for a name that nothing declares, where not all that declares could be understood."""
+        """True for a name that nothing declares, if not everything that declares could be understood."""
         if self._is_declared or not isinstance(leaf, Contact):
             return False
         bit = _bit(leaf)
@@ -108,17 +115,17 @@ class _Judge:
         return not hazards.may_undo(proposal.arms) and (proposal.is_branch or hazards.may_look_again(proposal.arms))
 
     def _has_opposite(self, leaf: Contact | Compare) -> bool:
-        """True where the opposite holds exactly when the leaf does not.
+        """True if the opposite holds exactly when the leaf does not.
 
         A DF register may hold no number (NaN), after a root of a negative number, a word that was packed into it or a
-        message. What CLICK's comparisons are then, no source says: neither of two opposite ones may hold, or both.
+        message. No source says what CLICK's comparisons give then: neither of two opposite ones may hold, or both.
         """
         if isinstance(leaf, Contact):
             return isinstance(_bit(leaf), Cell) and self._is_known(leaf.operand)
         return not _is_float(leaf) and self._is_known(leaf.left) and self._is_known(leaf.right)
 
     def _is_known(self, operand: Operand) -> bool:
-        """True for what is an address for sure, or a constant."""
+        """True for a certain address, or a constant."""
         if isinstance(operand, Named):
             return False
         if isinstance(operand, Immediate):
@@ -129,7 +136,7 @@ class _Judge:
 
 
 def _hides_instruction(problem: Diagnostic) -> bool:
-    """True for an error behind which an instruction may stand that nobody has read."""
+    """True for an error that may hide an instruction that nobody has read."""
     return problem.is_error and problem.code.startswith("CG1") and problem.code not in _CONDITIONS
 
 
@@ -142,7 +149,7 @@ def _bit(leaf: Contact) -> Named | Cell | Range:
 
 
 def _is_block(written: Contact | Compare, resolved: Contact | Compare) -> bool:
-    """True for a range, and for a name that turned out to be one, be it in the wrong place or bank."""
+    """True for a range, and for a name that turned out to be one, even in the wrong place or bank."""
     for said, operand in zip(condition_operands(written), condition_operands(resolved), strict=True):
         bit = operand.target if isinstance(operand, Immediate) else operand
         named = said.target if isinstance(said, Immediate) else said

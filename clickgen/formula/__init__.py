@@ -1,4 +1,4 @@
-"""The room of formulas: what ``calc`` and ``math_hex`` hold in their strings, read and printed in CLICK's form."""
+"""Formulas: reads the strings of ``calc`` and ``math_hex`` and prints them in CLICK's form."""
 
 from clickgen.formula.parse import parse_formula
 from clickgen.formula.printer import print_formula, print_source

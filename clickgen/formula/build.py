@@ -1,6 +1,7 @@
-"""From the rules of ``grammar/formula.lark`` to nodes: one method for each rule, called while lark parses.
+"""Turns the rules of ``grammar/formula.lark`` into nodes: one method for each rule, called while lark parses.
 
-Mistakes that are no syntax errors are told here, all of them; parsing goes on with a ``Told`` in place of the part.
+Mistakes that are not syntax errors are reported here, all of them; parsing goes on with a ``Told`` in place of the
+part.
 """
 
 from __future__ import annotations
@@ -11,11 +12,11 @@ from typing import Any
 
 from lark import Token
 
-from clickgen.device.banks import BANKS, FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, Kind, parse_address
-from clickgen.dialects.if_rungs.trade import FORMULAS
+from clickgen.device.banks import BANKS, FLOAT_MAX, FLOAT_MIN, INTEGER_RANGES, Address, Kind, parse_address
 from clickgen.formula import addresses
-from clickgen.formula.addresses import Index, Negative, Reference
+from clickgen.formula.addresses import Inside, Negative, Reference
 from clickgen.formula.report import Report
+from clickgen.formula.spelling import SPELL
 from clickgen.formula.words import ALL_FUNCTIONS, FUNCTIONS, INSTRUCTION, OPERATORS, OTHER, SHIFTS, TERMINAL
 from clickgen.ir.formula_nodes import Binary, Call, Group, HexNumber, Mode, Node, Number, Operand, Pi, Sum, Unary
 from clickgen.ir.operands import WHOLE, Named, Range, Section
@@ -23,6 +24,7 @@ from clickgen.problems.diagnostics import did_you_mean
 
 # A constant beyond the ranges of DD and DF fits no register.
 _LARGEST_INTEGER = INTEGER_RANGES[Kind.INT32][1]
+_TEN = SPELL.range("DS", 1, 10)
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,14 +38,14 @@ class Slice:
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """What stands for a part whose mistake was told."""
+    """Placeholder for a part whose mistake has been reported."""
 
     start: int
     end: int
 
 
 Part = Node | Slice | Told
-"""What a rule of the grammar gives. No Slice or Told is left in a formula without mistakes."""
+"""The result of a rule of the grammar. A formula without mistakes has no Slice or Told left."""
 
 
 class Builder:
@@ -55,14 +57,14 @@ class Builder:
     loose: list[Slice]
 
     def begin(self, report: Report, mode: Mode) -> None:
-        """Forget the last formula."""
+        """Forget the previous formula."""
         self.report = report
         self.mode = mode
         self.operands = []
         self.loose = []
 
     def finish(self) -> None:
-        """Tell of ranges that ended outside SUM."""
+        """Report ranges that ended up outside SUM."""
         for part in self.loose:
             help = f"SUM({self.report.text.value[part.start : part.end]}) adds it up"
             self.report.add("CG116", part.start, part.end, "a range has a place only in SUM", help)
@@ -127,24 +129,23 @@ class Builder:
         if len(arguments) == 1 and isinstance(only, Operand) and isinstance(only.ref, Named) and only.ref.part is None:
             return Sum(replace(only.ref, part=WHOLE), start, end)
         if len(arguments) > 1 or not isinstance(only, Told):
-            self.report.add("CG116", start, end, "SUM adds up one range", "SUM(ds[1:11]) adds up DS1 to DS10")
+            self.report.add("CG116", start, end, "SUM adds up one range", f"SUM({_TEN}) adds up DS1 to DS10")
             self.loose = [part for part in self.loose if part.start < start]
         return Told(start, end)
 
     def _no_function(self, name: str, token: Token, arguments: Sequence[Part]) -> None:
-        found = FORMULAS.get(name.lower())
+        found = self.report.foreign(name, (), "")
         message = f"CLICK has no function {token.value}"
         if name in ALL_FUNCTIONS:
             message, help = self._other_mode(name)
-        elif found is not None:
-            # An argument that calculates would need parentheses of its own.
+        elif found:
+            # An argument that is a calculation would need parentheses of its own.
             is_plain = all(isinstance(part, Operand | Number | HexNumber) for part in arguments)
             whole = self.report.text.value
             texts = [whole[part.start : part.end] for part in arguments]
-            # Only of a function that is the whole formula the result goes where that of the formula goes.
+            # The result of a function goes where that of the formula goes only if the function is the whole formula.
             is_whole = whole.lstrip().startswith(token.value) and whole.rstrip().endswith(")") and whole.count("(") == 1
-            written = found.written(texts, self.report.target if is_whole else "") if is_plain else ""
-            help = found.of(written) if written else found.shown
+            help = self.report.foreign(name, texts, self.report.target if is_whole else "") if is_plain else found
         else:
             known = sorted(FUNCTIONS[self.mode])
             near = did_you_mean(name, [*known, *ALL_FUNCTIONS, *SHIFTS])
@@ -226,26 +227,25 @@ class Builder:
                 return Pi(start, end)
             self.report.add("CG117", start, end, *self._other_mode(name))
         elif name in ALL_FUNCTIONS:
-            help = "write SUM(ds[1:11])" if name == "SUM" else f"write {name}(x)"
+            help = f"write SUM({_TEN})" if name == "SUM" else f"write {name}(x)"
             self.report.add("CG116", start, end, f"{name} lacks its value in parentheses", help)
         elif address := parse_address(text):
-            number = '"0u"' if address.upper else address.number
             message = f"{text} is CLICK's way to write an address"
-            self.report.add("CG113", start, end, message, f"write {address.bank.lower()}[{number}]")
+            self.report.add("CG113", start, end, message, f"write {SPELL.cell(address)}")
         elif name in BANKS:
-            bank = name.lower()
-            help = f"write {bank}.Name or {bank}[{BANKS[name].first}]"
-            if bank == "dh":
+            help = f"write {SPELL.name(name, 'Name')} or {SPELL.cell(Address(name, BANKS[name].first))}"
+            if name == "DH":
                 help += "; the hexadecimal number is 0xD"
             self.report.add("CG113", start, end, f"`{text}` lacks a nickname or a number", help)
         else:
             message = f"`{_shorten(text)}` is neither an address nor a number"
-            self.report.add("CG113", start, end, message, f"a nickname follows its bank: ds.{_shorten(text)}")
+            help = f"a nickname follows its bank: {SPELL.name('DS', _shorten(text))}"
+            self.report.add("CG113", start, end, message, help)
         return Told(start, end)
 
     def text(self, parts: Sequence[Any]) -> Part:
         start, end = parts[0].start_pos, parts[0].end_pos
-        help = f"a nickname follows its bank: ds[{_shorten(parts[0].value)}]"
+        help = f"a nickname follows its bank: {SPELL.pointer('DS', _shorten(parts[0].value))}"
         self.report.add("CG116", start, end, "text has no place in a formula", help)
         return Told(start, end)
 
@@ -258,10 +258,23 @@ class Builder:
         if ref is None:
             return Told(start, end)
         if isinstance(ref, Range) or (isinstance(ref, Named) and isinstance(ref.part, Section)):
+            if not self._runs_upwards(ref, start, end):
+                return Told(start, end)
             part = Slice(ref, start, end)
             self.loose.append(part)
             return part
         return Operand(ref, start, end)
+
+    def _runs_upwards(self, ref: Range | Named, start: int, end: int) -> bool:
+        """True for a range that a formula can add up; any other is told."""
+        step = ref.part.step if isinstance(ref, Named) and isinstance(ref.part, Section) else 1
+        is_reversed = step < 0 or (isinstance(ref, Range) and ref.is_reversed)
+        if step == 1 and not is_reversed:
+            return True
+        fault = "the range is reversed" if is_reversed else "the range skips addresses"
+        way = f"a formula adds up consecutive addresses from the lowest upwards: {SPELL.range('DS', 1, 10)}"
+        self.report.add("CG202", start, end, fault, way)
+        return False
 
     def named(self, parts: Sequence[Any]) -> Reference:
         return addresses.named(parts[0], parts[1], self.report)
@@ -272,16 +285,16 @@ class Builder:
 
     def section(self, parts: Sequence[Any]) -> Reference:
         word, member, _, first, _, stop, _, step, closing = parts
-        return addresses.section(word, member, (first, stop, step), closing, self.report)
+        return addresses.member(word, member, (first, stop, step), closing, self.report)
 
     def indexed(self, parts: Sequence[Any]) -> Reference:
         return addresses.indexed(parts[0], parts[2], parts[3], self.report)
 
     def slice(self, parts: Sequence[Any]) -> Reference:
         word, _, first, _, stop, _, step, closing = parts
-        return addresses.sliced(word, first, stop, step, closing, self.report)
+        return addresses.indexed(word, (first, stop, step), closing, self.report)
 
-    def negative(self, parts: Sequence[Any]) -> Index:
+    def negative(self, parts: Sequence[Any]) -> Inside:
         sign, number = parts
         if not number.value.isdigit():
             return Token.new_borrow_pos("NUMBER", f"-{number.value}", number)

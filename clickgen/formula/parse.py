@@ -1,8 +1,9 @@
-"""From the string of ``calc`` and ``math_hex`` to a formula.
+"""Parses the string of ``calc`` and ``math_hex`` into a formula.
 
 The order of operators, the loosest first: ``OR``, ``XOR``, ``AND``, ``+ -``, ``* / MOD`` and infix shifts, the signs
-``-`` and ``NOT``, ``^``. All group from the left but ``^``: ``2 ^ 3 ^ 2`` is ``2 ^ (3 ^ 2)``, and ``-x ^ 2`` is
-``-(x ^ 2)``. Where nobody says that CLICK does the same, the printer writes parentheses (click-facts [math.grouping]).
+``-`` and ``NOT``, ``^``. All but ``^`` group from the left: ``2 ^ 3 ^ 2`` is ``2 ^ (3 ^ 2)``, and ``-x ^ 2`` is
+``-(x ^ 2)``. Where no source says that CLICK does the same, the printer writes parentheses (click-facts
+[math.grouping]).
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import clickgen
 from clickgen.formula.printer import print_formula
-from clickgen.formula.report import Report
+from clickgen.formula.report import Foreign, Report, unknown
 from clickgen.ir.formula_nodes import Formula, Mode
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.source import EmbeddedText
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 MAX_NESTING = 8
 MAX_OPERANDS = 68
 
-# Far above what CLICK takes; they keep the work on a hopeless formula small.
+# Far above CLICK's limit; they bound the work on a hopeless formula.
 _MAX_CHARACTERS = 4000
 _MAX_WRITTEN_NESTING = 64
 
@@ -40,19 +41,21 @@ _one_at_a_time = Lock()
 
 
 class Reader(NamedTuple):
-    """lark's parser and what it builds with."""
+    """lark's parser and its builder."""
 
     lark: Lark
     builder: Builder
 
 
-def parse_formula(text: EmbeddedText, mode: Mode, problems: Diagnostics, target: str = "") -> Formula | None:
-    """Read a formula, or add what is wrong with it to ``problems`` and return None. Never raises.
+def parse_formula(
+    text: EmbeddedText, mode: Mode, problems: Diagnostics, target: str = "", foreign: Foreign = unknown
+) -> Formula | None:
+    """Read a formula, or add its faults to ``problems`` and return None. Never raises.
 
-    Names keep the bank's upper-case name (``DS``), like addresses; ranges include both ends. ``target`` is where the
-    result goes, as the person wrote it, for ways out.
+    Names have the bank's upper-case name (``DS``), like addresses; ranges include both ends. ``target`` is where the
+    result goes, as the person wrote it, and ``foreign`` knows functions of other machines, for ways out.
     """
-    report = Report(text, target)
+    report = Report(text, target, foreign)
     formula = _parse(text.value, mode, report)
     problems.found.extend(report.problems.found)
     return None if report.problems.has_errors else formula
@@ -91,7 +94,7 @@ def _parse(value: str, mode: Mode, report: Report) -> Formula | None:
 
 
 def _check_written_nesting(value: str, report: Report) -> int:
-    """The deepest level of written parentheses; tells of those beyond CLICK's limit."""
+    """Return the deepest level of written parentheses; report those beyond CLICK's limit."""
     if value.count("(") <= MAX_NESTING:
         return value.count("(")
     depth = deepest = place = 0
@@ -126,7 +129,7 @@ def _check_printed_nesting(formula: Formula, report: Report) -> None:
 
 @cache
 def reader() -> Reader:
-    """lark's parser for ``formula.lark``, made once: about 20 ms, and importing lark is 50 to 100 ms."""
+    """Return lark's parser for ``formula.lark``, made once: about 20 ms, and importing lark is 50 to 100 ms."""
     from lark import Lark
 
     from clickgen.formula.build import Builder, tell_word
@@ -145,7 +148,7 @@ def reader() -> Reader:
 
 
 def grammar_text() -> str:
-    """The grammar: package data in a wheel, a folder beside the package in a checkout."""
+    """Return the grammar: package data in a wheel, a folder beside the package in a checkout."""
     package = Path(clickgen.__file__).parent
     inside = package / "grammar" / "formula.lark"
     path = inside if inside.is_file() else package.parent / "grammar" / "formula.lark"

@@ -1,7 +1,7 @@
 """A formula in CLICK's native form: one space between all tokens (click-facts [math.spaces]).
 
-It prints as written, the written parentheses kept. Parentheses are added where a lowering needs them (``NOT x`` is
-``x XOR FFFFh``, ``-x`` is ``0 - x``; click-facts [math.unary-minus]) and where operators meet whose order on CLICK is
+It prints the formula as written, parentheses included. Parentheses are added where a lowering needs them (``NOT x`` is
+``x XOR FFFFh``, ``-x`` is ``0 - x``; click-facts [math.unary-minus]) and between operators whose order on CLICK is
 unknown, so that CLICK computes what the source means.
 """
 
@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from clickgen.formula.spelling import SPELL
 from clickgen.formula.words import SHIFTS
 from clickgen.ir.formula_nodes import (
     Binary,
@@ -24,14 +25,14 @@ from clickgen.ir.formula_nodes import (
     Sum,
     Unary,
 )
-from clickgen.ir.operands import Cell, Named, Pointer, Range, Section
+from clickgen.ir.operands import Cell, Named, Pointer, Range
 
 OperandText = Callable[[Named | Cell | Pointer | Range], str]
 
 _CALLS = frozenset(SHIFTS.values())
 
-# Usual maths, which CLICK is taken to follow: (operator, operator inside it) needs no parentheses on the left or on
-# the right. Of MOD, of AND, OR, XOR among others, and of ^ in a row nobody says how CLICK groups them
+# Usual maths, which CLICK is assumed to follow: (operator, operator inside it) needs no parentheses on the left or on
+# the right. No source says how CLICK groups MOD, or AND, OR, XOR among themselves, or several ^ in a row
 # (click-facts [math.grouping]).
 _LEFT = {
     "+": frozenset("+-*/^"),
@@ -47,12 +48,12 @@ _NONE: frozenset[str] = frozenset()
 
 
 def print_formula(formula: Formula, operand_text: OperandText) -> str:
-    """The formula as CLICK writes it. ``operand_text`` gives ``DS5`` for a cell and ``DS1 : DS10`` for a range."""
+    """Return the formula in CLICK's form. ``operand_text`` gives ``DS5`` for a cell and ``DS1 : DS10`` for a range."""
     return _print(formula.root, formula.mode, operand_text)
 
 
 def _print(node: Node, mode: Mode, operand_text: OperandText) -> str:
-    """One node, standing alone: at the top or between parentheses."""
+    """Return one node by itself: at the top or between parentheses."""
     if isinstance(node, Operand):
         return operand_text(node.ref)
     if isinstance(node, Number):
@@ -81,7 +82,7 @@ def _print(node: Node, mode: Mode, operand_text: OperandText) -> str:
 
 
 def _inside(node: Node, bare: frozenset[str], mode: Mode, operand_text: OperandText) -> str:
-    """One node beside an operator, in parentheses unless its own operator is one of ``bare``."""
+    """Return one node beside an operator, in parentheses unless its own operator is one of ``bare``."""
     text = _print(node, mode, operand_text)
     if isinstance(node, Unary) or (isinstance(node, Binary) and node.op not in _CALLS and node.op not in bare):
         return f"( {text} )"
@@ -89,7 +90,7 @@ def _inside(node: Node, bare: frozenset[str], mode: Mode, operand_text: OperandT
 
 
 def number_text(number: Number) -> str:
-    """The number as written, with a digit on both sides of the point and without an exponent."""
+    """Return the number as written, with a digit on both sides of the point and without an exponent."""
     text = number.text
     if "e" in text or "E" in text:
         from decimal import Decimal
@@ -102,13 +103,13 @@ def number_text(number: Number) -> str:
 
 
 def print_source(formula: Formula) -> str:
-    """The formula as a program would hold it; reading it gives the same formula again."""
+    """Return the formula as a program would hold it; reading it gives the same formula again."""
     return _source(formula.root)
 
 
 def _source(node: Node) -> str:
     if isinstance(node, Operand):
-        return source_reference(node.ref)
+        return SPELL.reference(node.ref)
     if isinstance(node, Number):
         return node.text
     if isinstance(node, HexNumber):
@@ -120,29 +121,9 @@ def _source(node: Node) -> str:
     if isinstance(node, Call):
         return f"{node.name}({_source(node.argument)})"
     if isinstance(node, Sum):
-        return f"SUM({source_reference(node.range)})"
+        return f"SUM({SPELL.reference(node.range)})"
     if isinstance(node, Unary):
         return f"{node.op}{' ' if node.op == 'NOT' else ''}{_source(node.operand)}"
     if node.op in _CALLS:
         return f"{node.op}({_source(node.left)}, {_source(node.right)})"
     return f"{_source(node.left)} {node.op} {_source(node.right)}"
-
-
-def source_reference(ref: Named | Cell | Pointer | Range) -> str:
-    """An operand in the dialect: ``ds.Name``, ``ds["Any name"]``, ``xd["0u"]``, ``ds[ds.Index]``, ``ds[1:11]``."""
-    bank = ref.bank.lower()
-    if isinstance(ref, Named):
-        name = f"{bank}.{ref.name}" if ref.name.isidentifier() else f'{bank}["{ref.name}"]'
-        return name if ref.part is None else f"{name}[{_source_part(ref.part)}]"
-    if isinstance(ref, Cell):
-        return f'{bank}["0u"]' if ref.address.upper else f"{bank}[{ref.address.number}]"
-    if isinstance(ref, Range):
-        return f"{bank}[{ref.first}:{ref.last + 1}]"
-    return f"{bank}[{source_reference(ref.register)}]"
-
-
-def _source_part(part: int | Section) -> str:
-    if isinstance(part, int):
-        return str(part)
-    start, stop, step = ("" if bound is None else str(bound) for bound in part)
-    return f"{start}:{stop}" + ("" if part.step == 1 else f":{step}")

@@ -1,4 +1,4 @@
-"""What a part of a formula is worth, as far as that is known without running it."""
+"""The value of a part of a formula, as far as it is known without running it."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ _CALLS: Mapping[str, Callable[[float], float]] = {"RAD": math.radians, "DEG": ma
 
 
 def value_of(node: Node, registers: Mapping[Address, float] | None = None) -> float | None:
-    """The value of a part of a formula; None where a register decides, or CLICK's way to work it out.
+    """The value of a part of a formula; None if it depends on a register, or on how CLICK computes it.
 
-    ``registers`` are those whose values are taken for known.
+    ``registers`` has the registers whose values are taken as known.
     """
     if isinstance(node, Group):
         return value_of(node.inner, registers)
@@ -46,14 +46,14 @@ def value_of(node: Node, registers: Mapping[Address, float] | None = None) -> fl
             return None
         if node.op in _WORKED_OUT:
             return _finite(lambda: _WORKED_OUT[node.op](left, right))
-        # How CLICK signs the rest of a negative number nobody knows (click-facts [math.mod-sign]).
+        # Nobody knows the sign that CLICK gives the remainder of a negative number.
         if node.op == "MOD" and left >= 0 and right > 0:
             return _finite(lambda: left % right)
     return None
 
 
 def _finite(work: Callable[[], float]) -> float | None:
-    """What is worked out; None where it is too large for any register."""
+    """The result; None if it is too large for any register."""
     try:
         value = work()
         return value if math.isfinite(value) else None
@@ -62,7 +62,7 @@ def _finite(work: Callable[[], float]) -> float | None:
 
 
 def register_of(node: Node) -> Cell | None:
-    """The register that a part of a formula is, in parentheses or not; None for anything else."""
+    """The register that a part of a formula is, with or without parentheses; None for anything else."""
     if isinstance(node, Group):
         return register_of(node.inner)
     return node.ref if isinstance(node, Operand) and isinstance(node.ref, Cell) else None

@@ -1,4 +1,4 @@
-"""The words of formulas: which mode has which, and what CLICK calls those it has under another name."""
+"""The words of formulas: those of each mode, and CLICK's own names for those it calls otherwise."""
 
 from __future__ import annotations
 

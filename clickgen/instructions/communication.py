@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from clickgen.instructions.effects import Effects, Move, Shape
 from clickgen.instructions.spec import BITS, REGISTERS, Access, Param, ParamKind, Slot, Spec, Variant
 
 COM_PORTS = ("cpu2", "slot0_1", "slot0_2", "slot1_1", "slot1_2")
@@ -64,6 +65,8 @@ SEND = Spec(
     summary="Write to another device over Modbus.",
     example='send(ModbusTcpTarget(ip="192.168.1.10"), "DS1", ds[1:6], success=c.Sent)',
     height=3,
+    # click-facts [message.later]
+    effects=Effects(moves=Move("source", "remote_start", Shape.MESSAGE), is_late=True),
     notes=_NOTES,
 )
 RECEIVE = Spec(
@@ -78,6 +81,7 @@ RECEIVE = Spec(
     summary="Read from another device over Modbus.",
     example='receive(ModbusRtuTarget(com_port="cpu2", device_id=5), ModbusAddress(address=400001), ds[1:6])',
     height=3,
+    effects=Effects(moves=Move("remote_start", "dest", Shape.MESSAGE), is_late=True),
     notes=_NOTES,
 )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from clickgen.instructions.effects import Effects, Flow
 from clickgen.instructions.spec import INTEGER, ONESHOT, Param, ParamKind, Slot, Spec, Variant
 
 # click-facts [control.call]
@@ -11,6 +12,7 @@ CALL = Spec(
     variants=(Variant('call("{subroutine}")'),),
     summary="Run a subroutine.",
     example="call(auto_mode)",
+    effects=Effects(flow=Flow.CALL, needs_power=True),
 )
 # click-facts [control.return]
 RETURN = Spec(
@@ -19,6 +21,7 @@ RETURN = Spec(
     variants=(Variant("return()"),),
     summary="Go back from a subroutine to main.",
     example="return",
+    effects=Effects(flow=Flow.RETURN, needs_power=True),
 )
 # click-facts [control.end]
 END = Spec(
@@ -28,6 +31,7 @@ END = Spec(
     summary="End the scan of the program.",
     example="end()",
     alone=True,
+    effects=Effects(flow=Flow.END, needs_power=True),
 )
 # click-facts [control.for, control.for-count]
 FOR = Spec(
@@ -37,6 +41,8 @@ FOR = Spec(
     summary="Run the rungs up to next_loop() several times in one scan.",
     example="for _ in range(ds.Count): pass",
     alone=True,
+    # click-facts [control.for-off]
+    effects=Effects(flow=Flow.LOOP),
 )
 # click-facts [control.next]
 NEXT = Spec(
@@ -46,6 +52,7 @@ NEXT = Spec(
     summary="Close the loop that a for opened.",
     example="next_loop()",
     alone=True,
+    effects=Effects(flow=Flow.NEXT, needs_power=True),
 )
 # click-facts [grid.nop]
 NOP = Spec(
@@ -54,9 +61,9 @@ NOP = Spec(
     variants=(Variant("NOP"),),
     summary="Do nothing: keeps a rung without outputs legal (C0003).",
     example="pass",
+    effects=Effects(flow=Flow.PASS, needs_power=True),
 )
 
 SPECS = (CALL, END, NEXT)
-"""What is written as a call; the others have syntax of their own."""
-STATEMENTS = (RETURN, FOR, NOP)
-"""What is written as a statement of Python: return, for and pass."""
+SYNTAX = (RETURN, FOR, NOP)
+"""The instructions that are not written as calls: ``return``, ``for`` and ``pass``."""

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from clickgen.device.banks import POINTED
+from clickgen.instructions.effects import COPY_FLAGS, Effects, Move, Shape
 from clickgen.instructions.spec import (
     BITS,
     CODE,
     CONSTANTS,
-    COPY_FLAGS,
     NUMBERS,
     ONESHOT,
     REGISTERS,
@@ -33,6 +33,10 @@ CONVERSIONS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 }
 """The banks that each option of a copy converts from and to (click-facts [copy.convert])."""
 _OPTIONS = Param("options", ParamKind.OPTIONS, default=None)
+
+
+def _copies(shape: Shape) -> Effects:
+    return Effects(moves=Move("source", "destination", shape), flags=COPY_FLAGS, needs_power=True)
 
 
 def _source(slot: Slot) -> Param:
@@ -63,7 +67,7 @@ COPY = Spec(
     example="copy(ds.Recipe, ds.Setpoint)",
     height=2,
     matrix=("source", "destination"),
-    sets_flags=COPY_FLAGS,
+    effects=_copies(Shape.VALUE),
     notes=("Either side may be a pointer: `copy(ds[ds.Index], ds.Value)`.",),
 )
 
@@ -96,7 +100,7 @@ COPY_BLOCK = Spec(
     example="copy_block(ds[1:5], ds[100])",
     height=2,
     matrix=("source", "destination"),
-    sets_flags=COPY_FLAGS,
+    effects=_copies(Shape.BLOCK),
 )
 
 # click-facts [copy.fill]
@@ -125,7 +129,7 @@ COPY_FILL = Spec(
     example="copy_fill(0, ds[20:30])",
     height=2,
     matrix=("source", "destination"),
-    sets_flags=COPY_FLAGS,
+    effects=_copies(Shape.FILL),
 )
 
 _DISPUTED_PACK = "the vendor's table and the codec's captures disagree about this pair"
@@ -167,7 +171,7 @@ COPY_PACK = Spec(
     example="copy_pack(c[1:17], dh.StatusWord)",
     height=2,
     matrix=("source", "destination"),
-    sets_flags=COPY_FLAGS,
+    effects=_copies(Shape.PACK),
 )
 
 # click-facts [copy.unpack]
@@ -200,7 +204,7 @@ COPY_UNPACK = Spec(
     example="copy_unpack(dd.ConfigWord, c[101:133])",
     height=2,
     matrix=("source", "destination"),
-    sets_flags=COPY_FLAGS,
+    effects=_copies(Shape.UNPACK),
 )
 
 SPECS = (COPY, COPY_BLOCK, COPY_FILL, COPY_PACK, COPY_UNPACK)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from clickgen.device.banks import INTEGER_RANGES, Kind
+from clickgen.instructions.effects import Effects, Keeps
 from clickgen.instructions.spec import INTEGER, Access, Param, ParamKind, Slot, Spec, Variant
 
 _COUNTER = Param("counter", slot=Slot(cells=("CT",), access=Access.OWN))
@@ -15,6 +16,7 @@ _RESET = Param("reset", ParamKind.PIN, default=None, pin=".reset()", missing_pin
 _DOWN = Param("count_down", ParamKind.PIN, pin=".down()", chained="down")
 # click-facts [counter.edges]
 _EDGE = "Sources disagree whether a counter counts every scan in which its rung is true, or edges: count `re(...)`."
+_EFFECTS = Effects(keeps=frozenset((Keeps.COUNT,)), done=True, reset_by="reset")
 _ARGUMENTS = "({counter},{counter_value},preset={setpoint})"
 
 # click-facts [counter.limits]
@@ -25,6 +27,7 @@ CTU = Spec(
     summary="Count up; the counter bit is on from the setpoint upward.",
     example="ctu(ct.Parts, setpoint=100, reset=lambda: c.NewBatch)",
     height=3,
+    effects=_EFFECTS,
     notes=(_EDGE,),
 )
 CTD = Spec(
@@ -34,6 +37,8 @@ CTD = Spec(
     summary="Count down.",
     example="ctd(ct.Left, setpoint=50, reset=lambda: c.Refilled)",
     height=3,
+    effects=_EFFECTS,
+    own_row=1,  # click-facts [grid.down-counter]
     notes=(
         _EDGE,
         # click-facts [counter.count-down]
@@ -47,6 +52,7 @@ CTUD = Spec(
     summary="Count up on the rung and down on a second input.",
     example="ctud(ct.Level, setpoint=50, count_down=lambda: re(c.Taken), reset=lambda: c.Empty)",
     height=3,
+    effects=_EFFECTS,
     notes=(_EDGE,),
 )
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from clickgen.instructions.effects import Effects, Find, Keeps
 from clickgen.instructions.spec import (
     CODE,
     HEX,
@@ -31,6 +32,7 @@ SHIFT = Spec(
     summary="Shift register: the rung is the data bit, which moves in on each rising edge of the clock.",
     example="shift(c[1:9], clock=lambda: c.Clock, reset=lambda: c.Clear)",
     height=3,
+    effects=Effects(keeps=frozenset((Keeps.BITS,)), reset_by="reset"),
     notes=("A reversed slice, `c[8:0:-1]`, shifts the other way.",),
 )
 
@@ -47,8 +49,31 @@ _FLAG = Param("flag", slot=Slot(cells=("C",), access=Access.WRITE), aliases=("re
 _HOW = (Param("continuous", ParamKind.FLAG, default=False), ONESHOT)
 
 # click-facts [search.continuous, text.search]
-SEARCH = Spec(
+SEARCH_RANGE = Spec(
     name="search",
+    params=(
+        Param("comparison", ParamKind.RANGE_COMPARISON),
+        _RESULT,
+        replace(_FLAG, name="found", aliases=("flag", "result_flag")),
+        *_HOW,
+    ),
+    variants=(Variant("search({start}..{end} {condition} {value},result={result},found={flag}{continuous}{oneshot})"),),
+    summary="Find the first register of a range that meets a condition; both ends are searched.",
+    example="search(ds[100:201] == ds.Target, result=ds.FoundAt, found=c.Found)",
+    height=2,
+    effects=Effects(
+        finds=Find("start", "end", "condition", "value", goes_on="continuous", result="result"),
+        # No source says what becomes of the flag while the rung is off: it may need no power.
+        reports=("result", "flag"),
+    ),
+    notes=(
+        "The result is the number of the address that was found, or -1; then the flag is off.",
+        "With `continuous=True` each search goes on behind the last find; 0 in the result begins anew.",
+        "Texts are searched with `==` or `!=`; a text of several characters is found where it begins.",
+    ),
+)
+SEARCH = replace(
+    SEARCH_RANGE,
     params=(
         Param("condition", ParamKind.COMPARISON),
         Param(
@@ -63,27 +88,8 @@ SEARCH = Spec(
         _FLAG,
         *_HOW,
     ),
-    variants=(Variant("search({start}..{end} {condition} {value},result={result},found={flag}{continuous}{oneshot})"),),
-    summary="Find the first register of a range that meets a condition; both ends are searched.",
     example='search("==", ds.Target, ds[100], ds[200], ds.FoundAt, c.Found)',
-    height=2,
-    notes=(
-        "The result is the number of the address that was found, or -1; then the flag is off.",
-        "With `continuous=True` each search goes on behind the last find; 0 in the result begins anew.",
-        "Texts are searched with `==` or `!=`; a text of several characters is found where it begins.",
-    ),
+    short=SEARCH_RANGE,
 )
-
-SEARCH_RANGE = replace(
-    SEARCH,
-    params=(
-        Param("comparison", ParamKind.RANGE_COMPARISON),
-        _RESULT,
-        replace(_FLAG, name="found", aliases=("flag", "result_flag")),
-        *_HOW,
-    ),
-    example="search(ds[100:201] == ds.Target, result=ds.FoundAt, found=c.Found)",
-)
-"""The same search by its other signature."""
 
 SPECS = (SHIFT, SEARCH)

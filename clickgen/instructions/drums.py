@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from clickgen.instructions.effects import Drive, Drives, Effects, Keeps
 from clickgen.instructions.spec import BITS, INTEGER, Access, Param, ParamKind, Slot, Spec, Variant
 from clickgen.instructions.timers import PRESET_MAX, UNIT
 
@@ -41,6 +42,12 @@ _NOTES = (
     "CLICK jumps to the step that a DS register holds: a constant step is copied to a scratch register before.",
 )
 
+
+def _sequences(*keeps: Keeps) -> Effects:
+    drive, reports = Drive("outputs", Drives.STEP), ("current_step", "completion_flag")
+    return Effects(drive, keeps=frozenset((Keeps.STEP, *keeps)), reset_by="reset", reports=reports)
+
+
 # click-facts [drum.work]
 EVENT_DRUM = Spec(
     name="event_drum",
@@ -56,6 +63,7 @@ EVENT_DRUM = Spec(
     "current_step=ds.Step, completion_flag=c.Done, reset=lambda: c.Restart, "
     "jump=lambda: c.Skip, jump_step=2, jog=lambda: c.Next)",
     height=4,
+    effects=_sequences(),
     notes=_NOTES,
 )
 TIME_DRUM = Spec(
@@ -72,6 +80,7 @@ TIME_DRUM = Spec(
     "current_step=ds.Step, accumulator=td.Elapsed, completion_flag=c.Done, "
     "reset=lambda: c.Restart, jump=lambda: c.Skip, jump_step=2, jog=lambda: c.Next)",
     height=4,
+    effects=_sequences(Keeps.TIME),
     notes=(
         *_NOTES,
         "The accumulator belongs to the drum alone: no timer may have its number.",

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import re
 
+from clickgen.instructions.effects import Effects
 from clickgen.instructions.spec import Param, ParamKind, Spec, Variant
 
+WORD = "raw"
+"""The word that laddercodec has for an instruction that it does not model (click-facts [token.raw])."""
+
 RAW = Spec(
-    name="raw",
+    name=WORD,
     params=(Param("token", ParamKind.TOKEN),),
     variants=(Variant("{token}"),),
     summary="An instruction that the language has no word for, as its ladder token.",
@@ -15,6 +19,7 @@ RAW = Spec(
         'raw("raw(Velocity,0x2735,1,222d=0,609b=1,609c=1,609d=1,222f=2,11f5=0,2231=0,'
         '60a2=,60a3=,60a4=,607b=C1,607d=C2,6083=DS1,3218=9744,0000=)")'
     ),
+    effects=Effects(is_unknown=True),
     notes=(
         "`clickgen import` writes it. What CLICK does there, clickgen does not know: every address in the token counts "
         "as read and as written.",
@@ -28,6 +33,7 @@ NOT_IMPORTED = Spec(
     variants=(),
     summary="The place of a rung that `clickgen import` left out: a program that has it does not build.",
     example='not_imported("main.csv:45: the contacts are wired in too many ways")',
+    effects=Effects(is_unknown=True),
     notes=("Draw the rung again by hand from the old project, and take the line out (CG426).",),
 )
 

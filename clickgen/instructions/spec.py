@@ -11,6 +11,7 @@ from functools import cached_property
 from typing import Final
 
 from clickgen.device.banks import READ_ONLY
+from clickgen.instructions.effects import Effects
 
 BITS = ("X", "Y", "C", "T", "CT", "SC")
 REGISTERS = ("DS", "DD", "DH", "DF", "XD", "YD", "TD", "CTD", "SD", "TXT")
@@ -134,7 +135,9 @@ class Param:
     extends_to: str = ""
     """The parameter that names the last address of what begins here (search)."""
     by_name: bool = False
-    """True for an operand that an imported program writes with its name; the others stand in their places."""
+    """True for an operand that an imported program writes with its name; the others go by their places."""
+    is_hex: bool = False
+    """True for a formula of hexadecimal words."""
 
 
 @dataclass(frozen=True)
@@ -163,10 +166,10 @@ class Variant:
 
 @dataclass(frozen=True, eq=False)
 class Spec:
-    """One instruction of the language: each stands once, and is equal to itself alone.
+    """One instruction of the language: each is declared once, and is equal to itself alone.
 
-    ``height`` is in grid rows, pins included (click-facts [grid.heights]). ``sets_flags`` are the system bits that
-    running it can change. ``alone`` instructions get a CLICK rung of their own.
+    ``height`` is in grid rows, pins included (click-facts [grid.heights]). ``alone`` instructions get a CLICK rung of
+    their own. Whoever wants to know what an instruction does asks its ``effects``.
     """
 
     name: str
@@ -182,7 +185,13 @@ class Spec:
     alone: bool = False
     bare_enable: bool = False
     """True where a wire from the power rail alone is known to run a box with pins; others get a contact there."""
-    sets_flags: tuple[str, ...] = ()
+    effects: Effects = field(default_factory=Effects)
+    own_row: int = 0
+    """The row of its box that the rung itself leads to; 0 is the first."""
+    short: Spec | None = None
+    """The same instruction by another signature, in which one argument says what several do here."""
+    built_from: Spec | None = None
+    """CLICK has no such box: clickgen builds it from this one and scratch bits."""
     notes: tuple[str, ...] = ()
 
     @cached_property
@@ -193,6 +202,16 @@ class Spec:
     def ends(self) -> frozenset[str]:
         """The parameters that name the last address of what another one begins."""
         return frozenset(param.extends_to for param in self.params if param.extends_to)
+
+    @property
+    def forms(self) -> tuple[Spec, ...]:
+        """The instruction by each of its signatures."""
+        return (self,) if self.short is None else (self, self.short)
+
+    @property
+    def owns(self) -> tuple[Param, ...]:
+        """The parameters of what belongs to the instruction alone."""
+        return tuple(param for param in self.params if param.slot.access is Access.OWN)
 
     @property
     def methods(self) -> dict[str, Param]:
@@ -215,8 +234,3 @@ def _shown(param: Param) -> str:
 
 # click-facts [token.oneshot]
 ONESHOT: Final = Param("oneshot", ParamKind.FLAG, default=False, aliases=("one_shot",))
-
-COPY_FLAGS = ("SC43", "SC44")
-"""Out of range, address error (click-facts [scan.flags])."""
-MATH_FLAGS = ("SC40", "SC43")
-"""Division error, out of range (click-facts [scan.flags])."""

@@ -1,1 +1,1 @@
-"""What the person wrote, as frozen trees: operands, conditions, rungs, routines."""
+"""The program as the person wrote it, as frozen trees: operands, conditions, rungs, routines."""

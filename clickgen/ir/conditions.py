@@ -9,9 +9,9 @@ from clickgen.records import dataclass
 from clickgen.text.source import Span
 
 OPPOSITE = {"==": "!=", "!=": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
-"""The comparison that holds where another does not."""
+"""The comparison that holds when another does not."""
 MIRRORED = {"==": "==", "!=": "!=", "<": ">", "<=": ">=", ">": "<", ">=": "<="}
-"""The comparison that says the same with its sides exchanged."""
+"""The comparison that means the same with its sides exchanged."""
 
 
 class Edge(Enum):
@@ -22,12 +22,8 @@ class Edge(Enum):
 
     @property
     def word(self) -> str:
-        """For a message: ``rising`` or ``falling``."""
+        """The word for a message: ``rising`` or ``falling``."""
         return "rising" if self is Edge.RISE else "falling"
-
-
-EDGE_FUNCTIONS = {Edge.RISE: "re", Edge.FALL: "fe"}
-"""How the language writes a contact on an edge."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -39,7 +39,7 @@ _FIRST = 10
 """The number of the first of these classes."""
 
 
-_SPECS = {**INSTRUCTIONS, **{spec.name: spec for spec in control.STATEMENTS}}
+_SPECS = {**INSTRUCTIONS, **{spec.name: spec for spec in control.SYNTAX}}
 
 
 class NotData(Exception):

@@ -1,4 +1,4 @@
-"""The formula a person wrote, as frozen nodes. Written parentheses are kept, so that CLICK shows what was written.
+"""The formula that a person wrote, as frozen nodes. Written parentheses are kept, so that CLICK shows them too.
 
 ``start`` and ``end`` are character offsets into the formula; the end is exclusive.
 """
@@ -17,7 +17,7 @@ Mode = Literal["decimal", "hex"]
 
 @dataclass(frozen=True, slots=True)
 class Number:
-    """A decimal number of a decimal formula; ``text`` is how the person wrote it."""
+    """A decimal number of a decimal formula; ``text`` is as written."""
 
     text: str
     value: int | float
@@ -36,7 +36,7 @@ class HexNumber:
 
     @property
     def text(self) -> str:
-        """As CLICK shows it: what is seen there begins with a digit or has all four.
+        """The number as CLICK shows it: it begins with a digit or has all four.
 
         click-facts [math.hex-constants]
         """
@@ -63,7 +63,7 @@ class Operand:
 
 @dataclass(frozen=True, slots=True)
 class Sum:
-    """``SUM(ds[1:11])``: what DS1 to DS10 add up to. Both ends of ``range`` are included; a name is that of a block."""
+    """``SUM(ds[1:11])``: the sum of DS1 to DS10. Both ends of ``range`` are included; a name is that of a block."""
 
     range: Range | Named
     start: int
@@ -122,7 +122,7 @@ class Formula:
 
 
 def walk(formula: Formula) -> Iterator[Node]:
-    """Every node, from left to right, a node before its parts."""
+    """Yield every node, from left to right, a node before its parts."""
     waiting: list[Node] = [formula.root]
     while waiting:
         node = waiting.pop()

@@ -1,4 +1,4 @@
-"""Replacing the operands inside a formula."""
+"""Replaces the operands inside a formula."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Span = Range | Named
 def map_refs(
     formula: Formula, change: Callable[[Ref], Ref], change_range: Callable[[Span], Span] = lambda span: span
 ) -> Formula:
-    """The same formula with each operand replaced by what ``change`` gives for it, and so the ranges of SUM."""
+    """Return the formula with each operand, and each range of SUM, replaced by ``change`` of it."""
     return Formula(_map(formula.root, change, change_range), formula.mode)
 
 

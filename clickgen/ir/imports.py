@@ -1,4 +1,4 @@
-"""What a program file takes from a sibling file."""
+"""The imports of a program file from sibling files."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from clickgen.text.source import Span
 
 @dataclass(frozen=True, slots=True)
 class Import:
-    """``from auto import auto_mode``; without names, ``import wiring``, it brings the file's declarations alone.
+    """``from auto import auto_mode``; without names, ``import wiring``, it brings only the file's declarations.
 
     An empty ``module`` is an import that could not be read.
     """

@@ -1,6 +1,6 @@
-"""Ladder tokens that are kept as they are: the addresses in them.
+"""Ladder tokens that are kept unchanged, and the addresses in them.
 
-What their instructions do, nobody knows, so everything that may be an address counts as one, in quotes too.
+Nobody knows what their instructions do, so everything that may be an address counts as one, in quotes too.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ def _operands(text: EmbeddedText) -> Iterator[Cell | Range | Pointer]:
 
 
 def _pointer(text: EmbeddedText, match: re.Match[str]) -> Iterator[Pointer]:
-    """A pointer; its register is an address of the token by itself."""
+    """A pointer; its register is a separate address of the token."""
     bank, register = match["pointed"].upper(), parse_address(match["register"])
     if register and bank in POINTED:
         span = text.span(*match.span())
@@ -55,7 +55,7 @@ def _pointer(text: EmbeddedText, match: re.Match[str]) -> Iterator[Pointer]:
 
 
 def _between(first: Address, last: Address, span: Span) -> Iterator[Range]:
-    """A range; one over a gap of X or Y in its pieces."""
+    """A range; one that spans a gap of X or Y comes in pieces."""
     low, high = sorted((first.number, last.number))
     for start, stop in BANKS[first.bank].ranges:
         if start <= high and low <= stop:

@@ -1,4 +1,4 @@
-"""Where a send or receive goes: the other device, and the first address there."""
+"""The destination of a send or receive: the other device, and the first address there."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class RemoteModbus:
     number: int
     span: Span
     register_type: str = ""
-    """Empty for a 984 number, which says it itself."""
+    """Empty for a 984 number, which implies it."""
 
 
 Target = TcpTarget | RtuTarget

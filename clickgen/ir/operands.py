@@ -1,6 +1,6 @@
-"""Operands: cells, ranges, pointers and constants, each with the place it was written.
+"""Operands: cells, ranges, pointers and constants, each with the place where it was written.
 
-``Named`` is what a program says; resolving replaces each by the ``Cell`` its nickname stands for.
+A program has ``Named``; resolving replaces each by the ``Cell`` of its nickname.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from clickgen.text.source import EmbeddedText, Span
 
 
 class Section(NamedTuple):
-    """``[0:10]`` behind the name of a block: half-open, from index 0; None is the block's own end."""
+    """``[0:10]`` after the name of a block: half-open, from index 0; None is the block's own end."""
 
     start: int | None = None
     stop: int | None = None
@@ -29,7 +29,7 @@ WHOLE = Section()
 class Named:
     """``ds.Step``: a nickname seen through a bank, or the name of a block.
 
-    ``part`` is what stands behind a block's name: an index, -1 for the last member, or a section.
+    ``part`` is what follows a block's name: an index, -1 for the last member, or a section.
     """
 
     bank: str
@@ -72,7 +72,7 @@ class Range:
 
 @lru_cache(maxsize=256)
 def _addresses(bank: str, first: int, last: int) -> tuple[Address, ...]:
-    """The addresses of a range: every stage asks for those of a long one many times."""
+    """The addresses of a range, cached: every stage asks for those of a long one many times."""
     step = -1 if first > last else 1
     return tuple(Address(bank, number) for number in range(first, last + step, step))
 
@@ -88,7 +88,7 @@ class Pointer:
 
 @dataclass(frozen=True, slots=True)
 class Immediate:
-    """``x[1].immediate``: the physical point, past the scan's image."""
+    """``x[1].immediate``: the physical point, not the scan's image."""
 
     target: Named | Cell | Range
     span: Span
@@ -114,7 +114,7 @@ class Hex:
 
 @dataclass(frozen=True, slots=True)
 class Real:
-    """A floating-point constant; ``text`` is how the person wrote it."""
+    """A floating-point constant; ``text`` is as written."""
 
     value: float
     text: str
@@ -140,7 +140,7 @@ class CharCode:
 
 Constant = Integer | Hex | Real | Text | CharCode
 Single = Named | Cell | Pointer | Constant
-"""What holds or is one value."""
+"""An operand that holds or is one value."""
 Operand = Single | Range | Immediate
 
 _FORMS: dict[type, str] = {Integer: INTEGER, Hex: HEX, Real: REAL, Text: TEXT, CharCode: CODE}

@@ -1,4 +1,4 @@
-"""Fixes that the text of a program suggests: the edits, and what has to be proved before one may be called safe.
+"""Fixes that the text of a program suggests: the edits, and what must be proved before one may be called safe.
 
 The reader proposes; ``clickgen.fixes`` judges, once names are addresses.
 """
@@ -16,10 +16,10 @@ from clickgen.text.source import Span
 
 @dataclass(frozen=True, slots=True)
 class Alternative:
-    """One arm of an if with elif and else. No part of the program, but the first."""
+    """One arm of an if with elif and else. Only the first is part of the program."""
 
     test: Condition
-    """The arm's own condition; of an else ``Always``."""
+    """The arm's own condition; ``Always`` for an else."""
     alone: Condition
     """The condition that the fix writes, so that the arm can stand alone."""
     items: tuple[Item, ...]
@@ -33,17 +33,17 @@ class Proposal:
     span: Span
     edits: tuple[Edit, ...]
     help: str
-    """The help of the problem when the fix holds; "" keeps the problem's own."""
+    """The help of the problem if the fix holds; "" keeps the problem's own."""
     turned: tuple[Contact | Compare, ...]
-    """The conditions, as they stand, of which the fix writes the opposite."""
+    """The conditions, as written, that the fix replaces by their opposites."""
     arms: tuple[Alternative, ...] = ()
     is_branch: bool = False
-    """True when the arms become branches of one rung, which looks at all their conditions before it acts."""
+    """True if the arms become branches of one rung, which looks at all their conditions before it acts."""
     is_read: bool = True
-    """False when part of it could not be read, so that nobody knows what it asks or does."""
+    """False if part of it could not be read, so that nobody knows what it asks or does."""
 
     def rungs(self) -> Iterator[Rung]:
-        """All that the proposal speaks of, in the form of rungs."""
+        """All parts of the proposal in the form of rungs."""
         for arm in self.arms:
             yield Rung(arm.test, arm.items, "", self.span, self.span)
         for leaf in self.turned:

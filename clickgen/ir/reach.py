@@ -1,6 +1,6 @@
-"""What an action touches, and how far an operand reaches behind its own address: block copies, texts, searches.
+"""The addresses that an action touches, including those beyond an operand's own: block copies, texts, searches.
 
-Addresses in such a reach belong to the program as much as those that it names.
+They belong to the program as much as those that it names.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def cell_address(operand: object) -> Address | None:
 
 
 def reached(action: Action, param: Param) -> Operand | None:
-    """An operand with all the addresses it stands for; None for what is no operand or was left out."""
+    """An operand with all the addresses that it covers; None if it is not an operand or was left out."""
     operand = action.args.get(param.name)
     if isinstance(operand, Cell):
         length = length_of(action, param)
@@ -38,7 +38,7 @@ _OPERANDS: frozenset[type] = frozenset(get_args(Operand))
 
 
 def length_of(action: Action, param: Param, address_of: AddressOf = cell_address) -> int:
-    """How many addresses an operand stands for, from its own upward. ``address_of`` knows names too."""
+    """How many addresses an operand covers, from its own upward. ``address_of`` also resolves names."""
     operand = action.args.get(param.name)
     if param.extends_over:
         source = action.args.get(param.extends_over)
@@ -55,7 +55,7 @@ def length_of(action: Action, param: Param, address_of: AddressOf = cell_address
 def characters(action: Action) -> int:
     """How many TXT addresses a copy may fill.
 
-    What CLICK makes of a number that goes to TXT without an option, no source says: it may be the digits.
+    No source says what CLICK makes of a number that goes to TXT without an option: it may be the digits.
     """
     source, options = action.args.get(action.spec.matrix[0]), action.args.get("options")
     if isinstance(source, Text):
@@ -67,7 +67,7 @@ def characters(action: Action) -> int:
 
 
 def _digits(source: object) -> int:
-    """The most characters that a number becomes as text; 1 for what is no number."""
+    """The most characters that a number becomes as text; 1 for anything else."""
     if isinstance(source, Integer):
         return len(str(source.value))
     if isinstance(source, Hex):
@@ -78,9 +78,9 @@ def _digits(source: object) -> int:
 
 
 class Touch(NamedTuple):
-    """One operand of an action with all the addresses it stands for. What is owned is written.
+    """One operand of an action with all the addresses that it covers. An owned one is written.
 
-    What a kept token names is read and written: nobody knows what its instruction does.
+    Addresses in a kept token are read and written: nobody knows what its instruction does.
     """
 
     operand: Operand
@@ -89,7 +89,7 @@ class Touch(NamedTuple):
 
 
 def touches(action: Action) -> Iterator[Touch]:
-    """Every operand of an action, those of its pins and formulas and the registers of its pointers included."""
+    """Yield every operand of an action, including those of its pins and formulas and the registers of its pointers."""
     args = action.args
     ends = action.spec.ends
     for param in action.spec.params:
@@ -113,7 +113,7 @@ def touches(action: Action) -> Iterator[Touch]:
 
 
 def reaching(program: Program, address_of: AddressOf = cell_address) -> Iterator[tuple[Operand, int]]:
-    """Every operand that stands for more addresses than its own, and how many."""
+    """Yield every operand that covers more addresses than its own, and how many."""
     for routine in program.routines:
         for rung in rungs_in(routine.rungs):
             for action in actions_in(rung.items):

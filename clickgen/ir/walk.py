@@ -1,4 +1,4 @@
-"""Walking and rewriting the program tree."""
+"""Walks and rewrites the program tree."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def leaves(condition: Condition) -> Iterator[Contact | Compare]:
 
 
 def action_operands(action: Action) -> Iterator[Operand]:
-    """Every operand of an action, those of its pins and its formula included."""
+    """Yield every operand of an action, including those of its pins and its formula."""
     for value in action.args.values():
         yield from value_operands(value)
 
@@ -61,7 +61,7 @@ def _listed_operands(value: Operands) -> Iterator[Operand]:
 
 
 def _with_register(operand: Operand) -> Iterator[Operand]:
-    """An operand, and behind a pointer the register it goes through."""
+    """Yield an operand, and after a pointer the register it goes through."""
     yield operand
     if isinstance(operand, Pointer):
         yield operand.register
@@ -78,13 +78,13 @@ _PARTS: dict[type, Callable[[tp.Any], Iterator[Operand]]] = {
 
 
 def rung_operands(rung: Rung) -> Iterator[Operand]:
-    """Every operand of a rung in source order, those of loop bodies included."""
+    """Yield every operand of a rung in source order, including those of loop bodies."""
     yield from condition_operands(rung.condition)
     yield from items_operands(rung.items)
 
 
 def items_operands(items: tuple[Item, ...]) -> Iterator[Operand]:
-    """Every operand of what hangs on a condition, in source order."""
+    """Yield every operand of what depends on a condition, in source order."""
     for item in items:
         if isinstance(item, Action):
             yield from action_operands(item)
@@ -108,7 +108,7 @@ def program_operands(program: Program) -> Iterator[Operand]:
 
 
 class Rewriter:
-    """Rebuilds a program with other addresses. Subclasses say how a name or a cell changes, wherever it stands."""
+    """Rebuilds a program with other addresses. Subclasses define how a name or a cell changes, wherever it is."""
 
     def cell(self, cell: Named | Cell) -> Named | Cell:
         return cell
@@ -133,7 +133,7 @@ class Rewriter:
         return Action(action.spec, {name: self.value(value) for name, value in action.args.items()}, action.span)
 
     def program(self, program: Program) -> Program:
-        """The program with its routines rebuilt; its proposals are no part of it."""
+        """Return the program with its routines rebuilt; its proposals are not part of it."""
         routines = tuple(replace(routine, rungs=self.rungs(routine.rungs)) for routine in program.routines)
         return replace(program, routines=routines)
 

@@ -1,9 +1,9 @@
-"""Reasoning about conditions: can it ever hold, does it always, do two exclude each other.
+"""Reasoning about conditions: can one ever hold, does it always, do two exclude each other.
 
-What cannot be decided counts as possible: a rule may stay silent, never accuse wrongly. Names need no address: any two
-may be of the same one, and a name of bits may be the name of a block. A DF register may hold no number (NaN). No source
-says how CLICK compares that; here it goes by IEEE 754, where of all comparisons only ``!=`` holds then (click-facts
-[compare.nan]). So neither of two opposite comparisons has to hold. What must not rest on this, a safe fix, does not ask
+Whatever cannot be decided counts as possible: a rule may stay silent but never accuse wrongly. Names need no address:
+two names may have the same one, and a name of bits may be the name of a block. A DF register may hold no number (NaN).
+No source says how CLICK compares that; this module follows IEEE 754, where only ``!=`` holds then (click-facts
+[compare.nan]). So neither of two opposite comparisons need hold. A safe fix, which must not rest on this, does not ask
 about floating point here.
 """
 
@@ -26,26 +26,26 @@ _NUMBERS = (Integer, Hex, Real, CharCode)
 
 _STEPS_MAX = 4000
 _DEPTH_MAX = 200
-"""Beyond so many steps, or alternatives inside each other, a condition counts as possible."""
+"""Beyond this many steps, or nested alternatives, a condition counts as possible."""
 
 MANY = 64
-"""Of more terms than this a rule does not ask how each stands to each: no rung that a person wrote has them."""
+"""With more terms than this a rule does not compare them pair by pair: no rung that a person wrote has as many."""
 
 Number = int | float
 
 
 def can_hold(condition: Condition) -> bool:
-    """False when no state of the machine makes the condition true."""
+    """False if no state of the machine makes the condition true."""
     return _Search().run([(condition, True)])
 
 
 def always_holds(condition: Condition) -> bool:
-    """True when every state of the machine makes the condition true."""
+    """True if every state of the machine makes the condition true."""
     return not _Search().run([(condition, False)])
 
 
 def are_exclusive(*conditions: Condition) -> bool:
-    """True when these conditions are never true together."""
+    """True if these conditions are never true together."""
     return not _Search().run([(condition, True) for condition in conditions])
 
 
@@ -55,7 +55,7 @@ def implies(one: Condition, other: Condition) -> bool:
 
 
 def terms_of(*conditions: Condition) -> tuple[Condition, ...]:
-    """What must hold for all of these to hold, one by one: a series inside a series is laid flat."""
+    """The single terms that must hold for all of these to hold; a series inside a series is flattened."""
     flat: list[Condition] = []
     for condition in conditions:
         if isinstance(condition, All):
@@ -66,12 +66,12 @@ def terms_of(*conditions: Condition) -> tuple[Condition, ...]:
 
 
 def looked_at(condition: Condition) -> set[object]:
-    """The bits and registers that decide a condition: two conditions without a common one say nothing of each other."""
+    """The bits and registers that decide a condition; two conditions that share none are independent."""
     return {key for leaf in leaves(condition) for key in _looked_at(leaf)}
 
 
 def may_meet(conditions: Iterable[Condition]) -> bool:
-    """False when no two contacts or comparisons look at the same thing: then none says anything of another."""
+    """False if no two contacts or comparisons look at the same thing: then they are all independent."""
     seen: set[object] = set()
     for condition in conditions:
         for leaf in leaves(condition):
@@ -89,14 +89,14 @@ def _looked_at(leaf: Contact | Compare) -> Iterable[object]:
 
 
 def shape(condition: Condition) -> object:
-    """What a condition says, wherever it is written: two of one shape say the same in the same moment."""
+    """The meaning of a condition, wherever it is written: two of one shape have the same value at the same moment."""
     if isinstance(condition, Contact):
         if isinstance(condition.operand, Immediate):
             return condition.span
         return tuple(_bits(condition))
     if isinstance(condition, Compare):
         left, op, right = _side(condition.left), condition.op, _side(condition.right)
-        # With its sides exchanged a comparison says the same of numbers, which a DF register may not hold.
+        # With its sides exchanged, a comparison says the same of numbers; a DF register may hold none.
         as_written = isinstance(condition.left, _REGISTERS) or form_of(condition.right) == "DF"
         return (left, op, right) if as_written else (right, MIRRORED[op], left)
     if isinstance(condition, All | Any):
@@ -110,7 +110,7 @@ def _side(operand: Single) -> object:
 
 
 Goal = tuple[Condition, bool]
-"""A condition and whether it is to hold."""
+"""A condition and whether it should hold."""
 
 
 class _Search:
@@ -120,7 +120,7 @@ class _Search:
         self._steps = 0
 
     def run(self, goals: list[Goal], state: _State | None = None, depth: int = 0) -> bool:
-        """True when there is such a state, or when looking for it takes too long."""
+        """True if there is such a state, or if the search takes too long."""
         state = state or _State()
         while goals:
             self._steps += 1
@@ -159,14 +159,14 @@ class _Search:
 
 
 def _bits(contact: Contact) -> Iterator[tuple[tuple[Edge | None, object], bool]]:
-    """The bits of a contact, each with its edge, and the value each must have; none of an immediate contact."""
+    """Yield the bits of a contact, each with its edge, and the value each must have; none for an immediate contact."""
     if not isinstance(contact.operand, Immediate):
         for key in _bit_keys(contact.operand):
             yield (contact.edge, key), not contact.negated
 
 
 def _bit_keys(operand: Named | Cell | Range) -> list[object]:
-    """The bits of an operand. Two stand for those of a block: all are on, or all are off, or neither."""
+    """The bits of an operand. Two represent those of a block: all are on, or all are off, or neither."""
     if isinstance(operand, Range):
         return [*operand.addresses()]
     if isinstance(operand, Named) and not isinstance(operand.part, int):
@@ -181,7 +181,7 @@ def _key(operand: Named | Cell) -> object:
 # -- numbers ----------------------------------------------------------------------------------------------------------
 
 _RELATIONS = {"==": "=", "!=": "<>?", "<": "<", "<=": "<=", ">": ">", ">=": ">="}
-"""The ways in which two registers can stand to each other, as characters: ``?`` when one holds no number."""
+"""The possible relations of two registers, as characters: ``?`` if one holds no number."""
 HOLDS: Mapping[str, Callable[[Number, Number], bool]] = {
     "==": operator.eq,
     "!=": operator.ne,
@@ -190,17 +190,17 @@ HOLDS: Mapping[str, Callable[[Number, Number], bool]] = {
     ">": operator.gt,
     ">=": operator.ge,
 }
-"""What each comparison asks of two numbers."""
+"""The meaning of each comparison for two numbers."""
 
 
 _SINGLE_EXACT = 2**24
-"""Below it a 32-bit floating-point number holds every whole number."""
+"""Below it a 32-bit floating-point number can be any whole number."""
 _SINGLE_MAX = (2 - 2**-23) * 2.0**127
-"""The largest number that it holds."""
+"""The largest 32-bit floating-point number."""
 
 
 def _as_compared(value: Number, is_whole: bool) -> Number | None:
-    """The number that CLICK compares a register with for a constant; None where that is not known."""
+    """The number with which CLICK compares a register for a constant; None if that is unknown."""
     if is_whole:
         is_known = isinstance(value, int) or abs(value) < _SINGLE_EXACT or 2**31 < abs(value) < math.inf
         return value if is_known else None
@@ -212,7 +212,7 @@ def _as_compared(value: Number, is_whole: bool) -> Number | None:
 
 @dataclass(frozen=True)
 class _Interval:
-    """The values that a register may have: from ``low`` to ``high``, both included, but for ``holes``.
+    """The values that a register may have: from ``low`` to ``high``, both included, except ``holes``.
 
     With ``may_be_nan`` it may also hold no number; then there need be no values.
     """
@@ -224,7 +224,7 @@ class _Interval:
     may_be_nan: bool = False
 
     def with_bound(self, op: str, constant: Number, wanted: bool = True) -> _Interval | None:
-        """What is left when the register must compare so with a constant, or must not; None when nothing is."""
+        """Return what is left if the comparison with a constant must hold, or must not; None if nothing is."""
         value = _as_compared(constant, self.is_whole)
         if value is None:
             return self
@@ -255,7 +255,7 @@ class _Interval:
 
 @dataclass(frozen=True)
 class _State:
-    """What is known so far: bits, the range of each register, how registers stand to each other."""
+    """The known facts: bits, the range of each register, how registers compare with each other."""
 
     bits: Mapping[object, bool] = field(default_factory=dict)
     numbers: Mapping[object, _Interval] = field(default_factory=dict)
@@ -284,7 +284,7 @@ class _State:
     def _related(self, left: Named | Cell, op: str, right: Named | Cell, wanted: bool) -> _State | None:
         one, other = str(_key(left)), str(_key(right))
         if one == other:
-            # Of a floating-point register that holds no number nobody knows how CLICK compares it with itself.
+            # Nobody knows how CLICK compares a floating-point register that holds no number with itself.
             return self if ("=" in _RELATIONS[op]) is wanted or left.bank == "DF" else None
         if one > other:
             one, other, op = other, one, MIRRORED[op]
@@ -294,7 +294,7 @@ class _State:
 
 
 def decided(compare: Compare) -> bool | None:
-    """What a comparison is whatever its register holds; None where that depends on the register."""
+    """The result of a comparison whatever its register holds; None if that depends on the register."""
     left, op, right = compare.left, compare.op, compare.right
     if not isinstance(left, _REGISTERS):
         left, op, right = right, MIRRORED[op], left
@@ -324,7 +324,7 @@ def _domain(bank: str) -> _Interval:
 
 
 def value_of(compare: Compare) -> str:
-    """Why a comparison by itself is decided, for a message: what its register holds at all."""
+    """The reason why a comparison by itself is decided, for a message: the values that its register can hold."""
     if _constant(compare.left) is None and _constant(compare.right) is None:
         return "it is compared with itself"
     register = compare.left if isinstance(compare.left, Named | Cell) else compare.right

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 NODES_MAX = 200_000
 VARIABLES_MAX = 500
-"""The recursion of a diagram is as deep as it has variables."""
+"""The recursion of a diagram is as deep as its number of variables."""
 
 _SAMPLES = 1024
 _STEPS = (0, 1, 2, 4)
@@ -92,7 +92,7 @@ class Decisions:
         self._names = list(order)
         self._levels = {name: level for level, name in enumerate(order)}
         self._limit = limit
-        # Variable, the function while it is off, the function while it is on; the constants lie below all variables.
+        # Variable, the function while it is off, the function while it is on; the constants are below all variables.
         self._nodes: list[tuple[int, int, int]] = [(len(order), 0, 0), (len(order), 1, 1)]
         self._known: dict[tuple[int, int, int], int] = {}
         self._chosen: dict[tuple[int, int, int], int] = {}
@@ -112,8 +112,8 @@ class Decisions:
         return self._choice(one, 0, 1)
 
     def smallest_case(self, function: int) -> dict[str, bool]:
-        """Few variables whose values make a function true. It must not be never."""
-        # A node stands behind those that it leads to.
+        """A few variables whose values make a function true. The function must not be constantly false."""
+        # A node comes after those that it leads to.
         costs: list[tuple[float, bool]] = [(float("inf"), False), (0, False)]
         for _, off, on in self._nodes[2 : function + 1]:
             is_on = costs[on][0] < costs[off][0]
@@ -132,7 +132,7 @@ class Decisions:
         return case
 
     def _holds(self, function: int, case: Mapping[str, bool]) -> bool:
-        """True when a function is true wherever these variables have these values."""
+        """True if a function is true whenever these variables have these values."""
         waiting, seen = [function], {function}
         while waiting:
             node = waiting.pop()
@@ -160,7 +160,7 @@ class Decisions:
         return found
 
     def _choice(self, test: int, then: int, otherwise: int) -> int:
-        """``then`` where ``test`` is true, ``otherwise`` where it is not."""
+        """``then`` if ``test`` is true, else ``otherwise``."""
         if test < 2:
             return then if test else otherwise
         if then == otherwise:

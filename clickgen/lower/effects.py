@@ -14,13 +14,10 @@ from functools import cached_property
 
 from clickgen.device.banks import BANKS, TWIN_BANKS, Address, parse_address, twins_of
 from clickgen.device.system import changes_by_itself
-from clickgen.instructions import communication
-from clickgen.instructions.control import CALL
-from clickgen.instructions.raw import RAW
-from clickgen.instructions.spec import COPY_FLAGS
+from clickgen.instructions.effects import COPY_FLAGS, Flow
 from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Integer, Operand, Pointer, Range
-from clickgen.ir.program import Action, KeptToken, Routine, actions_in, rungs_in
+from clickgen.ir.program import Action, Routine, actions_in, rungs_in
 from clickgen.ir.reach import touches
 from clickgen.ir.walk import condition_operands, leaves
 from clickgen.lower.expand import OffDelays, copied_first
@@ -99,10 +96,8 @@ def is_volatile(condition: Condition, received: Cells | None = None) -> bool:
 
 def received_by(action: Action) -> Cells:
     """The cells that an instruction changes later in its own time: what messages bring, and how they fared."""
-    kept = action.args.get("token")
-    is_kept = isinstance(kept, KeptToken) and not kept.is_formula
     cells = Cells()
-    for touch in touches(action) if is_kept or action.spec in communication.SPECS else ():
+    for touch in touches(action) if action.may_be_late else ():
         if touch.is_written:
             cells.add(touch.operand)
     return cells
@@ -122,12 +117,12 @@ class Effects:
 
     def writes(self, action: Action) -> Cells:
         """The cells that running an action may change, CLICK's status bits included."""
-        if action.spec is CALL:
-            return self._writes_of(action.word("subroutine"))
-        if action.spec is RAW:
+        if action.effects.flow is Flow.CALL:
+            return self._writes_of(action.called)
+        if action.effects.is_unknown:
             return Cells.anything()
         cells = Cells()
-        flags = action.spec.sets_flags + (COPY_FLAGS if _copies_first(action) else ())
+        flags = action.effects.flags + (COPY_FLAGS if _copies_first(action) else ())
         for flag in flags:
             address = parse_address(flag)
             assert address is not None

@@ -1,4 +1,4 @@
-"""What CLICK has no word for, in the words it has: pointers in formulas, one-shot ranges, jumps, rtof."""
+"""Expands what CLICK has no word for into words it has: pointers in formulas, one-shot ranges, jumps, rtof."""
 
 from __future__ import annotations
 
@@ -7,29 +7,27 @@ from dataclasses import replace
 
 from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import BANKS, Address, Kind
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.copies import COPY
-from clickgen.instructions.timers import RTOF, RTON
 from clickgen.ir.conditions import All, Always, Any, Condition, Contact
 from clickgen.ir.formula_nodes import Operand as FormulaOperand
 from clickgen.ir.formula_nodes import references
 from clickgen.ir.formula_operands import Ref, map_refs
+from clickgen.ir.made import coil, copy
 from clickgen.ir.operands import Cell, Immediate, Integer, Named, Pointer, Range
-from clickgen.ir.program import Action, FormulaText, Value
+from clickgen.ir.program import Action, FormulaText
 from clickgen.ir.walk import Rewriter
 from clickgen.records import dataclass
 from clickgen.text.source import Span
 
 _SCRATCH_BANK = {Kind.INT16: "DS", Kind.INT32: "DD", Kind.HEX: "DH", Kind.FLOAT: "DF"}
-"""Where a value of a kind is kept for a formula: the same kind in a bank that every formula takes."""
+"""The bank that keeps a value of a kind for a formula: the same kind, and every formula takes it."""
 
 TakeScratch = Callable[[str, str, Span], Cell]
-"""Bank, purpose and place of a scratch use to its cell."""
+"""Gives the cell for the bank, purpose and place of a scratch use."""
 
 
 @dataclass(frozen=True, slots=True)
 class Own:
-    """An action that stands on a condition of its own, not on its rung's."""
+    """An action with a condition of its own, not that of its rung."""
 
     condition: Condition
     action: Action
@@ -39,9 +37,9 @@ Expanded = Action | Own
 
 
 def expand(action: Action, take: TakeScratch, delays: OffDelays) -> Iterator[Expanded]:
-    """An action in instructions that CLICK has, most often itself."""
-    for coil in _range(action):
-        for plain in _formula(coil, take):
+    """Yield an action in instructions that CLICK has, most often itself."""
+    for single in _range(action):
+        for plain in _formula(single, take):
             for expanded in delays.expand(plain):
                 yield from (expanded,) if isinstance(expanded, Own) else _jump(expanded, take)
 
@@ -56,7 +54,7 @@ def copied_first(action: Action) -> list[Ref]:
 
 
 def _formula(action: Action, take: TakeScratch) -> list[Action]:
-    """A formula that reads a pointer or an XD/YD word: each is copied to a scratch register first, in the same rung."""
+    """Copy each pointer or XD/YD word that a formula reads to a scratch register first, in the same rung."""
     text = action.args.get("formula")
     wanted = {operand_token(ref): ref for ref in copied_first(action)}
     if not wanted or not isinstance(text, FormulaText):
@@ -66,10 +64,7 @@ def _formula(action: Action, take: TakeScratch) -> list[Action]:
     for token, ref in wanted.items():
         bank = _SCRATCH_BANK[BANKS[ref.bank].kind]
         kept[token] = take(bank, f"value of {token} for the formula", ref.span)
-        args: dict[str, Value] = {"source": ref, "destination": kept[token]}
-        if "oneshot" in action.args:
-            args["oneshot"] = action.args["oneshot"]
-        copies.append(Action(COPY, args, action.span))
+        copies.append(copy(ref, kept[token], action.span, action.args.get("oneshot")))
 
     def change(ref: Ref) -> Ref:
         cell = kept.get(operand_token(ref))
@@ -80,21 +75,22 @@ def _formula(action: Action, take: TakeScratch) -> list[Action]:
 
 
 def _range(action: Action) -> list[Action]:
-    """A coil on a range of one bit, and a one-shot coil on any range: one coil for each bit.
+    """Expand a coil on a range of one bit, and a one-shot coil on any range: one coil for each bit.
 
     click-facts [coil.oneshot]
     """
-    target = action.args.get("address")
+    drives = action.effects.drives
+    target = action.args.get(drives.target) if drives is not None else None
     bits = target.target if isinstance(target, Immediate) else target
-    if not isinstance(bits, Range) or not (len(bits) == 1 or action.flag("oneshot")):
+    if drives is None or not isinstance(bits, Range) or not (len(bits) == 1 or action.flag("oneshot")):
         return [action]
     cells = [Cell(address, bits.span) for address in bits.addresses()]
-    coils = [Immediate(cell, bits.span) for cell in cells] if isinstance(target, Immediate) else cells
-    return [Action(action.spec, {**action.args, "address": coil}, action.span) for coil in coils]
+    targets = [Immediate(cell, bits.span) for cell in cells] if isinstance(target, Immediate) else cells
+    return [Action(action.spec, {**action.args, drives.target: one}, action.span) for one in targets]
 
 
 def _jump(action: Action, take: TakeScratch) -> list[Expanded]:
-    """A drum that jumps to a constant step: CLICK jumps to the step that a DS register holds.
+    """Expand a drum that jumps to a constant step: CLICK jumps to the step that a DS register holds.
 
     click-facts [drum.inputs]
     """
@@ -102,15 +98,14 @@ def _jump(action: Action, take: TakeScratch) -> list[Expanded]:
     if not isinstance(step, Integer):
         return [action]
     register = take("DS", f"step {step.value} of the drum's jump", step.span)
-    copy = Action(COPY, {"source": step, "destination": register}, action.span)
     return [
-        Own(Always(step.span), copy),
+        Own(Always(step.span), copy(step, register, action.span)),
         Action(action.spec, {**action.args, "jump_step": register}, action.span),
     ]
 
 
 class OffDelays(Rewriter):
-    """Retentive off-delay timers: which timers they are, and the scratch bits that stand for them.
+    """Retentive off-delay timers: which ones there are, and the scratch bits that implement them.
 
     CLICK's retained timer is an on-delay only (click-facts [timer.no-rtof]). Bit E follows the rung; a retentive
     on-delay runs while E is off; bit Q is on while E is, or while Q was and the timer has not elapsed. Reading the
@@ -123,8 +118,8 @@ class OffDelays(Rewriter):
         self._enables: dict[Address, Cell] = {}
 
     def add(self, action: Action) -> None:
-        timer = action.args["timer"]
-        assert isinstance(timer, Cell)
+        timer = action.owned
+        assert timer is not None
         name = timer.address
         if name not in self._outputs:
             self._enables[name] = self._take("C", f"rtof {name}: on while its rung is true", action.span)
@@ -132,8 +127,8 @@ class OffDelays(Rewriter):
 
     def bits_of(self, action: Action) -> tuple[Cell, ...]:
         """The scratch bits that an rtof drives; none for any other instruction."""
-        timer = action.args.get("timer")
-        if action.spec is not RTOF or not isinstance(timer, Cell):
+        timer = action.owned
+        if action.spec.built_from is None or timer is None:
             return ()
         return self._enables[timer.address], self._outputs[timer.address]
 
@@ -145,16 +140,16 @@ class OffDelays(Rewriter):
         return cell if output is None else Cell(output.address, cell.span)
 
     def action(self, action: Action) -> Action:
-        """Only what reads the bit means Q; the timer instruction itself keeps its number."""
-        timer = action.args.get("timer")
+        """Replace the bit by Q only where it is read; the timer instruction itself keeps its number."""
         changed = super().action(action)
-        return changed if timer is None else Action(action.spec, {**changed.args, "timer": timer}, action.span)
+        owned = {param.name: action.args[param.name] for param in action.spec.owns if param.name in action.args}
+        return Action(action.spec, {**changed.args, **owned}, action.span) if owned else changed
 
     def expand(self, action: Action) -> list[Expanded]:
-        """The instructions that stand for an rtof; any other instruction as it is."""
+        """Return the instructions that implement an rtof; any other instruction is unchanged."""
         bits = self.bits_of(action)
-        timer = action.args.get("timer")
-        if not bits or not isinstance(timer, Cell):
+        timer, built_from = action.owned, action.spec.built_from
+        if not bits or timer is None or built_from is None:
             return [action]
         span = action.span
         enable, output = bits
@@ -162,7 +157,7 @@ class OffDelays(Rewriter):
         elapsed = Contact(timer, span)
         hold = All((Contact(output, span), replace(elapsed, negated=True)), span)
         return [
-            Action(OUT, {"address": enable}, span),
-            Own(replace(running, negated=True), Action(RTON, action.args, span)),
-            Own(Any((running, hold), span), Action(OUT, {"address": output}, span)),
+            coil(enable, span),
+            Own(replace(running, negated=True), Action(built_from, action.args, span)),
+            Own(Any((running, hold), span), coil(output, span)),
         ]

@@ -1,4 +1,4 @@
-"""What contacts look at, and conditions in which one contact stands for all looks at the same."""
+"""The looks of contacts, and conditions in which one contact replaces all looks at the same bit."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 
 
 def look_of(leaf: Contact | Compare) -> str:
-    """What a contact looks at, as a token: a bit and its negation are one look."""
+    """The look of a contact, as a token: a bit and its negation are one look."""
     leaf = asserted(leaf)
     return compare_token(leaf) if isinstance(leaf, Compare) else contact_token(leaf)
 
 
 def asserted(leaf: Contact | Compare) -> Contact | Compare:
-    """The contact that is on while its bit is. Of a range, "none is on" is not the negation of "all are on"."""
+    """The contact that is on while its bit is. For a range, "none is on" is not the negation of "all are on"."""
     return replace(leaf, negated=False) if isinstance(leaf, Contact) and not is_range(leaf) else leaf
 
 
 def looking_at(condition: Condition, kept: Mapping[str, Contact]) -> Condition:
-    """The condition with the contacts that are kept, by their looks, in the places of its own."""
+    """The condition with the kept contacts, by their looks, in place of its own."""
     if isinstance(condition, All | Any):
         return type(condition)(tuple(looking_at(term, kept) for term in condition.terms), condition.span)
     if isinstance(condition, Always):

@@ -1,4 +1,4 @@
-"""Scratch addresses in place of their placeholders, when every use has one."""
+"""Puts scratch addresses in place of their placeholders, when every use has one."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from clickgen.table.rows import Row
 
 
 def placed_routines(routines: tuple[ClickRoutine, ...], placed: Mapping[Address, Row]) -> tuple[ClickRoutine, ...]:
-    """The routines with scratch addresses; ``placed`` gives each placeholder its row of the address table."""
+    """Return the routines with scratch addresses; ``placed`` gives the table row of each placeholder."""
     if not placed:
         return routines
     rewriter = PlaceScratch({placeholder: row.address for placeholder, row in placed.items()})
@@ -27,7 +27,7 @@ class PlaceScratch(Rewriter):
         self._addresses = addresses
 
     def routine(self, routine: ClickRoutine) -> ClickRoutine:
-        """The routine with its scratch addresses; rungs without any stay as they are, their drawing included."""
+        """Return the routine with its scratch addresses; rungs without any keep their drawing too."""
         return replace(routine, rungs=tuple(map(self._rung, routine.rungs)))
 
     def _rung(self, rung: ClickRung) -> ClickRung:

@@ -1,9 +1,9 @@
 """Scratch addresses: cells that clickgen needs for itself, taken from the top of a bank downward, one for each use.
 
-While rungs are lowered a scratch use has a placeholder; when all uses are known each gets its address: the one it had
-in the address table, else the highest free one. A use is known by its purpose, which is its comment in the table: the
+While rungs are lowered, a scratch use has a placeholder. When all uses are known, each gets its address: the one it had
+in the address table, else the highest free one. A use is identified by its purpose, its comment in the table: the
 routine and the output or timer that it serves. So a rung inserted before it moves nothing and changes no comment. A
-cell whose purpose this program does not have may serve another program of the same table, and is left alone.
+cell whose purpose this program does not have may belong to another program of the same table, and is left alone.
 """
 
 from __future__ import annotations
@@ -28,19 +28,19 @@ _RUNG_NUMBER = re.compile(
 )
 """Earlier versions wrote the rung and the condition: ``condition of main rung 12: C1 and not C2``.
 
-The name of a routine may hold the word and a number, too: what follows there is an instruction.
+The name of a routine may also hold the word and a number: then an instruction follows.
 """
 _NICKNAME = re.compile(r"(?<=: )((?!call )[a-z_]+(?: to)? [A-Z]+[0-9]+u?) ([^()]+?)(?=$| \([0-9]+\)$)")
 _ORDINAL = re.compile(r" \(([0-9]+)\)$")
 _CUT = "..."
 _NOTHING = "nothing"
 _SURE = COMMENT_MAX - len(_CUT) - 7
-"""So much of an earlier comment is there without its rung number, however long that is."""
+"""This much of an earlier comment is certain without its rung number, however long that is."""
 
 
 @dataclass(frozen=True)
 class ScratchUse:
-    """One need of a scratch cell. ``reason`` says what for, ``content`` which condition it holds."""
+    """One need of a scratch cell. ``reason`` gives its purpose, ``content`` the condition that it holds."""
 
     placeholder: Address
     reason: str
@@ -49,24 +49,24 @@ class ScratchUse:
 
     @property
     def has_end(self) -> bool:
-        """True where the reason says all there is to say: ``rtof T1: ...``."""
+        """True if the reason is complete: ``rtof T1: ...``."""
         return ":" in self.reason
 
     @property
     def former(self) -> str:
-        """What an earlier version wrote for it, without the rung number, as far as it was sure to be written."""
+        """The comment of an earlier version for it, without the rung number, up to the part that is certain."""
         return (f"{self.reason} rung " + (f": {self.content}" if self.content else ""))[:_SURE]
 
 
 def purpose_of(comment: str) -> str:
-    """What scratch cells of one purpose have in common: the comment without nickname and number."""
+    """The common part of scratch cells of one purpose: the comment without nickname and number."""
     if _RUNG_NUMBER.search(comment):
         return _RUNG_NUMBER.sub("", comment, count=1)
     return _NICKNAME.sub(r"\1", _ORDINAL.sub("", comment))
 
 
 def renamed_reason(comment: str, old: str, new: str) -> str:
-    """A comment with another nickname for what the cell serves; as it is where that has another name."""
+    """A comment with another nickname for what the cell serves; unchanged if that has another name."""
     match = _NICKNAME.search(comment)
     if match is None or match[2].lower() != old.lower():
         return comment
@@ -74,7 +74,7 @@ def renamed_reason(comment: str, old: str, new: str) -> str:
 
 
 def rung_of(comment: str) -> int:
-    """The number that tells cells of one purpose apart: of the rung, or at the end of the comment; else 0."""
+    """The number that tells cells of one purpose apart: that of the rung, or at the end of the comment; else 0."""
     match = _RUNG_NUMBER.search(comment)
     if match:
         return int(match[0])
@@ -98,11 +98,11 @@ class Scratch:
 
     @property
     def is_over(self) -> bool:
-        """True when a bank has not enough addresses for what was taken: ``assign`` will say so."""
+        """True if a bank has too few addresses for the placeholders: ``assign`` will say so."""
         return any(count > BANKS[bank].last for bank, count in self._taken.items())
 
     def take(self, bank: str, reason: str, span: Span, content: str = "") -> Cell:
-        """A cell of ``bank`` for one use; ``content`` is the condition that it holds, in words."""
+        """Return a cell of ``bank`` for one use; ``content`` is the condition that it holds, in words."""
         placeholder = Address(bank, -1 - len(self.uses))
         self._taken[bank] += 1
         self.uses.append(ScratchUse(placeholder, reason, span, content))
@@ -110,7 +110,7 @@ class Scratch:
 
     @property
     def ends(self) -> dict[Address, str]:
-        """The placeholders with a purpose of their own, and that in short: ``rtof T1``."""
+        """The placeholders with a purpose of their own, each with its short form: ``rtof T1``."""
         return {use.placeholder: use.reason.partition(":")[0] for use in self.uses if use.has_end}
 
     def assign(
@@ -121,7 +121,7 @@ class Scratch:
         frozen: bool,
         problems: Diagnostics,
     ) -> dict[Address, Row]:
-        """The table row of each placeholder; ``served`` says what each serves."""
+        """Return the table row of each placeholder; ``served`` names what each serves."""
         assigned: dict[Address, Row] = {}
         for bank in sorted({use.placeholder.bank for use in self.uses}):
             uses = [use for use in self.uses if use.placeholder.bank == bank]
@@ -143,7 +143,7 @@ class Scratch:
 
 
 def _comments(uses: list[ScratchUse], served: Mapping[Address, str]) -> dict[ScratchUse, str]:
-    """The comment of each use, no two the same: ``condition of main: out Y001 Motor``, the next one with ``(2)``."""
+    """The comment of each use, all different: ``condition of main: out Y001 Motor``, the next one with ``(2)``."""
     comments: dict[ScratchUse, str] = {}
     counts: Counter[str] = Counter()
     for use in uses:
@@ -167,10 +167,10 @@ def _free(allocator: Allocator, bank: str, table: AddressTable) -> Address | Non
 def _matched(
     uses: list[ScratchUse], comments: Mapping[ScratchUse, str], old: list[Row]
 ) -> tuple[dict[ScratchUse, Row], list[Row]]:
-    """Uses matched with the rows of earlier builds, and the rows that are left over.
+    """Match uses with the rows of earlier builds; also return the rows that are left over.
 
-    By the comment; else by all of it but nicknames, which may have changed; else, in a table of an earlier version, by
-    the condition, where rows of one condition stand in the order of their rungs.
+    First by the comment; else by all of it except nicknames, which may have changed; else, in a table of an earlier
+    version, by the condition, where rows of one condition are in the order of their rungs.
     """
     rows: dict[ScratchUse, Row] = {}
     waiting = sorted(old, key=lambda row: (rung_of(row.comment), -row.address.number))
@@ -196,7 +196,7 @@ def _matched(
 
 
 def _given_up(left: list[Row]) -> Address | None:
-    """Where a bank is full: a cell that no use of this program has."""
+    """A cell that no use of this program has, for when a bank is full."""
     return left.pop(0).address if left else None
 
 

@@ -1,7 +1,7 @@
-"""What each scratch cell serves: the output, timer or other instruction that waits for it.
+"""Finds what each scratch cell serves: the output, timer or other instruction that waits for it.
 
-A scratch cell is known by what it serves. That stays when rungs are put in front or a condition is changed, as a rung
-number does not.
+A scratch cell is identified by what it serves. Unlike a rung number, that stays when rungs are inserted before it or a
+condition is changed.
 """
 
 from __future__ import annotations
@@ -10,8 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import Address
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import CALL
+from clickgen.instructions.effects import Flow
 from clickgen.instructions.spec import Access, ParamKind
 from clickgen.ir.operands import Cell, Immediate, Operand, Pointer
 from clickgen.ir.program import Action, Branch, Item
@@ -20,14 +19,14 @@ from clickgen.ir.walk import action_operands, condition_operands
 from clickgen.lower.split import ClickRoutine
 
 NicknameOf = Callable[[Address], str]
-"""The nickname of an address, or nothing."""
+"""The nickname of an address, or ""."""
 
 
 def served(routines: Iterable[ClickRoutine], ends: Mapping[Address, str], nickname: NicknameOf) -> dict[Address, str]:
-    """What each placeholder serves, in words: ``out Y001 Motor``.
+    """Return what each placeholder serves, in words: ``out Y001 Motor``.
 
-    A placeholder that only serves another one serves what that serves. Those in ``ends`` have a purpose of their own,
-    in words, and what they serve is not followed.
+    A placeholder that only serves another one serves what that one serves. Those in ``ends`` have a purpose of their
+    own, in words, and are not followed.
     """
     readers = [
         reader
@@ -37,7 +36,7 @@ def served(routines: Iterable[ClickRoutine], ends: Mapping[Address, str], nickna
     ]
     words = _Words(ends, nickname)
     best: dict[Address, tuple[int, int]] = {}
-    # Backwards: what is on a scratch cell comes after the rung that writes it.
+    # Backwards: whatever reads a scratch cell comes after the rung that writes it.
     for index, (action, placeholders) in reversed([*enumerate(readers)]):
         target = words.own(action)
         serves = (words.rank(action), index) if target is None or target in ends else best.get(target)
@@ -47,7 +46,7 @@ def served(routines: Iterable[ClickRoutine], ends: Mapping[Address, str], nickna
 
 
 def _readers(items: tuple[Item, ...], above: frozenset[Address]) -> Iterator[tuple[Action, frozenset[Address]]]:
-    """The instructions that look at placeholders, or stand on a condition that does: ``above`` are those of theirs."""
+    """The instructions that look at placeholders, or whose condition does: ``above`` has those above them."""
     for item in items:
         if isinstance(item, Branch):
             yield from _readers(item.items, above | _placeholders(condition_operands(item.condition)))
@@ -64,8 +63,8 @@ class _Words:
         self._nickname = nickname
 
     def rank(self, action: Action) -> int:
-        """How surely it is found again: an output, then a box, then the rest. The first of those counts."""
-        if action.spec is OUT and self.own(action) not in self._ends:
+        """How reliably it is found again: an output, then a box, then the rest. The first of those counts."""
+        if action.effects.follows_power and self.own(action) not in self._ends:
             return 0
         is_box = bool(action.spec.pins) or any(param.slot.access is Access.OWN for param in action.spec.params)
         return 1 if is_box else 2
@@ -78,8 +77,8 @@ class _Words:
     def said(self, action: Action) -> str:
         """An instruction and what it writes: ``copy to DS5 Speed``."""
         name = action.spec.name
-        if action.spec is CALL:
-            return f"{name} {action.word('subroutine')}"
+        if action.effects.flow is Flow.CALL:
+            return f"{name} {action.called}"
         own = self.own(action)
         if own is not None:
             return self._ends[own]
@@ -87,7 +86,7 @@ class _Words:
         target = next(written, None)
         if target is None:
             return name
-        # What an instruction reads comes first in its arguments: copy(ds.A, ds.B), calc("...", ds.B).
+        # The operand that an instruction reads is its first argument: copy(ds.A, ds.B), calc("...", ds.B).
         first = action.spec.params[0]
         is_to = first.slot.access is Access.READ and first.kind in (ParamKind.OPERAND, ParamKind.FORMULA)
         return f"{name}{' to' if is_to else ''} {self._shown(target)}"

@@ -1,6 +1,6 @@
-"""One source rung to one or several CLICK rungs with the same meaning.
+"""Turns one source rung into one or more CLICK rungs with the same meaning.
 
-Every condition of a source rung is looked at before any of its actions runs. Where the rung has to be split, a
+Every condition of a source rung is looked at before any of its actions runs. If the rung has to be split, a
 condition that an earlier part could change, or that must not be looked at twice, goes to a scratch bit first.
 ``effects.py`` knows which these are.
 """
@@ -17,10 +17,9 @@ from itertools import accumulate, takewhile
 from clickgen.click.draw.grid import COLUMNS, MAX_ROWS, DoesNotFit, Grid, draw
 from clickgen.click.draw.network import bits, is_range, network
 from clickgen.click.draw.words import condition_words
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import NEXT, NOP
-from clickgen.instructions.timers import RTOF
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import All, Always, Any, Condition, Contact
+from clickgen.ir.made import coil, loop_closing
 from clickgen.ir.operands import Cell, Immediate, Range
 from clickgen.ir.program import Action, Branch, Item, Loop, Program, Routine, Rung, Value, actions_in, rungs_in
 from clickgen.ir.walk import leaves
@@ -28,16 +27,16 @@ from clickgen.lower.effects import Effects
 from clickgen.lower.expand import OffDelays, Own, expand
 from clickgen.lower.looks import asserted, look_of, looking_at
 from clickgen.lower.scratch import Scratch, shown_in_reason
-from clickgen.lower.steps import LEAVING, Node, Part, Past, Step, apart, is_of_program, nodes_of, pins_of, run_by
+from clickgen.lower.steps import Node, Part, Past, Step, apart, is_of_program, nodes_of, pins_of, run_by
 from clickgen.text.source import Span
 
 _FREE_COLUMNS = COLUMNS - 1
-"""A condition whose legs merge, or that feeds several outputs, leaves the last column for the wire behind the merge."""
+"""A condition whose legs merge, or that feeds several outputs, leaves the last column for the wire after the merge."""
 
 
 @dataclass(frozen=True)
 class ClickRung:
-    """One rung of CLICK: a condition and what hangs on it, in instructions that CLICK has."""
+    """One rung of CLICK: a condition and what depends on it, in instructions that CLICK has."""
 
     condition: Condition
     items: tuple[Item, ...]
@@ -63,12 +62,12 @@ class ClickRoutine:
 
 
 def lower(program: Program, scratch: Scratch) -> tuple[ClickRoutine, ...]:
-    """Every routine in CLICK rungs, with placeholders for scratch cells. The program must be free of problems."""
+    """Return every routine in CLICK rungs, with placeholders for scratch cells. The program must have no problems."""
     delays = OffDelays(scratch.take)
     for routine in program.routines:
         for rung in rungs_in(routine.rungs):
             for action in actions_in(rung.items):
-                if action.spec is RTOF:
+                if action.spec.built_from is not None:
                     delays.add(action)
     if delays:
         program = delays.program(program)
@@ -109,7 +108,7 @@ class _RungSplit:
         condition, items = _joined(self._rung.condition, self._rung.items)
         steps = list(self._steps(items, Node(condition)))
         # One NOP keeps a rung legal; a second one, or one beside an output, does not (click-facts [grid.nop]).
-        parts = apart([step for step in steps if step.action.spec is not NOP] or steps[:1])
+        parts = apart([step for step in steps if step.action.effects.flow is not Flow.PASS] or steps[:1])
         rung = self._rung_of(parts[0])
         if len(parts) == 1 and _draws(rung) and not parts[0][0].action.spec.pins:
             self._emit_drawn(parts[0], rung)
@@ -129,7 +128,7 @@ class _RungSplit:
     # -- taking the rung apart ----------------------------------------------------------------------------------------
 
     def _steps(self, items: tuple[Item, ...], node: Node) -> Iterator[Step]:
-        """Every action in source order with the conditions it stands on, in instructions that CLICK has."""
+        """Yield every action in source order with its conditions, in instructions that CLICK has."""
         for item in items:
             if isinstance(item, Branch):
                 condition, inner = _joined(item.condition, item.items)
@@ -144,7 +143,7 @@ class _RungSplit:
                         yield Step(node, expanded)
 
     def _fitting(self, part: Part) -> Iterator[Part]:
-        """A part in as few pieces as fit CLICK's rows, each as long as can be."""
+        """Yield a part in the fewest pieces that fit CLICK's rows, each as long as possible."""
         while len(part) > 1:
             # Each output takes its rows, whatever the conditions are: more steps than these cannot fit.
             rows = accumulate(step.action.height for step in part)
@@ -183,7 +182,7 @@ class _RungSplit:
             step.take_pins({name: looking_at(pin, kept) for name, pin in pins_of(step).items()})
 
     def _unsafe(self, parts: list[Part]) -> list[Node]:
-        """The conditions that a later part would see changed, or that must not be looked at twice."""
+        """The conditions that would have changed for a later part, or that must not be looked at twice."""
         unsafe: dict[Node, None] = {}
         for part, past in self._with_past(parts):
             for node in nodes_of([part]):
@@ -192,7 +191,7 @@ class _RungSplit:
         return list(unsafe)
 
     def _hoist_pins(self, parts: list[Part]) -> None:
-        """Pins whose condition an earlier part changes, or with parallel legs where the grid has no room for them."""
+        """Hoist pins whose condition an earlier part changes, or whose parallel legs do not fit the grid."""
         for part, past in self._with_past(parts):
             for step in part:
                 for name, condition in pins_of(step).items():
@@ -203,24 +202,24 @@ class _RungSplit:
                     step.take_pins({name: reduced})
 
     def _with_past(self, parts: list[Part]) -> Iterator[tuple[Part, Past]]:
-        """Each part with what ran in this rung before it."""
+        """Yield each part with what ran in this rung before it."""
         past = Past(self._home.effects)
         for part in parts:
             yield part, past
             past.has_run = past.has_run or is_of_program(part)
             for action in run_by(part):
                 past.written.update(self._home.effects.writes(action))
-                past.may_have_left = past.may_have_left or action.spec in LEAVING
+                past.may_have_left = past.may_have_left or action.effects.leaves
 
     def _on_scratch(self, condition: Condition, purpose: str) -> Contact:
-        """A condition on a scratch bit, in a rung before those to come; the contact that reads it."""
+        """Put a condition on a scratch bit, in an earlier rung; return the contact that reads it."""
         content = condition
         match condition:
             case All(terms=(Contact() as contact,)) if is_range(contact):
                 # Tables of earlier versions name the bits of a range that was cut.
                 content = All(tuple(bits(contact)), condition.span)
         cell = self._take("C", purpose, condition.span, condition_words(content, shown_in_reason))
-        self._emit(condition, (Action(OUT, {"address": cell}, condition.span),))
+        self._emit(condition, (coil(cell, condition.span),))
         return Contact(cell, condition.span)
 
     def _take(self, bank: str, purpose: str, span: Span, content: str = "") -> Cell:
@@ -229,7 +228,7 @@ class _RungSplit:
     # -- conditions too large for the grid ----------------------------------------------------------------------------
 
     def _reduced(self, condition: Condition) -> Condition:
-        """A condition that fits the grid: parts of a larger one go to scratch bits."""
+        """Return a condition that fits the grid: parts of a larger one go to scratch bits."""
         if _fits_alone(condition):
             return condition
         is_series = not isinstance(condition, Any)
@@ -243,7 +242,7 @@ class _RungSplit:
                 terms[stop : stop + 1] = pieces
                 sizes[stop : stop + 1] = map(_width, pieces)
                 continue
-            # A single contact gains nothing on a scratch bit: then it is the term behind it that is too large.
+            # A single contact gains nothing on a scratch bit: then the term after it is the one that is too large.
             start = 1 if stop == 1 and sizes[0] == 1 else 0
             stop = max(stop, start + 1)
             chunk = join(tuple(terms[start:stop]), condition.span)
@@ -262,10 +261,10 @@ class _RungSplit:
         body = part[-1].body
         if body is not None:
             self._home.lower(body)
-            self._emit(Always(part[-1].action.span), (Action(NEXT, {}, part[-1].action.span),))
+            self._emit(Always(part[-1].action.span), (loop_closing(part[-1].action.span),))
 
     def _squeezed(self, step: Step) -> ClickRung:
-        """One action whose conditions, small enough one by one, do not fit together: they go to scratch bits."""
+        """Lower one action whose conditions fit one by one but not together: they go to scratch bits."""
         action = step.action
         path = All(tuple(node.condition for node in step.node.path), self._rung.condition.span)
         enable: Condition = self._reduced(path)
@@ -287,13 +286,13 @@ class _RungSplit:
         self._put(ClickRung(condition, items, self._comment, self._rung.span))
 
     def _put(self, rung: ClickRung) -> None:
-        """The next CLICK rung; the first one has the source rung's comment."""
+        """Add the next CLICK rung; the first one has the source rung's comment."""
         self._home.rungs.append(rung)
         self._comment = ""
 
 
 def _joined(condition: Condition, items: tuple[Item, ...]) -> tuple[Condition, tuple[Item, ...]]:
-    """A condition with that of a lone branch in series: nested ifs and ``all(...)`` become the same rung."""
+    """A condition in series with that of a lone branch: nested ifs and ``all(...)`` become the same rung."""
     while len(items) == 1 and isinstance(items[0], Branch):
         branch = items[0]
         terms = tuple(term for one in (condition, branch.condition) for term in _flat(one, All))
@@ -303,7 +302,7 @@ def _joined(condition: Condition, items: tuple[Item, ...]) -> tuple[Condition, t
 
 
 def _flat(condition: Condition, join: type[All] | type[Any]) -> Iterator[Condition]:
-    """The terms of a series, those of a series in it included; or of a parallel, with a parallel in it."""
+    """The terms of a series, including those of a series in it; or of a parallel, with a parallel in it."""
     if isinstance(condition, join):
         for term in condition.terms:
             yield from _flat(term, join)
@@ -312,7 +311,7 @@ def _flat(condition: Condition, join: type[All] | type[Any]) -> Iterator[Conditi
 
 
 def _tree(part: Part, depth: int) -> tuple[Condition, tuple[Item, ...]]:
-    """The condition at this depth of the part's first step, and what hangs on it; lone branches join their parent."""
+    """The condition at this depth of the part's first step, and what depends on it; lone branches join their parent."""
     condition = part[0].node.path[depth].condition
     items: list[Item] = []
     index = 0
@@ -345,7 +344,7 @@ def _height(condition: Condition) -> int:
 
 
 def _is_large(condition: Condition) -> bool:
-    """True when the condition takes more than the one contact of a scratch bit."""
+    """True if the condition takes more than the one contact of a scratch bit."""
     return _width(condition) > 1 or _height(condition) > 1
 
 
@@ -361,12 +360,12 @@ def _draws(rung: ClickRung) -> bool:
 
 
 def _terms(condition: Condition) -> list[Condition]:
-    """What a series or a parallel is made of. A contact on a range is a series of its bits."""
+    """The parts of a series or a parallel. A contact on a range is a series of its bits."""
     return list(_flat(condition, Any if isinstance(condition, Any) else All))
 
 
 def _divided(condition: Condition, width: int) -> list[Condition]:
-    """A contact on a range as two, the first with as many bits as given; anything else stays as it is."""
+    """Divide a contact on a range in two, the first with this many bits; anything else is unchanged."""
     if not (isinstance(condition, Contact) and is_range(condition) and 0 < width < _width(condition)):
         return [condition]
     operand = condition.operand

@@ -1,11 +1,11 @@
-"""The steps of a source rung that is taken apart: actions with the conditions above them, and what ran before."""
+"""The steps of a source rung that is split: actions with the conditions above them, and what ran before."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from clickgen.instructions.control import END, RETURN
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import Condition
 from clickgen.ir.program import Action, Rung, actions_in, rungs_in
 from clickgen.lower.effects import Cells, Effects, has_edge, reads
@@ -26,30 +26,30 @@ class Node:
 
 @dataclass
 class Step:
-    """One action with the conditions it stands on; a loop's ``for`` brings the rungs of its body."""
+    """One action with its conditions; a loop's ``for`` brings the rungs of its body."""
 
     node: Node
     action: Action
     body: tuple[Rung, ...] | None = None
 
     def take_pins(self, pins: Mapping[str, Condition]) -> None:
-        """The same action with other conditions on these inputs."""
+        """Replace the conditions on these inputs of the action."""
         if pins:
             self.action = Action(self.action.spec, {**self.action.args, **pins}, self.action.span)
 
 
 @dataclass
 class Past:
-    """What ran in a rung before one of its parts."""
+    """The actions that ran in a rung before one of its parts."""
 
     effects: Effects
     has_run: bool = False
-    """False as long as only what clickgen itself needs has run."""
+    """False as long as only clickgen's own actions have run."""
     written: Cells = field(default_factory=Cells)
     may_have_left: bool = False
 
     def spoils(self, condition: Condition) -> bool:
-        """True when a condition may look otherwise now than it did before the first part.
+        """True if a condition may look different now than it did before the first part.
 
         Something it reads was written; or it holds an edge, which a scan that left early has not seen; or it reads
         something that changes by itself, and actions of the rung have run.
@@ -59,15 +59,12 @@ class Past:
         return left or is_late or reads(condition).meets(self.written)
 
 
-LEAVING = (RETURN, END)
-"""After one of these the rest of the rung may not be looked at in this scan."""
-
 Part = list[Step]
 """Steps that share one CLICK rung."""
 
 
 def is_of_program(part: Part) -> bool:
-    """False for what clickgen needs alone, without a condition of the program in it."""
+    """False for a part that clickgen alone needs, without a condition of the program in it."""
     return any(step.action.spec.pins or not step.node.is_own for step in part)
 
 
@@ -78,7 +75,7 @@ def pins_of(step: Step) -> dict[str, Condition]:
 
 
 def run_by(part: Part) -> Iterator[Action]:
-    """Every action that runs in a part, those in the body of a loop included."""
+    """Yield every action that runs in a part, including those in the body of a loop."""
     for step in part:
         yield step.action
         for rung in rungs_in(step.body or ()):
@@ -86,16 +83,17 @@ def run_by(part: Part) -> Iterator[Action]:
 
 
 def apart(steps: list[Step]) -> list[Part]:
-    """Instructions with pins, and those that stand alone, get a part of their own (click-facts [grid.one-branch]).
+    """Split off instructions with pins, and those that must be alone, as parts of their own (click-facts
+    [grid.one-branch]).
 
-    So does a return with outputs below it: whether CLICK still runs these within one rung, no source says (click-facts
-    [control.return-below]).
+    The same goes for a return with outputs below it: no source says whether CLICK still runs these in one rung
+    (click-facts [control.return-below]).
     """
     parts: list[Part] = []
     joins = False
     for step in steps:
         spec = step.action.spec
-        leaves_some = spec is RETURN and step is not steps[-1]
+        leaves_some = spec.effects.flow is Flow.RETURN and step is not steps[-1]
         single = bool(spec.pins) or spec.alone or step.node.is_own or leaves_some
         if joins and not single:
             parts[-1].append(step)

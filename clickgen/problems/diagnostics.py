@@ -10,7 +10,7 @@ from clickgen.text.edits import Fix
 from clickgen.text.source import Span
 
 TRACEBACK = "CLICKGEN_TRACEBACK"
-"""The environment variable that lets an internal error through, for those who mend it."""
+"""The environment variable that lets an internal error through, for those who fix it."""
 
 
 class Label(NamedTuple):
@@ -46,7 +46,7 @@ class Diagnostic(NamedTuple):
 
 
 class Diagnostics:
-    """What the stages found so far. Stages add; nothing stops at the first."""
+    """The problems that the stages have found so far. Stages add; nothing stops at the first."""
 
     def __init__(self) -> None:
         self.found: list[Diagnostic] = []
@@ -62,9 +62,6 @@ class Diagnostics:
     ) -> None:
         self.found.append(Diagnostic(code, message, span, help, labels, fix))
 
-    def drop(self, code: str) -> None:
-        self.found = [problem for problem in self.found if problem.code != code]
-
     @property
     def has_errors(self) -> bool:
         return any(problem.is_error for problem in self.found)
@@ -77,15 +74,15 @@ class Diagnostics:
 class Suggestions:
     """``did_you_mean`` for the mistakes of one program.
 
-    Each compares a word with all the names of a kind, so the first ones are answered and no others: a program with so
-    many mistakes has another problem than its spelling.
+    Each one compares a word with all the names of a kind, so only the first ones are answered: a program with so
+    many mistakes has a problem other than its spelling.
     """
 
     def __init__(self) -> None:
         self._left = _SUGGESTED_MAX
 
     def __call__(self, word: str, known: Iterable[str]) -> str:
-        """``did you mean x?``; an empty string where nothing is near, and after many answers."""
+        """Return ``did you mean x?``; "" if nothing is near, and after many answers."""
         self._left -= 1
         return did_you_mean(word, known) if self._left >= 0 else ""
 
@@ -94,7 +91,7 @@ _SUGGESTED_MAX = 100
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """``did you mean x?`` for a slip of the keyboard, whatever its case; else an empty string."""
+    """Return ``did you mean x?`` for a slip of the keyboard, whatever its case; else ""."""
     from clickgen.problems.suggest import near_words
 
     near = near_words(word, known)

@@ -1,4 +1,4 @@
-"""What a finding is known by while lines move: for baselines, and for services that follow findings."""
+"""The key of a finding while lines move: for baselines, and for services that follow findings."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Which known word somebody meant: only a slip of the keyboard is corrected, never a word of another meaning.
+"""Finds the known word that somebody meant: it corrects only slips of the keyboard, never a word of another meaning.
 
 A suggestion in a control program gets followed. So it has to be the only word that is near, its numbers have to be the
-same, and a word that is spelled right is no misspelling of another: ``Start`` is never taken for ``Restart``, nor
+same, and a word that is spelled correctly is no misspelling of another: ``Start`` is never taken for ``Restart``, nor
 ``Pump1_Run`` for ``Pump2_Run``.
 """
 
@@ -11,11 +11,11 @@ import re
 from collections.abc import Iterable
 
 _LONG = 8
-"""From so many characters on, a word may differ in two places."""
+"""From this many characters on, a word may differ in two places."""
 _SHORT = 3
-"""Words of so many letters are changed into others by one."""
+"""Changing one letter turns words of this many letters into other words."""
 _MOST = 3
-"""So many words are named when they are equally near; of more, none is."""
+"""Up to this many words are named when they are equally near; if there are more, none is."""
 
 _PART = re.compile(r"[^\W\d_]+|\d+")
 _CAMEL = re.compile(r"[A-Z]+(?=[A-Z][a-z])|[A-Z]?[a-z]+|[A-Z]+|[^\W\d_A-Za-z]+")
@@ -51,7 +51,7 @@ _OTHER_WORDS = """
 """
 
 _WORDS = frozenset(re.findall(r"\w+", _OPPOSITES + _OTHER_WORDS))
-"""Words that people spell right: one of them in place of another is another meaning, not a slip."""
+"""Words that people spell correctly: one of them in place of another is another meaning, not a slip."""
 
 _GROUPS = [frozenset(group.split("/")) for group in _OPPOSITES.split()]
 _PREFIXES = ("re", "un", "de", "dis", "in", "im", "non", "not", "no", "anti", "pre", "post", "over", "under", "a", "n")
@@ -68,7 +68,7 @@ def near_words(word: str, known: Iterable[str]) -> list[str]:
     for candidate in spelled:
         distance = _distance(lower, candidate, limit)
         if distance < limit:
-            # A nearer one puts those before it out.
+            # A nearer one displaces those before it.
             best, limit = [candidate], distance
         elif distance == limit:
             best.append(candidate)
@@ -79,7 +79,7 @@ def near_words(word: str, known: Iterable[str]) -> list[str]:
 
 
 def is_slip(written: str, meant: str) -> bool:
-    """True where one word may be a misspelling of the other, and cannot be a word of another meaning."""
+    """True if one word may be a misspelling of the other, and cannot be a word of another meaning."""
     numbers, others = (_NUMBER.findall(text) for text in (written, meant))
     if [number.lstrip("0") for number in numbers] != [number.lstrip("0") for number in others]:
         return False
@@ -87,7 +87,7 @@ def is_slip(written: str, meant: str) -> bool:
     if "".join(parts) == "".join(wanted):
         return True
     if len(parts) != len(wanted):
-        # One word in two, or two in one: nothing of its own may have been added.
+        # One word in two, or two in one: nothing may have been added.
         extra = [part for part in parts if part not in wanted] + [part for part in wanted if part not in parts]
         joined, other = "".join(parts), "".join(wanted)
         return all(len(part) > 2 and part not in _WORDS for part in extra) and _is_misspelled(joined, other)
@@ -106,7 +106,7 @@ def are_opposed(one: str, other: str) -> bool:
 
 
 def _is_misspelled(written: str, meant: str) -> bool:
-    """True where a single word may be a slip for another: the first letter is right, and it is no word itself."""
+    """True if a single word may be a slip for another: its first letter is correct, and it is no word itself."""
     if are_opposed(written, meant):
         return False
     if len(meant) <= 2 or len(written) <= 2:
@@ -121,7 +121,7 @@ def _is_misspelled(written: str, meant: str) -> bool:
 
 
 def _is_mistyped(written: str, meant: str) -> bool:
-    """True where letters of a short word were exchanged, doubled or left out: with another letter it is another word.
+    """True if letters of a short word were exchanged, doubled or left out: with another letter it is another word.
 
     ``ANB``, ``RND`` and ``SIGN`` of other machines are no misspellings of any, RAD and SIN.
     """
@@ -131,7 +131,7 @@ def _is_mistyped(written: str, meant: str) -> bool:
 
 
 def _parts(name: str) -> list[str]:
-    """``Pump1_RunFast`` as pump, run and fast; the numbers are looked at by themselves."""
+    """Split ``Pump1_RunFast`` into pump, run and fast; the numbers are compared separately."""
     letters = (part for part in _PART.findall(name) if not part.isdigit())
     return [word.lower() for part in letters for word in _CAMEL.findall(part)]
 

@@ -1,4 +1,4 @@
-"""Choosing addresses: the lowest free one for a name, the highest free one for a scratch use."""
+"""Chooses addresses: the lowest free one for a name, the highest free one for a scratch use."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Allocator:
                 self._taken[twin].add(number)
 
     def lowest(self, bank: str, length: int = 1) -> Address | None:
-        """The first of the lowest ``length`` free addresses in a row, all now taken; None when there are none."""
+        """Take the lowest ``length`` free addresses in a row and return the first; None if there are none."""
         taken = self._taken[bank]
         start = self._next_low.get(bank, BANKS[bank].first)
         for first, last in BANKS[bank].ranges:
@@ -40,7 +40,7 @@ class Allocator:
         return None
 
     def highest(self, bank: str) -> Address | None:
-        """The highest free address of a bank, now taken; None when the bank is full."""
+        """Take the highest free address of a bank and return it; None if the bank is full."""
         taken = self._taken[bank]
         for first, last in reversed(BANKS[bank].ranges):
             for number in range(last, first - 1, -1):

@@ -1,4 +1,4 @@
-"""The type of a constant: what stands beside it decides whether ``5`` is an integer or ``0005h``."""
+"""The type of a constant: the other operand decides whether ``5`` is an integer or ``0005h``."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ _HEX_TEXT = re.compile(r"([0-9A-Fa-f]{1,8})[hH]")
 
 
 def kind_of(operand: object) -> Kind | None:
-    """What an address holds; None for a constant."""
+    """The kind of an address's content; None for a constant."""
     if isinstance(operand, Named | Cell | Range | Pointer | Immediate):
         return BANKS[operand.bank].kind
     return None
 
 
 def typed(constant: Single, kind: Kind | None) -> Single:
-    """A constant in the form that a value of this kind takes; others stay as they are.
+    """Return a constant in the form that a value of this kind takes; others are unchanged.
 
     click-facts [token.constants]
     """
@@ -32,7 +32,7 @@ def typed(constant: Single, kind: Kind | None) -> Single:
 
 
 def stored(constant: Single, kind: Kind | None) -> Single:
-    """A constant in the form in which a register of this kind holds it (click-facts [copy.fill, value.integers])."""
+    """Return a constant in the form that a register of this kind holds (click-facts [copy.fill, value.integers])."""
     if isinstance(constant, Real) and kind in (Kind.INT16, Kind.INT32, Kind.HEX) and constant.value.is_integer():
         constant = Integer(int(constant.value), constant.span)
     constant = typed(constant, kind)

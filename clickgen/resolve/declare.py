@@ -9,6 +9,7 @@ from typing import NamedTuple
 from clickgen.device.banks import BANKS, FLOAT_MAX, INTEGER_RANGES, UPPER_BYTE_BANKS, Address, Kind
 from clickgen.device.nicknames import comment_fault, nickname_fault_at
 from clickgen.device.system import addresses_of_system_name
+from clickgen.dialects.base import Spelling
 from clickgen.ir.operands import CharCode, Constant, Operand
 from clickgen.ir.program import Declaration
 from clickgen.problems.diagnostics import Diagnostics, Label
@@ -20,7 +21,7 @@ from clickgen.text.source import Span
 
 
 class Meaning(NamedTuple):
-    """What a nickname stands for and who says so; without words it is the place."""
+    """The meaning of a nickname and who gives it; without words, the place gives it."""
 
     address: Address
     said_by: str
@@ -29,29 +30,32 @@ class Meaning(NamedTuple):
 
 @dataclass
 class Declared:
-    """What the declarations of a program say."""
+    """The declarations of a program."""
 
     meanings: dict[str, Meaning] = field(default_factory=dict)
     """By the lowercase name."""
     rows: list[Row] = field(default_factory=list)
-    """What the table lacks, or says otherwise than the source."""
+    """Rows that the table lacks, or that differ there from the source."""
     misdeclared: set[str] = field(default_factory=set)
     """The lowercase names of wrong declarations: they get no other address either."""
     addresses: list[Address] = field(default_factory=list)
-    """Every declared address, that of a wrong declaration included: nothing is allocated there."""
+    """Every declared address, including those of wrong declarations: nothing is allocated there."""
 
 
-def declare(declarations: tuple[Declaration, ...], table: AddressTable, problems: Diagnostics) -> Declared:
+def declare(
+    declarations: tuple[Declaration, ...], table: AddressTable, spell: Spelling, problems: Diagnostics
+) -> Declared:
     """Judge the declarations against each other, the table and CLICK's rules."""
-    reader = _Declarations(table, problems)
+    reader = _Declarations(table, spell, problems)
     reader.warn_of_words()
     reader.read(declarations)
     return reader.declared
 
 
 class _Declarations:
-    def __init__(self, table: AddressTable, problems: Diagnostics) -> None:
+    def __init__(self, table: AddressTable, spell: Spelling, problems: Diagnostics) -> None:
         self.table = table
+        self.spell = spell
         self.problems = problems
         self.declared = Declared()
 
@@ -71,7 +75,7 @@ class _Declarations:
                 self._conflict(declaration, f"{address} is declared as {earlier.named.name} already", earlier)
                 continue
             if self._declaration_is_sound(declaration):
-                self.declared.meanings[lower] = Meaning(address, "nickname(...)", declaration.span)
+                self.declared.meanings[lower] = Meaning(address, self.spell.declaration(), declaration.span)
                 self._warn_of_word(address, named.name, declaration.span)
                 row = self._declared_row(declaration)
                 stands = self.table.by_address.get(address)
@@ -81,7 +85,7 @@ class _Declarations:
                 self.declared.misdeclared.add(lower)
 
     def warn_of_words(self) -> None:
-        """Nicknames in the table that ClickNick's importer loses (click-facts [nickname-file.lost])."""
+        """Warn of nicknames in the table that ClickNick's importer loses (click-facts [nickname-file.lost])."""
         for row in self.table.rows:
             if row.nickname:
                 self._warn_of_word(row.address, row.nickname, self.table.span(row))
@@ -92,7 +96,8 @@ class _Declarations:
                 "CG211",
                 span,
                 f"{name} is the nickname of {address}: ClickNick drops XD0u and misreads other XD and YD rows",
-                f"write {address.bank.lower()}[...] and give it no nickname, or check it in CLICK after the import",
+                f"write {self.spell.pointer(address.bank, '...')} and give it no nickname, or check it in CLICK "
+                "after the import",
             )
 
     def _conflict(self, declaration: Declaration, message: str, earlier: Declaration) -> None:
@@ -112,8 +117,8 @@ class _Declarations:
             add(
                 "CG205",
                 declaration.span,
-                f"{named.bank.lower()}.{named.name} cannot be {address}",
-                f"write {bank.dsl}.{named.name}, or an address in {named.bank}",
+                f"{self.spell.name(named.bank, named.name)} cannot be {address}",
+                f"write {self.spell.name(bank.name, named.name)}, or an address in {named.bank}",
             )
             return False
         if looks_like_scratch(named.name):
@@ -198,11 +203,11 @@ class _Declarations:
 
 
 PROGRAM = "PROG.py"
-"""Stands in a command for the program and its table, which the pipeline knows."""
+"""Placeholder in a command for the program and its table, which the pipeline knows."""
 
 
 def rename_command(old: str, new: str) -> str:
-    """The command that gives the table the new name of what a declaration names anew."""
+    """The command that renames a name in the table to the one that a declaration gives."""
     return f"clickgen nicknames rename {shlex.quote(old)} {shlex.quote(new)} {PROGRAM}"
 
 
@@ -215,7 +220,7 @@ def name_program(words: str, problems: Diagnostics) -> None:
 
 
 def initial_of(constant: Constant, address: Address, problems: Diagnostics) -> str | None:
-    """An initial value in CLICK's form; None with a problem where the address cannot begin with it."""
+    """Return an initial value in CLICK's form; None, with a problem, if the address cannot begin with it."""
     initial = format_initial(address.kind, _python_value(typed(constant, address.kind)))
     if initial is None or not initial.isprintable():
         problems.add(

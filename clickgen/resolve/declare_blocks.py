@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import comment_fault, nickname_fault
+from clickgen.dialects.base import Spelling
 from clickgen.ir.program import BlockDeclaration
 from clickgen.problems.diagnostics import Diagnostics, Label
 from clickgen.resolve.declare import Declared, initial_of, rename_command
@@ -18,25 +19,29 @@ from clickgen.table.blocks import Block, Mark, Marks, mark_in, marked, read_mark
 from clickgen.table.rows import Row, default_row, looks_like_scratch
 
 _OVERLAPS_MAX = 8
-"""A block is told to overlap with so many that begin before it."""
+"""A block is reported as overlapping with at most this many that begin before it."""
 
 
 def declare_blocks(
-    declarations: Iterable[BlockDeclaration], table: AddressTable, declared: Declared, problems: Diagnostics
+    declarations: Iterable[BlockDeclaration],
+    table: AddressTable,
+    declared: Declared,
+    spell: Spelling,
+    problems: Diagnostics,
 ) -> dict[str, Block]:
-    """Every block, those that the table marks among them, by lowercase name; rows go to ``declared``."""
+    """Return every block, including those that the table marks, by lowercase name; rows go to ``declared``."""
     marks = read_marks(table)
-    reader = _Blocks(table, marks, declared, problems)
+    reader = _Blocks(table, marks, declared, spell, problems)
     for declaration in declarations:
         reader.read(declaration)
     reader.hand_over()
-    _warn_of_marks(marks, reader.named, table, problems)
+    _warn_of_marks(marks, reader.named, table, spell, problems)
     _warn_of_overlaps({**marks.blocks, **reader.own}.values(), problems)
     return reader.blocks
 
 
 class _Fault(NamedTuple):
-    """What stands against a block, the way out, and where."""
+    """An objection to a block, the way out, and where."""
 
     message: str
     help: str
@@ -44,8 +49,11 @@ class _Fault(NamedTuple):
 
 
 class _Blocks:
-    def __init__(self, table: AddressTable, marks: Marks, declared: Declared, problems: Diagnostics) -> None:
+    def __init__(
+        self, table: AddressTable, marks: Marks, declared: Declared, spell: Spelling, problems: Diagnostics
+    ) -> None:
         self.table = table
+        self.spell = spell
         self.declared = declared
         self.problems = problems
         self.marks = marks
@@ -53,7 +61,7 @@ class _Blocks:
         self.rows: dict[Address, Row] = {row.address: row for row in declared.rows}
         self.own: dict[str, Block] = {}
         self._places: dict[str, list[tuple[int, str]]] = {}
-        """Where own blocks begin, by bank and in order, with their lowercase names: no two of them meet."""
+        """The beginnings of own blocks, by bank and in order, with their lowercase names: no two of them overlap."""
         self._given = {row.address: row for row in table.base}
         self._marks_at: dict[Address, list[int]] = {}
         self._marks_of: dict[tuple[str, str], list[int]] = {}
@@ -61,11 +69,11 @@ class _Blocks:
             self._marks_at.setdefault(row.address, []).append(index)
             self._marks_of.setdefault((row.address.bank, mark.name.lower()), []).append(index)
         self.named: set[str] = set()
-        """The lowercase names of all declarations, the wrong ones among them."""
+        """The lowercase names of all declarations, including wrong ones."""
 
     def read(self, declaration: BlockDeclaration) -> None:
         named, range = declaration.named, declaration.range
-        block = Block(named.name, range.bank, range.first, range.last, "nickname(...)", declaration.span)
+        block = Block(named.name, range.bank, range.first, range.last, self.spell.declaration(), declaration.span)
         lower = named.name.lower()
         self.declared.addresses += block.addresses()
         self.named.add(lower)
@@ -86,18 +94,18 @@ class _Blocks:
         self._mark(declaration, block)
 
     def hand_over(self) -> None:
-        """Give the rows that say something new to ``declared``."""
+        """Add the rows that say something new to ``declared``."""
         if self.own:
             self.declared.rows = [row for row in self.rows.values() if self._is_news(row)]
 
     def _know(self, block: Block) -> None:
-        """A wrong block is known all the same, so that its members have no problem of their own."""
+        """Record a block, even a wrong one, so that its members have no problem of their own."""
         lower = block.name.lower()
         if lower not in self.declared.meanings and lower not in self.table.by_nickname:
             self.blocks.setdefault(lower, block)
 
     def _name_fault(self, name: str) -> _Fault | None:
-        """A block goes by the rules of nicknames, or by a name that the table marks already."""
+        """A block follows the rules of nicknames, or has a name that the table marks already."""
         if name.lower() in self.marks.blocks:
             return None
         if looks_like_scratch(name):
@@ -112,8 +120,8 @@ class _Blocks:
     def _fault(self, declaration: BlockDeclaration, block: Block) -> _Fault | None:
         named, lower = declaration.named, block.name.lower()
         if named.bank != block.bank:
-            dotted = f"{named.bank.lower()}.{block.name}"
-            return _Fault(f"{dotted} cannot be {block}", f"write {block.bank.lower()}.{block.name}")
+            written = self.spell.name(named.bank, block.name)
+            return _Fault(f"{written} cannot be {block}", f"write {self.spell.name(block.bank, block.name)}")
         if BANKS[block.bank].settings_fixed:
             return _Fault(f"{block.bank} has no blocks: CLICK takes no comments there", "write the range itself")
         other = self.own.get(lower) or self._met(block)
@@ -127,19 +135,19 @@ class _Blocks:
         meaning = self.declared.meanings.get(lower)
         row = self.table.by_nickname.get(lower)
         if meaning is not None or row is not None:
-            place = self.table.place(row) if row else "another nickname(...)"
+            place = self.table.place(row) if row else f"another {self.spell.declaration()}"
             return _Fault(f"{block.name} is the nickname of one address in {place}", "give the block another name")
         return self._mark_in_the_way(block)
 
     def _met(self, block: Block) -> Block | None:
-        """The first own block that has an address in common with this one."""
+        """The first own block that shares an address with this one."""
         places = self._places.get(block.bank, [])
         at = bisect_right(places, (block.first, "\uffff"))
         near = (self.own[lower] for _, lower in places[max(at - 1, 0) : at + 1])
         return next((other for other in near if other.meets(block)), None)
 
     def _mark_in_the_way(self, block: Block) -> _Fault | None:
-        """A mark of another block where this one begins or ends, or one of this name where neither is."""
+        """A mark of another block where this one begins or ends, or one of this name anywhere else."""
         first, last = block.addresses()[0], block.addresses()[-1]
         named = self._marks_of.get((block.bank, block.name.lower()), ())
         for index in sorted({*self._marks_at.get(first, ()), *self._marks_at.get(last, ()), *named}):
@@ -158,7 +166,7 @@ class _Blocks:
         return None
 
     def _is_other_name_of(self, block: Block, name: str) -> bool:
-        """True where the table has just these addresses as a block of this name."""
+        """True if the table has exactly these addresses as a block of this name."""
         marked = self.marks.blocks.get(name.lower())
         return (
             marked is not None
@@ -167,7 +175,7 @@ class _Blocks:
         )
 
     def _set_up(self, declaration: BlockDeclaration, block: Block) -> None:
-        """Initial value and retention hold for every member."""
+        """Set initial value and retention for every member."""
         if declaration.initial is None and declaration.retentive is None:
             return
         initial = initial_of(declaration.initial, block.addresses()[0], self.problems) if declaration.initial else None
@@ -177,7 +185,7 @@ class _Blocks:
             self.rows[address] = row if declaration.retentive is None else replace(row, retentive=declaration.retentive)
 
     def _mark(self, declaration: BlockDeclaration, block: Block) -> None:
-        """Both ends of a block; neither where one is a row of the workbook, which nobody writes."""
+        """Mark both ends of a block; neither if one is a row of the workbook, which nobody writes."""
         first, last = block.addresses()[0], block.addresses()[-1]
         rows = [self._opened(declaration, block, self._row(first))]
         if first != last:
@@ -189,7 +197,7 @@ class _Blocks:
                 self._keep(declaration, row)
 
     def _opened(self, declaration: BlockDeclaration, block: Block, row: Row) -> Row:
-        """The first row, with its mark and what the declaration says."""
+        """The first row, with its mark and the declaration's settings."""
         text = ""
         if declaration.comment is not None:
             mark = mark_in(row.comment)
@@ -222,13 +230,15 @@ def _label(block: Block) -> tuple[Label, ...]:
 # -- marks in the table that do not fit -------------------------------------------------------------------------------
 
 
-def _warn_of_marks(marks: Marks, declared: set[str], table: AddressTable, problems: Diagnostics) -> None:
-    """Marks that make no block, and blocks that cannot be meant so. Those of a declared name its declaration judges."""
+def _warn_of_marks(
+    marks: Marks, declared: set[str], table: AddressTable, spell: Spelling, problems: Diagnostics
+) -> None:
+    """Warn of marks that make no block, and of blocks that cannot be meant so. A declaration judges its own name."""
     for row, mark in marks.halves:
         if mark.name.lower() not in declared:
             problems.add("CG606", table.span(row), *_half(row.address, mark))
     for block, other in marks.doubles:
-        # The rows of T and TD stand in turn in CLICK: a block over both is marked in both
+        # In CLICK the rows of T and TD alternate: a block over both is marked in both
         # (click-facts [nickname-file.interleaved]).
         if block.name.lower() not in declared and CURRENT_VALUE_OF.get(block.bank) != other.bank:
             message = f"a second block {block.name}, {block}, is marked: {other} is it in {other.said_by}, and counts"
@@ -236,12 +246,12 @@ def _warn_of_marks(marks: Marks, declared: set[str], table: AddressTable, proble
     for lower, block in marks.blocks.items():
         if lower in table.by_nickname:
             row = table.by_nickname[lower]
-            dotted = f"{block.bank.lower()}.{block.name}"
+            dotted = spell.name(block.bank, block.name)
             problems.add(
                 "CG429",
                 table.span(row),
                 f"{row.nickname} is the nickname of {row.address} and the name of the block {block}, which "
-                f"{block.said_by} marks: {dotted} alone is {row.address}, and {dotted}[0] is "
+                f"{block.said_by} marks: {dotted} alone is {row.address}, and {spell.member(dotted, 0)} is "
                 f"{Address(block.bank, block.first)}",
                 "give one of the two another name: the nickname, or the block in both of its marks",
                 _label(block),
@@ -255,7 +265,7 @@ def _warn_of_marks(marks: Marks, declared: set[str], table: AddressTable, proble
 
 
 def _half(address: Address, mark: Mark) -> tuple[str, str]:
-    """What a mark without its other half is taken for, and the way out."""
+    """The message and the way out for a mark without its other half."""
     if mark.opens:
         end, other, place = "beginning", f"</{mark.name}>", "last"
     else:
@@ -265,7 +275,7 @@ def _half(address: Address, mark: Mark) -> tuple[str, str]:
 
 
 def _warn_of_overlaps(blocks: Iterable[Block], problems: Diagnostics) -> None:
-    """Blocks that meet and do not lie in each other. Thousands may: each is told with a few of the others."""
+    """Warn of blocks that overlap without nesting. There may be thousands: each is reported with a few others."""
     begun: list[tuple[int, int, Block]] = []
     """The blocks of the bank that are not over yet, by their last numbers, with their places in the order."""
     bank = ""

@@ -1,4 +1,4 @@
-"""Where each address comes from: the source, the address table, CLICK's own names, or allocation; first match wins."""
+"""Finds the address of each name: the source, the address table, CLICK's own names, allocation; first match wins."""
 
 from __future__ import annotations
 
@@ -9,11 +9,10 @@ from dataclasses import dataclass, replace
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.nicknames import nickname_fault
 from clickgen.device.system import addresses_of_system_name, doubt_about, near_system_name
-from clickgen.dialects.if_rungs.trade import CONDITIONS, advice
-from clickgen.formula.printer import source_reference
+from clickgen.dialects.base import Dialect
 from clickgen.instructions.spec import Access
 from clickgen.ir.conditions import Compare
-from clickgen.ir.operands import Cell, Constant, Immediate, Named, Operand, Range
+from clickgen.ir.operands import Cell, Constant, Immediate, Named, Operand
 from clickgen.ir.program import Action, Program, Routine, Value, Word, actions_in, rungs_in
 from clickgen.ir.proposals import Proposal
 from clickgen.ir.reach import reaching
@@ -23,34 +22,34 @@ from clickgen.resolve.allocate import Allocator
 from clickgen.resolve.constants import kind_of, stored, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
 from clickgen.resolve.declare_blocks import declare_blocks
+from clickgen.resolve.guard_scratch import addresses_in, guard_scratch
 from clickgen.resolve.members import proposal_without_members, without_members
 from clickgen.table.address_table import AddressTable
 from clickgen.table.blocks import Block, covered
 from clickgen.table.masked import warn_of_masked
-from clickgen.table.rows import Row, is_scratch, looks_like_scratch
-from clickgen.text.source import Span
+from clickgen.table.rows import Row, looks_like_scratch
 from clickgen.text.wording import counted
 
 
 @dataclass(frozen=True)
 class Resolved:
-    """A program without names, and what became of them."""
+    """A program without names, and the result of resolving them."""
 
     program: Program
     rows: tuple[Row, ...]
     """The rows that the table lacks: declared and allocated names."""
     allocated: tuple[Row, ...]
-    """Those of ``rows`` whose address clickgen chose."""
+    """The ``rows`` whose address clickgen chose."""
     allocator: Allocator
     table: AddressTable
     blocks: Mapping[str, Block]
     """By their lowercase names."""
     proposals: tuple[Proposal, ...] = ()
-    """Those of the program, in the same order, with addresses where they are known."""
+    """The proposals of the program, in the same order, with addresses where they are known."""
     chosen: frozenset[Address] = frozenset()
     """The addresses of names, proposals included, that nothing declares: clickgen chose or would choose them."""
     is_declared: bool = True
-    """False when something that could declare a name was not understood: then such a name may mean anything."""
+    """False if something that could declare a name was not understood: then such a name may mean anything."""
 
 
 def resolve(
@@ -58,33 +57,34 @@ def resolve(
     table: AddressTable,
     frozen: bool,
     problems: Diagnostics,
+    dialect: Dialect,
     reserved: Iterable[Address] = (),
 ) -> Resolved:
     """Replace every name by its address. Names without one are allocated, or reported when ``frozen``.
 
-    ``reserved`` addresses are given to no name. Names with a problem stay in the tree, so that the rules after this
-    judge all the rest.
+    ``dialect`` is the one that the program is written in. ``reserved`` addresses are given to no name. Names with a
+    problem stay in the tree, so that the rules after this judge all the rest.
     """
     before = _faults(problems)
-    declared = declare(program.declarations, table, problems)
-    blocks = declare_blocks(program.blocks, table, declared, problems)
-    # Every problem of the table may hide a row or a block, the warnings among them.
+    declared = declare(program.declarations, table, dialect.spell, problems)
+    blocks = declare_blocks(program.blocks, table, declared, dialect.spell, problems)
+    # Any problem of the table, even a warning, may hide a row or a block.
     is_declared = program.is_declared and _faults(problems) == before and not _doubts_table(problems)
     operands = list(program_operands(program))
     if blocks or any(name.part is not None for name in _names_in(operands)):
-        program = without_members(program, blocks, table, problems)
+        program = without_members(program, blocks, table, dialect.spell, problems)
         operands = list(program_operands(program))
-    proposals = [proposal_without_members(proposal, blocks, table) for proposal in program.proposals]
+    proposals = [proposal_without_members(proposal, blocks, table, dialect.spell) for proposal in program.proposals]
     proposed = replace(program, routines=tuple(Routine("", tuple(one.rungs()), one.span, False) for one in proposals))
-    resolver = _Resolver(table, declared, frozen, problems, reserved)
-    resolver.allocator.take((*resolver.reserved, *covered(blocks.values()), *_addresses(operands)))
-    resolver.allocator.take(_addresses(program_operands(proposed)))
+    resolver = _Resolver(table, declared, frozen, problems, dialect, reserved)
+    resolver.allocator.take((*resolver.reserved, *covered(blocks.values()), *addresses_in(operands)))
+    resolver.allocator.take(addresses_in(program_operands(proposed)))
     resolver.name(program, list(_named(operands)))
     functions = {routine.function: routine.name for routine in program.subroutines}
     resolved = _Names(resolver.addresses, functions).program(program)
-    _guard_scratch(resolved, table, problems)
+    guard_scratch(resolved, table, problems)
     rows = (*declared.rows, *resolver.allocated)
-    warn_of_masked(program, rows, table, problems)
+    warn_of_masked(program, rows, table, dialect.spell, problems)
     beside = resolver.beside()
     beside.name(proposed, list(_named(program_operands(proposed))))
     names = _Names(beside.addresses, functions)
@@ -109,40 +109,6 @@ def _doubts_table(problems: Diagnostics) -> bool:
     return any(problem.code.startswith("CG6") for problem in problems.found)
 
 
-def _guard_scratch(program: Program, table: AddressTable, problems: Diagnostics) -> None:
-    """A program that uses one of clickgen's own scratch cells: both would write it."""
-    scratch = {row.address: row for row in table.rows if is_scratch(row)}
-    if not scratch:
-        return
-    touched = [(operand, _addresses([operand])) for operand in program_operands(program)]
-    for operand, length in reaching(program):
-        if isinstance(operand, Cell):
-            bank, number, _ = operand.address
-            touched.append((operand, (Address(bank, number + n) for n in range(length))))
-    for operand, addresses in touched:
-        for address in addresses:
-            row = scratch.get(address)
-            if row is not None:
-                problems.add(
-                    "CG205",
-                    operand.span,
-                    f"{address} is {row.nickname}, which clickgen uses for itself ({table.place(row)})",
-                    "use another address here, or delete that row of the table: then clickgen chooses another cell",
-                )
-                break
-
-
-def _addresses(operands: Iterable[Operand]) -> Iterable[Address]:
-    """Every address that the program writes by number."""
-    for operand in operands:
-        if isinstance(operand, Immediate):
-            operand = operand.target
-        if isinstance(operand, Cell):
-            yield operand.address
-        elif isinstance(operand, Range):
-            yield from operand.addresses()
-
-
 class _Resolver:
     def __init__(
         self,
@@ -150,8 +116,10 @@ class _Resolver:
         declared: Declared,
         frozen: bool,
         problems: Diagnostics,
+        dialect: Dialect,
         reserved: Iterable[Address] = (),
     ) -> None:
+        self.dialect, self.spell = dialect, dialect.spell
         self.table = table
         self.reserved = tuple(reserved)
         self.frozen = frozen
@@ -170,7 +138,7 @@ class _Resolver:
         """(bank, lowercase name) of what an instruction keeps for itself, such as a drum's accumulator."""
 
     def beside(self) -> _Resolver:
-        """One that goes on from here for what is no part of the program: nothing is said or kept of its names."""
+        """Return a resolver that starts from here for what is not part of the program; it reports and keeps nothing."""
         other = copy(self)
         other.problems, other.allocated = Diagnostics(), []
         other.meanings, other.addresses = dict(self.meanings), dict(self.addresses)
@@ -205,7 +173,7 @@ class _Resolver:
         return operand.address if isinstance(operand, Cell) else None
 
     def _give_known(self, use: Named) -> bool:
-        """True when the name has a meaning already, be it a wrong one for this bank."""
+        """Return True if the name has a meaning already, even a wrong one for this bank."""
         lower = use.name.lower()
         meaning = self.meanings.get(lower)
         if meaning is None:
@@ -222,10 +190,9 @@ class _Resolver:
         return True
 
     def _ambiguous(self, use: Named, addresses: tuple[Address, ...]) -> None:
-        """One of CLICK's own names that may mean one of several addresses."""
-        reference = source_reference(use)
-        written = " or ".join(f"{address.bank.lower()}[{address.number}]" for address in addresses)
-        pin = f"nickname({reference}, {addresses[0].bank.lower()}[{addresses[0].number}])"
+        """Report one of CLICK's own names that may mean one of several addresses."""
+        written = " or ".join(map(self.spell.cell, addresses))
+        pin = self.spell.declaration(self.spell.operand(use), self.spell.cell(addresses[0]))
         self.problems.add(
             "CG215",
             use.span,
@@ -239,13 +206,13 @@ class _Resolver:
             return address
         if CURRENT_VALUE_OF.get(use.bank) == address.bank:
             return Address(use.bank, address.number)
-        dotted = f"{address.bank.lower()}.{use.name}"
+        dotted = self.spell.name(address.bank, use.name)
         labels = (Label(meaning.span, f"{dotted} is here"),) if meaning.span else ()
         said_by = meaning.said_by or (meaning.span.seen_from(use.span) if meaning.span else "")
         self.problems.add(
             "CG204",
             use.span,
-            f"{use.name} is {dotted} ({said_by}), so it cannot be {use.bank.lower()}.{use.name}",
+            f"{use.name} is {dotted} ({said_by}), so it cannot be {self.spell.name(use.bank, use.name)}",
             f"write {dotted}, or choose another name here",
             labels,
         )
@@ -270,7 +237,7 @@ class _Resolver:
                 "CG210",
                 use.span,
                 f"{use.name} was given {address}: is it wired there?",
-                f"pin it: nickname({source_reference(use)}, {use.bank.lower()}[{address.number}])",
+                f"pin it: {self.spell.declaration(self.spell.operand(use), self.spell.cell(address))}",
             )
         self.meanings[use.name.lower()] = Meaning(address, "", use.span)
         self.addresses[use.bank, use.name.lower()] = address
@@ -290,20 +257,21 @@ class _Resolver:
         add = self.problems.add
         fault = nickname_fault(use.name)
         if use.bank in CURRENT_VALUE_OF and (use.bank, use.name.lower()) not in self.owned:
-            kind, bit = ("timer", "t") if use.bank == "TD" else ("counter", "ct")
+            kind = "timer" if use.bank == "TD" else "counter"
+            bit = self.spell.name(CURRENT_VALUE_OF[use.bank], use.name)
             add(
                 "CG207",
                 use.span,
                 f"there is no {kind} {use.name!r}",
                 self._near(use.name, self._named_in(CURRENT_VALUE_OF[use.bank]))
-                or f"use {bit}.{use.name} in the program, or give the name to an address with nickname(...)",
+                or f"use {bit} in the program, or give the name to an address with {self.spell.declaration()}",
             )
         elif not bank.allocatable and use.bank not in CURRENT_VALUE_OF:
             add(
                 "CG206",
                 use.span,
                 f"CLICK has no {bank.title} named {use.name!r}",
-                _own_name_help(use),
+                self._own_name_help(use),
             )
         elif use.name.lower() in self.table.spares:
             place = self.table.place(self.table.spares[use.name.lower()])
@@ -321,40 +289,30 @@ class _Resolver:
             add(
                 "CG209",
                 use.span,
-                f"{use.bank.lower()}.{use.name} has no address in {self.table.path}",
+                f"{self.spell.name(use.bank, use.name)} has no address in {self.table.path}",
                 "build once without --frozen and commit the table",
             )
         else:
             return True
         return False
 
+    def _own_name_help(self, use: Named) -> str:
+        """A name of CLICK's own is suggested only where it can be nothing else: a neighbour is another register."""
+        near = near_system_name(use.name, use.bank)
+        if near:
+            return f"did you mean {near if near.isidentifier() else self.spell.name(use.bank, near)}?"
+        known = self.dialect.system_point_hint(use.name) if use.bank == "SC" else ""
+        number = self.spell.pointer(use.bank, "number")
+        return known or f"write its number in brackets, {number}, or one of CLICK's own names as CLICK shows it"
+
 
 def _taken(table: AddressTable) -> Iterator[Address]:
-    """The addresses of a table. An export of CLICK may list every address; a row of it that says nothing takes none."""
+    """The addresses of a table. A CLICK export may list every address; an empty row of it takes none."""
     return (row.address for row in table.rows if row.cell is not None or not row.is_default)
 
 
-def _own_name_help(use: Named) -> str:
-    """A name of CLICK's own is suggested only where it can be nothing else: a neighbour is another register."""
-    near = near_system_name(use.name, use.bank)
-    if near:
-        return f"did you mean {near if near.isidentifier() else _reference(Address(use.bank, 0), near)}?"
-    bank = BANKS[use.bank].dsl
-    word = advice(use.name, CONDITIONS)
-    if word is not None and word.code and word.code[0].startswith(("sc", "nc(sc")) and use.bank == "SC":
-        return word.shown
-    return f"write its number in brackets, {bank}[number], or one of CLICK's own names as CLICK shows it"
-
-
-def _reference(address: Address, name: str) -> str:
-    return source_reference(Named(address.bank, name, _NOWHERE))
-
-
-_NOWHERE = Span("", 0, 0, 0, 0)
-
-
 def _named(operands: Iterable[Operand]) -> Iterable[Named]:
-    # What stands for no member of a block has its problem.
+    # A reference to no member of a block has its problem.
     return (name for name in _names_in(operands) if name.part is None)
 
 
@@ -376,7 +334,7 @@ def _owned(program: Program) -> Iterator[tuple[str, str]]:
 
 
 class _Names(Rewriter):
-    """Replaces names by cells, functions by CLICK's names for them, and gives constants their types."""
+    """Replaces names by cells and functions by CLICK's names for them, and gives constants their types."""
 
     def __init__(self, addresses: dict[tuple[str, str], Address], functions: Mapping[str, str]) -> None:
         self.addresses = addresses

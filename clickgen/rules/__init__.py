@@ -1,1 +1,1 @@
-"""What can be wrong with a program: one rule in one file."""
+"""Rules about a program, one in a file. ``registry.Folder`` says when the rules of a folder run."""

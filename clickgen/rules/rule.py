@@ -1,37 +1,48 @@
-"""What a rule about logic is: its code, why it matters, examples that have the problem and examples that do not."""
+"""The shape of a rule: it takes facts and returns findings, and declares its codes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from clickgen.facts.facts import Facts
-from clickgen.problems.diagnostics import Diagnostics
+from clickgen.problems.codes import Severity
+from clickgen.problems.declared import Code, Wrong
+from clickgen.problems.diagnostics import Diagnostic, Label
+from clickgen.text.edits import Fix
+from clickgen.text.source import Span
 
+__all__ = ["Code", "Findings", "Rule", "Severity", "Wrong", "finding"]
 
-@dataclass(frozen=True)
-class Wrong:
-    """An example with the problem: rungs of main, or a whole program. ``# <-`` ends each line that has a finding.
-
-    ``fixed`` is the example after its fix; "" when the rule has none.
-    """
-
-    text: str
-    fixed: str = ""
+Findings = Iterator[Diagnostic]
 
 
 @dataclass(frozen=True)
 class Rule:
-    """One rule. Severity and title stand in ``codes.py``; the file of the rule holds all the rest.
+    """A rule sees the facts alone: no finding of another rule, so the order of rules does not matter.
 
-    ``why`` is Markdown for the person who got the finding: what can go wrong on the machine, and what to do. Tests and
-    the documentation page are made from the examples.
+    Most rules have one code. A rule has several where one walk over the program finds all of them.
     """
 
-    code: str
-    check: Callable[[Facts, Diagnostics], None]
-    why: str
-    wrong: tuple[Wrong, ...]
-    right: tuple[str, ...]
+    find: Callable[[Facts], Iterable[Diagnostic]]
+    codes: tuple[Code, ...]
+    also: tuple[str, ...] = ()
+    """Codes that the rule reports and that another rule, or a page of ``problems/explanations``, declares."""
     holds_in_parts: bool = False
     """True when a finding in one file stays one, whatever other files bring."""
+
+    def is_wanted(self, wants: Callable[[str], bool]) -> bool:
+        """True when one of its codes is wanted."""
+        return any(wants(code) for code in (*(code.name for code in self.codes), *self.also))
+
+
+def finding(
+    code: str,
+    span: Span | None,
+    message: str,
+    help: str = "",
+    labels: tuple[Label, ...] = (),
+    fix: Fix | None = None,
+) -> Diagnostic:
+    """Something that a rule found, with its place and the way out."""
+    return Diagnostic(code, message, span, help, labels, fix)

@@ -1,7 +1,7 @@
 """The address table: CLICK's nickname CSV, kept beside the program like a lock file.
 
-A PLC keeps its data by address, so a name that once has an address keeps it. Reading and writing the table leaves
-every row that nobody changed as it stands, byte for byte.
+A PLC keeps its data by address, so a name that once has an address keeps it. Reading and writing the table keeps
+every row that nobody changed, byte for byte.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ BOM = b"\xef\xbb\xbf"
 _FIELD = r'(?:"(?:[^"]|"")*"|[^",][^,]*|)'
 """A field as the csv module reads it: quotes count where a field begins with one."""
 _NICKNAME = rf"((?:{_FIELD},){{%d}})({_FIELD})"
-"""A row up to its nickname, which stands in a column from 0, and the nickname as it is written."""
+"""A row up to its nickname, which is in a column counted from 0, and the nickname as written."""
 _NICKNAME_FIELD = 2
 
 
 class Entry(NamedTuple):
-    """A stretch of the file: a row, or text that is none (the header, a blank line, a malformed row)."""
+    """A stretch of the file: a row, or text that is not a row (the header, a blank line, a malformed row)."""
 
     row: Row | None
     text: str
@@ -40,7 +40,7 @@ class Entry(NamedTuple):
 class AddressTable:
     """The rows of an address table and the exact text around them.
 
-    ``base`` are the rows of a workbook that it adds to: they count first, and are never written.
+    ``base`` is the rows of a workbook that the table adds to: they count first, and are never written.
     """
 
     path: str
@@ -69,7 +69,7 @@ class AddressTable:
 
     @cached_property
     def by_nickname(self) -> dict[str, Row]:
-        """The rows that have a nickname, by its lowercase form. The first counts where SC and SD rows share one."""
+        """The rows that have a nickname, by its lowercase form. If SC and SD rows share one, the first counts."""
         names: dict[str, Row] = {}
         for row in self.rows:
             if row.nickname:
@@ -78,7 +78,7 @@ class AddressTable:
 
     @cached_property
     def spares(self) -> dict[str, Row]:
-        """What a workbook has in place of nicknames, in lower case, each with the first row that has it."""
+        """The words that a workbook has in place of nicknames, in lower case, each with the first row that has it."""
         spares: dict[str, Row] = {}
         for row in self.base:
             if row.spare:
@@ -90,7 +90,7 @@ class AddressTable:
         return {row.address: row for row in self.rows}
 
     def has_name(self, address: Address) -> bool:
-        """True where an address has a nickname; a table may list an address without one."""
+        """True if an address has a nickname; a table may list an address without one."""
         row = self.by_address.get(address)
         return row is not None and bool(row.nickname)
 
@@ -99,27 +99,27 @@ class AddressTable:
         return self._entries[-1].end != ""
 
     def span(self, row: Row) -> Span | None:
-        """Where a row stands, or None for a new one."""
+        """The place of a row, or None for a new one."""
         if row.cell is not None:
             return row.cell
         return text_span(self.path, row.line, row.raw, 0, len(row.raw)) if row.line else None
 
     def place(self, row: Row) -> str:
-        """Where a row stands, in words: ``line 5 of nicknames.csv``."""
+        """The place of a row in words: ``line 5 of nicknames.csv``."""
         return f"{row.cell.cell} of {row.cell.path}" if row.cell else f"line {row.line} of {self.path}"
 
     def named(self, address: Address, nickname: str, comment: str = "") -> Row:
-        """A row that gives an address its nickname and keeps what an unnamed row there already says."""
+        """Return a row that gives an address its nickname and keeps what an unnamed row there already says."""
         stands = self.by_address.get(address)
         if stands is None or stands.nickname:
             return default_row(address, nickname, comment)
         return replace(stands, nickname=nickname, comment=comment or stands.comment, line=0, raw="")
 
     def extended(self, rows: Iterable[Row]) -> AddressTable:
-        """The table with these rows in it, in CLICK's row order among rows that stay where they are.
+        """Return the table with these rows added in CLICK's row order; existing rows stay where they are.
 
-        A row whose address stands already takes that row's place if it has no nickname or the same one; a row that
-        says what is there changes nothing. Raises ValueError where a name or an address would move.
+        A row whose address is already there takes that row's place if it has no nickname or the same one; a row that
+        repeats what is there changes nothing. Raises ValueError if a name or an address would move.
         """
         added: list[Row] = []
         replaced: dict[Address, Row] = {}
@@ -160,10 +160,10 @@ class AddressTable:
         return replace(self, _entries=tuple(entries))
 
     def changed(self, rows: Mapping[Address, Row | None]) -> AddressTable:
-        """The table with these rows at their addresses, whatever stood there; None takes a row out with its line.
+        """Return the table with these rows at their addresses, whatever was there; None removes a row with its line.
 
-        A row that says what is there changes nothing, and new rows stand where ``extended`` puts them. Raises
-        ValueError for a row of the workbook, and where a nickname would stand at two addresses.
+        A row that repeats what is there changes nothing, and new rows go where ``extended`` puts them. Raises
+        ValueError for a row of the workbook, and if a nickname would be at two addresses.
         """
         fixed = next((row for row in self.base if row.address in rows), None)
         if fixed is not None:
@@ -188,9 +188,9 @@ class AddressTable:
         return table
 
     def recommented(self, address: Address, old: str, new: str) -> AddressTable:
-        """The table with ``new`` in place of ``old`` in the comment of an address; every other byte stays.
+        """Replace ``old`` by ``new`` in the comment of an address; every other byte stays.
 
-        Neither may be anything that a nickname or a number could hold.
+        Neither may be part of any nickname or number.
         """
         entries = list(self._entries)
         for index, (row, text, end) in enumerate(entries):
@@ -204,7 +204,7 @@ class AddressTable:
         return replace(self, _entries=tuple(entries))
 
     def renamed(self, address: Address, nickname: str) -> AddressTable:
-        """The table with another nickname at an address; every other byte stays, those of the row included."""
+        """Return the table with another nickname at an address; every other byte stays, those of the row included."""
         entries = list(self._entries)
         pattern = re.compile(_NICKNAME % self.form.column(_NICKNAME_FIELD))
         for index, (row, text, end) in enumerate(entries):
@@ -232,7 +232,7 @@ def _with_upper_words(entries: tuple[Entry, ...], index: int) -> int:
 
 
 def _places(entries: tuple[Entry, ...]) -> Callable[[Address], int]:
-    """Where a new row goes: before which entry.
+    """Return the function that says before which entry a new row goes.
 
     After the last row of its bank with a smaller number, else before the first row of its bank, else after the last
     row of the nearest bank before it, else first of all. In a table in CLICK's order that is the one place in order.
@@ -243,7 +243,7 @@ def _places(entries: tuple[Entry, ...]) -> Callable[[Address], int]:
             banks.setdefault(ORDER[row.address.bank], []).append((row.address.number, row.address.upper, index))
     first = {bank: min(item[2] for item in items) for bank, items in banks.items()}
     for items in banks.values():
-        # A row without an address, that of the upper word of an XD or YD, stays below the row of its lower word.
+        # A row without an address, for the upper word of an XD or YD, stays below the row of its lower word.
         items[:] = [(number, upper, _with_upper_words(entries, index)) for number, upper, index in items]
     last = {bank: max(item[2] for item in items) for bank, items in banks.items()}
     furthest: dict[int, list[int]] = {}

@@ -1,7 +1,7 @@
 """Blocks: names for ranges of addresses, as ClickNick marks them in address comments.
 
 ``<Recipe>`` in the comment of the first address opens a block and ``</Recipe>`` in that of the last closes it;
-``<Recipe />`` is a block of one. Text may stand before and behind a mark, and a colour in it: ``<Recipe bg="Red">``.
+``<Recipe />`` is a block of one. A mark may have text before and after it, and a colour in it: ``<Recipe bg="Red">``.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from clickgen.text.source import Span
 
 
 class Block(NamedTuple):
-    """A name for consecutive addresses, both ends included, and where it comes from."""
+    """A name for consecutive addresses, both ends included, and where the name comes from."""
 
     name: str
     bank: str
@@ -34,11 +34,11 @@ class Block(NamedTuple):
         return [Address(self.bank, number) for number in range(self.first, self.last + 1)]
 
     def is_seen_as(self, bank: str) -> bool:
-        """True where the block goes by this bank: its own, or TD and CTD for one of T and CT."""
+        """True if the block has this bank: its own, or TD and CTD for a block of T and CT."""
         return bank == self.bank or CURRENT_VALUE_OF.get(bank) == self.bank
 
     def meets(self, other: Block) -> bool:
-        """True where both have an address."""
+        """True if the two blocks share an address."""
         return self.bank == other.bank and self.first <= other.last and other.first <= self.last
 
     def lies_in(self, other: Block) -> bool:
@@ -50,7 +50,7 @@ class Block(NamedTuple):
 
 
 def covered(blocks: Iterable[Block]) -> set[Address]:
-    """The addresses of blocks; of many inside each other, each stretch is gone through once."""
+    """The addresses of blocks; where blocks are nested, each stretch is visited once."""
     found: set[Address] = set()
     bank, end = "", 0
     for block in sorted(blocks, key=lambda block: (block.bank, block.first)):
@@ -62,7 +62,7 @@ def covered(blocks: Iterable[Block]) -> set[Address]:
 
 
 class Mark(NamedTuple):
-    """A block's mark in a comment; ``word`` is what it says between the angle brackets."""
+    """A block's mark in a comment; ``word`` is the text between the angle brackets."""
 
     name: str
     opens: bool
@@ -71,13 +71,13 @@ class Mark(NamedTuple):
 
 
 _MARK_MAX = 200
-"""The longest mark that is looked for: a comment has room for 128 characters (click-facts [name.length])."""
+"""The longest mark to look for: a comment has room for 128 characters (click-facts [name.length])."""
 _MARK = re.compile(rf"(?=<(?P<word>[^>]{{0,{_MARK_MAX}}})>)")
 _COLOR = re.compile(r"""(?<!\s)\s+bg=["']([^"']{1,200})["']""")
 
 
 def mark_in(comment: str) -> Mark | None:
-    """The first mark in a comment, as ClickNick finds it; a name has a letter in it.
+    """The first mark in a comment, as ClickNick finds it; its name has at least one letter.
 
     click-facts [nickname-file.blocks]
     """
@@ -99,7 +99,7 @@ def _read_mark(word: str) -> Mark:
 
 
 def marked(comment: str, name: str, opens: bool, closes: bool) -> str:
-    """A comment with a block's mark in front; as it is where it has that mark already."""
+    """A comment with a block's mark in front; unchanged if it has that mark already."""
     mark = mark_in(comment)
     if mark and (mark.name.lower(), mark.opens, mark.closes) == (name.lower(), opens, closes):
         return comment
@@ -108,7 +108,7 @@ def marked(comment: str, name: str, opens: bool, closes: bool) -> str:
 
 
 def renamed_mark(comment: str, old: str, new: str) -> str:
-    """A comment with another block name in its mark; as it is where it has no mark of that name."""
+    """A comment with another block name in its mark; unchanged if it has no mark of that name."""
     mark = mark_in(comment)
     if mark is None or mark.name.lower() != old.lower():
         return comment
@@ -121,20 +121,20 @@ class MarkedRow(NamedTuple):
 
 
 class Marks(NamedTuple):
-    """What the comments of a table mark."""
+    """The marks in the comments of a table."""
 
     rows: tuple[MarkedRow, ...]
     """In CLICK's order."""
     blocks: dict[str, Block]
     """By their lowercase names."""
     doubles: tuple[tuple[Block, Block], ...]
-    """Blocks whose name another has already, with that other."""
+    """Blocks whose name another block already has, each with that other block."""
     halves: tuple[MarkedRow, ...]
-    """Those of ``rows`` that open a block which no row closes, or close one that no row opens."""
+    """The ``rows`` that open a block which no row closes, or close one that no row opens."""
 
 
 def read_marks(table: AddressTable) -> Marks:
-    """The blocks of a table. An end belongs to the last beginning before it, as ClickNick has it."""
+    """Return the blocks of a table. An end belongs to the last beginning before it, as in ClickNick."""
     rows = _marked_rows(table)
     open_rows: dict[tuple[str, str], list[MarkedRow]] = {}
     blocks: dict[str, Block] = {}
@@ -168,11 +168,11 @@ def _block(name: str, first: Row, last: Row, table: AddressTable) -> Block:
 
 
 def marked_blocks(table: AddressTable) -> dict[str, Block]:
-    """The blocks that the comments of a table mark, by their lowercase names; what is not closed is none."""
+    """The blocks that the comments of a table mark, by their lowercase names; an unclosed one is not a block."""
     return read_marks(table).blocks
 
 
 def unclosed_block(table: AddressTable, name: str) -> Row | None:
-    """The row that opens a block of this name where no row closes it."""
+    """The row that opens a block of this name which no row closes."""
     halves = read_marks(table).halves
     return next((row for row, mark in halves if mark.opens and mark.name.lower() == name.lower()), None)

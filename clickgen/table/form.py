@@ -1,6 +1,6 @@
 """The forms in which CLICK writes a nickname CSV: with or without Modbus numbers, and how it writes those.
 
-With "Display MODBUS address" checked, an export has two columns more, decimal or hexadecimal. The upper words of XD1
+With "Display MODBUS address" checked, an export has two more columns, decimal or hexadecimal. The upper words of XD1
 to XD8 and YD1 to YD8 then have rows with an empty address. Some files have ``## `` before the header (click-facts
 [nickname-file.modbus-columns, nickname-file.old-header, nickname-file.upper-rows]).
 """
@@ -23,13 +23,13 @@ _OLD_HEADER = re.compile(r"\A##\s*")
 
 
 class TableForm(NamedTuple):
-    """How the rows of one table are written."""
+    """The form of the rows of one table."""
 
     has_modbus: bool = False
     is_hex: bool = False
-    """True where the table counts Modbus numbers as ``0000h``, not as ``400001``."""
+    """True if the table writes Modbus numbers as ``0000h``, not as ``400001``."""
     quotes_codes: bool = False
-    """True where the table sets ``FC=02`` between quotes too; ``FC=01,05,15`` always needs them."""
+    """True if the table also quotes ``FC=02``; ``FC=01,05,15`` always needs quotes."""
 
     @property
     def width(self) -> int:
@@ -41,7 +41,7 @@ class TableForm(NamedTuple):
         return ",".join(WITH_MODBUS) if self.has_modbus else HEADER
 
     def column(self, field: int) -> int:
-        """Where a field of COLUMNS stands in a row of this form."""
+        """The column of a field of COLUMNS in a row of this form."""
         return field + len(MODBUS_COLUMNS) if self.has_modbus and field >= _MODBUS_AT else field
 
     def fields(self, row: Sequence[str]) -> list[str]:
@@ -51,7 +51,7 @@ class TableForm(NamedTuple):
         return [row[self.column(field)] for field in range(len(COLUMNS))]
 
     def format(self, row: Row) -> str:
-        """A row as CLICK writes it in this form."""
+        """Return a row as CLICK writes it in this form."""
         plain = format_row(row)
         if not self.has_modbus:
             return plain
@@ -68,7 +68,7 @@ class TableForm(NamedTuple):
         return number.hexadecimal if self.is_hex else number.decimal
 
     def has_number(self, row: Sequence[str], address: Address) -> bool:
-        """False where a row says another Modbus number than its address has; leading zeros do not count."""
+        """False if a row gives a Modbus number other than that of its address; leading zeros do not count."""
         said = row[_MODBUS_AT] if self.has_modbus else ""
         number = modbus_number(address)
         known = (number.hexadecimal, number.decimal)
@@ -76,7 +76,7 @@ class TableForm(NamedTuple):
 
 
 PLAIN = TableForm()
-"""The form that CLICK imports, and in which clickgen begins a table."""
+"""The form that CLICK imports, and that clickgen uses for a new table."""
 
 
 def without_marks(header: str) -> str:
@@ -85,13 +85,13 @@ def without_marks(header: str) -> str:
 
 
 def form_of(header: Sequence[str]) -> TableForm | None:
-    """The form of a table with these column names; None when it is no nickname table."""
+    """The form of a table with these column names; None if it is not a nickname table."""
     names = tuple(header)
     return TableForm(names == WITH_MODBUS) if names in (COLUMNS, WITH_MODBUS) else None
 
 
 def settled(form: TableForm, fields: Sequence[str], raw: str) -> TableForm:
-    """The form after one of its rows has shown how the table writes its numbers and codes."""
+    """The form once one of its rows has shown how the table writes its numbers and codes."""
     is_hex = form.is_hex or bool(_HEX.fullmatch(fields[_MODBUS_AT]))
     code = fields[_MODBUS_AT + 1]
     return form._replace(is_hex=is_hex, quotes_codes=form.quotes_codes or ("," not in code and f'"{code}"' in raw))

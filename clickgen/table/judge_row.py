@@ -1,4 +1,4 @@
-"""What CLICK does not take in a row of the address table, in words: the same for a CSV and a workbook."""
+"""The faults that CLICK finds in a row of the address table, in words: the same for a CSV and a workbook."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from clickgen.device.nicknames import comment_fault, nickname_fault_at
 from clickgen.table.rows import initial_fault
 
 _FIXED = ("XD", "YD")
-"""The banks of words whose settings nobody can change, and whose rows an import takes all the same."""
+"""The banks of words whose settings nobody can change; an import accepts their rows all the same."""
 
 
 class Fault(NamedTuple):
-    """What is wrong with a field, and the way out."""
+    """A fault in a field, and the way out."""
 
     message: str
     way_out: str
 
 
 def no_address(text: str) -> Fault:
-    """The fault of a text that ``parse_address`` does not know."""
+    """The fault of a text that ``parse_address`` cannot read."""
     name = re.match(r"[A-Za-z]{0,4}", text.strip())
     bank = BANKS.get(name[0].upper()) if name else None
     way_out = f"{bank.name} has {bank.describe_range()}" if bank else f"the banks are {' '.join(BANKS)}"
@@ -29,7 +29,7 @@ def no_address(text: str) -> Fault:
 
 
 def initial_value_fault(address: Address, text: str) -> Fault | None:
-    """What is wrong with an initial value in CLICK's form, or None."""
+    """The fault of an initial value in CLICK's form, or None."""
     expected = initial_fault(address.kind, text)
     if expected is not None:
         return Fault(f"{address} cannot start with the value {short(text)}", f"write {expected}")
@@ -37,12 +37,12 @@ def initial_value_fault(address: Address, text: str) -> Fault | None:
 
 
 def retention_fault(address: Address, retentive: bool) -> Fault | None:
-    """What is wrong with saying that an address keeps its value without power, or does not; or None."""
+    """The fault of a row that says an address keeps its value without power, or does not; or None."""
     return _fixed(address, "retentive", "No") if retentive and address.bank in _FIXED else None
 
 
 def address_comment_fault(address: Address, comment: str) -> Fault | None:
-    """What is wrong with the comment of an address, or None."""
+    """The fault of the comment of an address, or None."""
     fault = comment_fault(comment)
     if fault is None:
         return None
@@ -51,7 +51,7 @@ def address_comment_fault(address: Address, comment: str) -> Fault | None:
 
 
 def address_nickname_fault(address: Address, name: str) -> Fault | None:
-    """What is wrong with the nickname of an address, or None; CLICK's own names pass on CLICK's own points."""
+    """The fault of the nickname of an address, or None; CLICK's own names pass on CLICK's own points."""
     fault = nickname_fault_at(address, name)
     if fault is None:
         return None
@@ -62,7 +62,7 @@ def address_nickname_fault(address: Address, name: str) -> Fault | None:
 
 
 def may_share_a_name(one: Address, other: Address) -> bool:
-    """True for two of CLICK's own points: it gives one name to two of them now and then.
+    """True for two of CLICK's own points: CLICK sometimes gives one name to two of them.
 
     click-facts [system.doubles]
     """
@@ -70,7 +70,7 @@ def may_share_a_name(one: Address, other: Address) -> bool:
 
 
 def short(text: str) -> str:
-    """A field for a message: on one line, and not endless."""
+    """A field for a message: on one line and not too long."""
     if not text:
         return '""'
     if len(text) > 40:

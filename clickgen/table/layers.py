@@ -1,4 +1,4 @@
-"""An address table beside a workbook: the workbook says what it says, the table holds only the names that it lacks."""
+"""An address table beside a workbook: the workbook comes first, the table holds only the names that it lacks."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from clickgen.workspace import Workspace
 
 
 class TableRead(NamedTuple):
-    """An address table with the rows of the workbook that it adds to, and the bytes of its file; None without one."""
+    """An address table with the rows of the workbook that it adds to, and the bytes of its file, or None."""
 
     table: AddressTable
     before: bytes | None
@@ -24,7 +24,7 @@ class TableRead(NamedTuple):
 def read_layers(
     path: Path, workbook: Path | None, must_exist: bool, workspace: Workspace, problems: Diagnostics
 ) -> TableRead:
-    """The address table at a place, which need not exist, beside a workbook. Raises TableUnreadable."""
+    """Return the address table at a place, which need not exist, over a workbook. Raises TableUnreadable."""
     shown = str(path)
     if workspace.has(path) or (must_exist and workbook is None):
         before: bytes | None = bytes_of_table(path, shown, workspace)
@@ -41,7 +41,7 @@ def read_layers(
 
 
 def beside_workbook(table: AddressTable, base: Iterable[Row], problems: Diagnostics) -> AddressTable:
-    """The table with the workbook's rows in front. A row of the table that contradicts one of them is a problem."""
+    """Return the table with the workbook's rows in front. A row of the table that contradicts one is a problem."""
     layered = replace(table, base=tuple(base))
     by_address = {row.address: row for row in layered.base}
     by_name = {row.nickname.lower(): row for row in layered.base if row.nickname}
@@ -62,7 +62,7 @@ def beside_workbook(table: AddressTable, base: Iterable[Row], problems: Diagnost
 
 
 def _other_settings(row: Row, other: Row) -> Iterator[tuple[str, str, str]]:
-    """What a row says otherwise than the workbook; a row that says nothing of its own agrees."""
+    """Yield the settings in which a row differs from the workbook; a row with no settings of its own agrees."""
     usual = default_row(row.address, row.nickname)
     if row.initial not in (usual.initial, other.initial):
         yield "initial value", row.initial, other.initial or "nothing"

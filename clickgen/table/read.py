@@ -1,4 +1,4 @@
-"""Reading an address table, with everything that is wrong with it told at once."""
+"""Reads an address table and reports everything that is wrong with it at once."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _MODBUS = 2
 FILE_MAX = 32 * 2**20
 LINES_MAX = 200_000
 PROBLEMS_MAX = 1_000
-"""Behind so many problems a table is not read further."""
+"""After this many problems, the rest of a table is not read."""
 _SAVE_AS_XLSX = "open it in a spreadsheet program and save it as .xlsx"
 # The longest address is CTD250; a field of thousands of digits is no business of int().
 _ADDRESS_MAX = 16
@@ -43,13 +43,13 @@ class TableUnreadable(Exception):
 
 
 def read_table(path: Path, shown: str, problems: Diagnostics, data: bytes | None = None) -> AddressTable:
-    """Read an address table. ``shown`` is the path as the user knows it, ``data`` what to read in the file's stead.
+    """Read an address table. ``shown`` is the path as the user knows it, ``data`` what to read instead of the file.
 
-    Raises TableUnreadable when the file is no address table. Everything wrong with single rows goes to ``problems``,
-    all at once; a row whose address can be read is in the table all the same, so that its name is known.
+    Raises TableUnreadable if the file is not an address table. Everything wrong with single rows goes to ``problems``,
+    all at once; a row with a readable address is in the table all the same, so that its name is known.
     """
     text, bom = _decoded(bytes_of_table(path, shown) if data is None else data, shown)
-    # Only \n ends a line, as in SourceFile; the \r of \r\n stays on the line, and the csv module knows it.
+    # Only \n ends a line, as in SourceFile; the \r of \r\n stays on the line, and the csv module handles it.
     lines = io.StringIO(text, newline="\n").readlines()
     if len(lines) > LINES_MAX:
         raise TableUnreadable(f"{shown} has more than {LINES_MAX:,} lines, far more than CLICK has addresses")
@@ -59,9 +59,9 @@ def read_table(path: Path, shown: str, problems: Diagnostics, data: bytes | None
 
 
 def bytes_of_table(path: Path, shown: str, workspace: Workspace | None = None) -> bytes:
-    """The bytes of an address table, of one that is too large only the first.
+    """Return the bytes of an address table; if it is too large, only the first ones.
 
-    Raises TableUnreadable when it cannot be read.
+    Raises TableUnreadable if it cannot be read.
     """
     try:
         return (workspace or Workspace()).start(path, FILE_MAX + 1)
@@ -101,7 +101,7 @@ def _decoded(data: bytes, shown: str) -> tuple[str, bool]:
 
 
 def _workbook_in_its_place(data: bytes, shown: str) -> str:
-    """What to say of a spreadsheet program's own file that is not read as a workbook."""
+    """The message for a spreadsheet program's own file that is not read as a workbook."""
     if shown.lower().endswith((".xlsx", ".xlsm")):
         return f"{shown} is an Excel workbook, and a nickname CSV as CLICK exports it is needed here"
     if data.startswith(b"\xd0\xcf"):
@@ -116,8 +116,8 @@ def _workbook_in_its_place(data: bytes, shown: str) -> str:
 
 
 def _form_of(line: str, shown: str) -> TableForm:
-    """The form that the header names. Raises TableUnreadable when it is no header of a nickname CSV."""
-    # The names need no quotes; a spreadsheet may have given them some.
+    """The form that the header gives. Raises TableUnreadable if it is not the header of a nickname CSV."""
+    # The names need no quotes; a spreadsheet may have added some.
     fields = without_marks(line.rstrip("\r\n")).split(",")
     form = form_of([re.sub(r'^"(.*)"$', r"\1", field) for field in fields])
     if form is not None:
@@ -139,7 +139,7 @@ def _form_of(line: str, shown: str) -> TableForm:
 
 
 class _Reader:
-    """Turns the lines of a table into entries, saying what is wrong with each row."""
+    """Turns the lines of a table into entries, and reports what is wrong with each row."""
 
     def __init__(self, shown: str, problems: Diagnostics, form: TableForm = PLAIN) -> None:
         self.shown = shown
@@ -152,7 +152,7 @@ class _Reader:
 
     @property
     def is_full(self) -> bool:
-        """True when enough has been said."""
+        """True when enough has been reported."""
         return self._count >= PROBLEMS_MAX
 
     def read(self, lines: list[str]) -> None:
@@ -162,10 +162,10 @@ class _Reader:
             self._keep(None, *_cut("".join(lines[start:])))
 
     def _read_rows(self, lines: list[str]) -> int:
-        """Read rows while there are not too many problems; returns the first line that was not read."""
+        """Read rows until there are too many problems; return the first line that was not read."""
         start = 1
         while start < len(lines) and not self.is_full:
-            # A reader of its own after each fault: the csv module would go on behind what the open quote swallowed.
+            # A new reader after each fault: the csv module would go on after the text that the open quote swallowed.
             reader = csv.reader(map(lines.__getitem__, range(start, len(lines))), strict=True)
             base = start
             try:
@@ -218,7 +218,7 @@ class _Reader:
         return self._placed(row)
 
     def _modbus(self, row: Row, fields: list[str]) -> None:
-        """Learn how the table writes its numbers, and say where one is not that of its address."""
+        """Learn how the table writes its numbers, and report a number that is not that of its address."""
         self.form = settled(self.form, fields, row.raw)
         if not self.form.has_number(fields, row.address):
             number = self.form.number(row.address)
@@ -235,7 +235,7 @@ class _Reader:
         return _field_span(self.shown, line, raw, self.form.column(field))
 
     def _placed(self, row: Row) -> Row | None:
-        """The row, unless its address is taken; says so, and judges the nickname."""
+        """Return the row, unless its address is taken; report that, and judge the nickname."""
         stands = self._by_address.setdefault(row.address, row)
         if stands is not row:
             self._twice(
@@ -303,7 +303,7 @@ def _retentive_fault(address: Address, word: str) -> Fault | None:
 
 
 def _cut(text: str) -> tuple[str, str]:
-    """A row's text and its line end."""
+    """Split a row into its text and its line end."""
     if text.endswith("\r\n"):
         return text[:-2], "\r\n"
     if text.endswith(("\n", "\r")):
@@ -312,7 +312,7 @@ def _cut(text: str) -> tuple[str, str]:
 
 
 def _field_span(shown: str, line: int, raw: str, field: int) -> Span:
-    """Where a field of a row stands, its quotes included."""
+    """The span of a field of a row, its quotes included."""
     start = 0
     for index in range(field + 1):
         if raw.startswith('"', start):

@@ -1,7 +1,7 @@
 """The record of the names that clickgen placed: a line ``DS5 Speed`` for each, in a file beside the address table.
 
-CLICK's form has no room for who named an address. ``clickgen nicknames sync --prune`` removes what stands here and
-nothing else; without the file nothing is removed. A line ``left DS5 for DS9`` says that the name of DS9 was new in the
+CLICK's form has no room for who named an address. ``clickgen nicknames sync --prune`` removes only names in this
+record; without the file it removes nothing. A line ``left DS5 for DS9`` says that the name of DS9 was new in the
 build in which no program used that of DS5 any more: perhaps somebody renamed it in the text.
 """
 
@@ -21,9 +21,9 @@ _HEAD = "# Names that clickgen placed. Commit this file with the address table."
 
 
 def read_record(path: Path, workspace: Workspace | None = None) -> bytes | None:
-    """The bytes of a record; None where there is none.
+    """Return the bytes of a record; None if there is none.
 
-    Raises CouldNotRun for a link to another place, and for a file that is no record: clickgen would write over it.
+    Raises CouldNotRun for a link to another place, and for a file that is not a record: clickgen would overwrite it.
     """
     if leads_elsewhere(path):
         raise CouldNotRun(f"{path} is a link to another place; clickgen keeps its own record there: take the link away")
@@ -40,7 +40,7 @@ def read_record(path: Path, workspace: Workspace | None = None) -> bytes | None:
 
 
 def placed_in(data: bytes | None) -> dict[Address, str]:
-    """The nickname that clickgen gave to each address; lines that say no such thing are passed over."""
+    """The nickname that clickgen gave to each address; other lines are skipped."""
     return dict(entry for line in _lines(data) if (entry := _entry(line)))
 
 
@@ -51,16 +51,16 @@ def placed_still(data: bytes | None, table: AddressTable) -> frozenset[Address]:
 
 
 def left_in(data: bytes | None) -> dict[Address, Address]:
-    """By the address of each name that came when another one left its program: the address where that one stays."""
+    """The address of each name that came when another one left its program, with the address of the one that left."""
     return dict(pair for line in _lines(data) if (pair := _left(line)))
 
 
 def record_of(
     placed: Mapping[Address, str], left: Mapping[Address, Address] | None = None, data: bytes | None = None
 ) -> bytes:
-    """The file, in CLICK's order. Of ``left`` it keeps what speaks of names that are in it.
+    """Return the file, in CLICK's order. Of ``left`` it keeps the lines about names that are in it.
 
-    What else a person has written into the former one, ``data``, stays in it.
+    Anything else that a person wrote into the former file, ``data``, stays in it.
     """
     others = [line for line in _lines(data) if line != _HEAD and not _entry(line) and not _left(line)]
     lines = [f"{address} {placed[address]}" for address in sorted(placed, key=lambda address: address.sort_key)]
@@ -86,7 +86,7 @@ def _left(line: str) -> tuple[Address, Address] | None:
 
 
 def with_placed(data: bytes | None, rows: Iterable[Row], left: Mapping[Address, Address] | None = None) -> bytes | None:
-    """The record with these rows in it, and with the names that left for them; as it is where it has them."""
+    """Add these rows to the record, and the names that left for them; unchanged if it has them already."""
     placed, known = placed_in(data), left_in(data)
     new = {row.address: row.nickname for row in rows if placed.get(row.address) != row.nickname}
     gone = {came: old for came, old in (left or {}).items() if known.get(came) != old}

@@ -1,4 +1,4 @@
-"""Rows of the address table: an address, and what CLICK knows of it, in CLICK's form.
+"""Rows of the address table: an address and its settings in CLICK, in CLICK's form.
 
 click-facts [nickname-file.values]
 """
@@ -19,10 +19,10 @@ HEADER = ",".join(COLUMNS)
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One row: an address and what CLICK knows of it. ``initial`` is as written in the file.
+    """One row: an address and its settings in CLICK. ``initial`` is as written in the file.
 
-    ``line`` counts from 1 and is 0 for a new row; ``raw`` is the row as it stands in the file without its line end.
-    ``cell`` is where a row of a workbook has its address, ``spare`` what stands there in place of a nickname.
+    ``line`` counts from 1 and is 0 for a new row; ``raw`` is the row as it is in the file, without its line end.
+    ``cell`` is where a row of a workbook has its address, ``spare`` the text there in place of a nickname.
     """
 
     address: Address
@@ -37,12 +37,12 @@ class Row:
 
     @property
     def content(self) -> tuple[Address, str, str, bool, str]:
-        """What the row says, wherever and however it is written."""
+        """The content of the row, wherever and however it is written."""
         return (self.address, self.nickname, self.initial, self.retentive, self.comment)
 
     @property
     def is_default(self) -> bool:
-        """True when the row says nothing that CLICK would not assume without it.
+        """True if the row says nothing that CLICK would not assume without it.
 
         click-facts [nickname-file.defaults]
         """
@@ -56,7 +56,7 @@ class Row:
 
 
 def format_row(row: Row) -> str:
-    """A row in CLICK's form: nickname and comment quoted, always, and nothing else.
+    """Return a row in CLICK's form: nickname and comment always quoted, and nothing else.
 
     click-facts [nickname-file.columns]
     """
@@ -71,7 +71,7 @@ def format_row(row: Row) -> str:
 
 
 SCRATCH = "Scratch_"
-"""How the nicknames begin that clickgen gives to cells it needs for itself."""
+"""The beginning of the nicknames that clickgen gives to cells it needs for itself."""
 
 
 def scratch_name(address: Address) -> str:
@@ -89,18 +89,18 @@ def looks_like_scratch(name: str) -> bool:
 
 
 def is_scratch(row: Row) -> bool:
-    """True for a row that clickgen itself wrote for a scratch use: its name and its reason say so."""
+    """True for a row that clickgen itself wrote for a scratch use, judged by its name and its reason."""
     return row.nickname == scratch_name(row.address) and _SCRATCH_REASON.fullmatch(row.comment) is not None
 
 
 def default_row(address: Address, nickname: str, comment: str = "") -> Row:
-    """A new row with CLICK's own initial value and retention for the bank."""
+    """Return a new row with CLICK's own initial value and retention for the bank."""
     bank = BANKS[address.bank]
     return Row(address, nickname, _default_initial(bank.kind), bank.retentive, comment)
 
 
 def format_initial(kind: Kind, value: object) -> str | None:
-    """An initial value as CLICK writes it, or None when a cell of this kind cannot hold the value.
+    """Return an initial value as CLICK writes it, or None if a cell of this kind cannot hold the value.
 
     Takes bool, 0 or 1 for a bit; int; float or int for FLOAT; int or text such as ``"00FFh"`` for HEX; one ASCII
     character or nothing for TEXT.
@@ -125,9 +125,9 @@ def format_initial(kind: Kind, value: object) -> str | None:
 
 
 def is_default_initial(kind: Kind, text: str) -> bool:
-    """True for an initial value that means what CLICK assumes without one, however it is written: 0, or no text.
+    """True for an initial value that means CLICK's default, however it is written: 0, or no text.
 
-    So does one that CLICK does not take.
+    A value that CLICK does not take counts as the default too.
     """
     if not text or initial_fault(kind, text):
         return True
@@ -179,7 +179,7 @@ _FLOAT_FORM = re.compile(r"-?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)
 
 
 def initial_fault(kind: Kind, text: str) -> str | None:
-    """What CLICK takes instead, when it does not take this initial value for this kind of cell."""
+    """What CLICK takes instead; None if it takes this initial value for this kind of cell."""
     if kind is Kind.BIT:
         return None if _BIT_FORM.fullmatch(text) else "0 or 1"
     if kind is Kind.HEX:
@@ -204,5 +204,5 @@ def text_span(shown: str, line: int, raw: str, start: int, end: int) -> Span:
 
 
 def _position(raw: str, offset: int) -> tuple[int, int]:
-    """Lines below the row's first, and the column from 1."""
+    """Return the number of lines below the row's first, and the column from 1."""
     return raw.count("\n", 0, offset), offset - raw.rfind("\n", 0, offset)

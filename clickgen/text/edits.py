@@ -1,4 +1,4 @@
-"""Applying fixes: edits in the text of a file, every other byte kept."""
+"""Apply fixes: edits in the text of a file that keep every other byte."""
 
 from __future__ import annotations
 
@@ -17,28 +17,28 @@ class Edit(NamedTuple):
 
 
 class Fix(NamedTuple):
-    """Edits that take a problem away. A safe one cannot change what the program does."""
+    """Edits that remove a problem. A safe one cannot change what the program does."""
 
     edits: tuple[Edit, ...]
     is_safe: bool = True
     rests_on_names: bool = False
-    """True when it is safe by what names stand for: every program that the file belongs to has to agree."""
+    """True when it is safe only because of what names mean: every program that uses the file has to agree."""
 
 
 _LINE_END = re.compile(r"\r\n|\r|\n")
 
 
 def apply_fixes(text: str, fixes: Iterable[Fix]) -> tuple[str, int]:
-    """The text with as many of these fixes as do not overlap, the earlier first, and how many those are.
+    """Return the text after the fixes that do not overlap, the earlier first, and how many those are.
 
-    ``text`` is the file as it stands, with its own line ends and byte order mark; new lines get the same line ends.
+    ``text`` is the raw text of the file, with its own line ends and byte order mark; new lines get the same line ends.
     """
     places = _Places(text)
     fitting = _fitting(places, fixes)
     chosen = [piece for _, pieces in fitting for piece in pieces]
     parts: list[str] = []
     done = 0
-    # An insertion stands in front of what is replaced at its place; two insertions of one fix keep their order.
+    # An insertion comes before what is replaced at its place; two insertions of one fix keep their order.
     for start, end, new in sorted(chosen, key=lambda piece: piece[:2]):
         parts += (text[done:start], new)
         done = end
@@ -46,12 +46,12 @@ def apply_fixes(text: str, fixes: Iterable[Fix]) -> tuple[str, int]:
 
 
 def fixes_that_fit(text: str, fixes: Iterable[Fix]) -> list[Fix]:
-    """Those of the fixes that ``apply_fixes`` takes: none of them overlaps another."""
+    """The fixes that ``apply_fixes`` takes: none of them overlaps another."""
     return [fix for fix, _ in _fitting(_Places(text), fixes)]
 
 
 def _fitting(places: _Places, fixes: Iterable[Fix]) -> list[tuple[Fix, list[tuple[int, int, str]]]]:
-    """The fixes that do not overlap, each with its stretches of the text and what is written there."""
+    """The fixes that do not overlap, each with its stretches of the text and the replacements."""
     taken: list[tuple[int, int]] = []
     fitting: list[tuple[Fix, list[tuple[int, int, str]]]] = []
     for fix in sorted(fixes, key=lambda fix: min(edit.span[1:3] for edit in fix.edits)):
@@ -69,12 +69,12 @@ def _piece(places: _Places, edit: Edit) -> tuple[int, int, str]:
 
 
 def _overlap(one: tuple[int, int], other: tuple[int, int]) -> bool:
-    """Two stretches that share a character, or two insertions at one place."""
+    """True for two stretches that share a character, or two insertions at one place."""
     return one == other or (one[0] < other[1] and other[0] < one[1])
 
 
 class _Places:
-    """Lines and columns of a file as problems name them, and where they stand in its text."""
+    """Lines and columns of a file as problems name them, and their offsets in its text."""
 
     def __init__(self, text: str) -> None:
         self.line_end = "\n"
@@ -91,7 +91,7 @@ class _Places:
     def _offset(self, line: int, col: int) -> int:
         index = min(line, len(self._starts)) - 1
         start, end = self._starts[index], self._ends[index]
-        # What the reader of the file leaves out: a byte order mark, and what stands before a form feed.
+        # What the reader of the file leaves out: a byte order mark, and blanks before a form feed.
         if index == 0 and self._text.startswith("\ufeff"):
             start += 1
         skipped = FORM_FEED.match(self._text[start:end])

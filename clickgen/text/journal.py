@@ -1,10 +1,10 @@
-"""What a writer is about to do, noted on disk: whoever comes after one that was killed puts back what it left.
+"""A writer's plan, noted on disk: the next writer after one that was killed puts back what it left.
 
-Each folder gets a note of the steps in it before the first file is replaced. The note of one folder, the first, is the
-one that counts: as long as it is there, the work is not done, and everything is put back. When all files are in
-place, that note gets another name, and from then on there is only to tidy up. A note speaks of files in its own folder
-alone, under plain names, and a file is put back only while it holds what the writer put there: a forged note can do
-nothing beyond what its folder holds.
+Each folder gets a note of the steps in it before the first file is replaced. Only the note of the first folder
+counts: as long as it exists, the work is not done, and everything is put back. When all files are in
+place, that note gets another name, and only tidying up remains. A note covers files in its own folder
+alone, by plain names, and a file is put back only while it holds what the writer put there: a forged note can do
+nothing outside its folder.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _NOTE_MAX = 16 * 2**20
 
 
 def journal_name(work: str) -> str:
-    """The file that says what work is under way; ``work`` is 16 hexadecimal digits."""
+    """The file that says which work is under way; ``work`` is 16 hexadecimal digits."""
     return f".clickgen-{work}.journal"
 
 
@@ -42,7 +42,7 @@ def sibling_name(work: str, number: int, kind: str) -> str:
 
 
 class Step(NamedTuple):
-    """One file, by names in its folder: its staged new content (None: it goes) and its former content (if any)."""
+    """One file, by names in its folder: its new content (None: it is removed) and its former content (if any)."""
 
     name: str
     staged: str | None
@@ -53,13 +53,13 @@ class Step(NamedTuple):
 
 
 class Note(NamedTuple):
-    """The steps of one folder, and all folders of the work by their real paths, the first one in front."""
+    """The steps of one folder, and all folders of the work by their real paths, starting with the first."""
 
     folders: tuple[str, ...]
     steps: tuple[Step, ...]
 
     def to_bytes(self, folder: str) -> bytes:
-        """The note in one of the folders. It names the others as seen from there: a repository may be moved."""
+        """The note for one of the folders. It names the others relative to that one: a repository may be moved."""
         return json.dumps(
             {"folders": [_seen_from(folder, other) for other in self.folders], "steps": self.steps}
         ).encode()
@@ -75,13 +75,13 @@ def _seen_from(folder: str, other: str) -> str:
 def recover(folders: Iterable[str | os.PathLike[str]]) -> list[Path]:
     """Put back what killed writers left half done in these folders, and tidy up after them.
 
-    Returns the files that were put back. Nothing is touched where no writer was killed. Raises OSError and Busy.
+    Returns the files that were put back. If no writer was killed, nothing is touched. Raises OSError and Busy.
     """
     marked = {os.path.realpath(folder) for folder in folders if _traces(folder)}
     if not marked:
         return []
     with locked(_with_companions(marked)) as ours:
-        # The lock ended with its owner: what is here now belongs to nobody.
+        # The lock ended with its owner: these files belong to nobody now.
         return [path for folder in sorted(ours) for path in _recovered(folder, ours)]
 
 
@@ -123,7 +123,7 @@ def _roll_back(work: str, note: Note) -> Iterator[Path]:
 
 
 def _finish(work: str, note: Note) -> None:
-    """Everything is in place: drop what was kept in case it would not be."""
+    """Everything is in place: drop what was kept in case of a failure."""
     for folder in reversed(note.folders):
         own = _note_of(work, folder)
         if own:
@@ -133,7 +133,7 @@ def _finish(work: str, note: Note) -> None:
 
 
 def _put_back(folder: Path, step: Step) -> bool:
-    """Undo one step; True where there was something to undo. A file that someone has changed since stays."""
+    """Undo one step; True if there was something to undo. A file that someone has changed since stays."""
     target, former = folder / step.name, folder / step.former
     if step.staged is None:
         if _is_plain(former) and not os.path.lexists(target):
@@ -159,7 +159,7 @@ def _tidy(folder: str, note: Note) -> None:
 
 
 def _traces(folder: str | os.PathLike[str]) -> dict[str, tuple[str, str]]:
-    """The files of writers in a folder: of which work each is, and what it is."""
+    """The files of writers in a folder: the work that each belongs to, and its kind."""
     try:
         names = os.listdir(folder)
     except OSError:
@@ -169,13 +169,13 @@ def _traces(folder: str | os.PathLike[str]) -> dict[str, tuple[str, str]]:
 
 
 def _notes(folder: str) -> list[tuple[str, Note]]:
-    """The works of which there is a note in a folder."""
+    """The works that have a note in a folder."""
     works = sorted({work for work, kind in _traces(folder).values() if kind in ("journal", "done")})
     return [(work, note) for work in works if (note := _note_of(work, folder))]
 
 
 def _note_of(work: str, folder: str) -> Note | None:
-    """What a writer noted in a folder; None where there is nothing that a writer can have noted."""
+    """A writer's note in a folder; None if there is nothing that a writer can have noted."""
     for name in (journal_name(work), done_name(work)):
         path = Path(folder, name)
         try:
@@ -203,7 +203,7 @@ def _is_sound(step: Step, work: str) -> bool:
 
 
 def _can_be_named(name: str) -> bool:
-    """False for what no file can be called, and what JSON can hold all the same."""
+    """False for a name that no file can have, though JSON can hold it."""
     try:
         return b"\0" not in os.fsencode(name)
     except UnicodeEncodeError:

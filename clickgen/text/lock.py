@@ -1,7 +1,7 @@
 """One writer at a time: a lock on each folder that a command writes into.
 
-The lock is the operating system's, on a file in the folder, so that it ends with its process, however that ends. A disk
-that knows no locks is written to without one: what is replaced is compared in any case (see ``write.py``).
+The operating system holds the lock, on a file in the folder, so it ends with its process, however that ends. A disk
+without locks is written to without one: what is replaced is compared in any case (see ``write.py``).
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ PATIENCE = 60.0
 _PAUSE = 0.02
 _GRACE = 2.0
 _WAITS_TO_OPEN = sys.platform == "win32"
-"""Windows refuses to open a file that its owner is just taking away: try again for so many seconds."""
+"""Windows refuses to open a file that its owner is just removing: try again for so many seconds."""
 _NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL, errno.EBADF}
-"""EBADF is what NFS says of a lock file that is somebody else's and cannot be written to."""
+"""NFS gives EBADF for a lock file that belongs to somebody else and cannot be written to."""
 
 _threads = threading.RLock()
 _held: set[str] = set()
@@ -35,7 +35,7 @@ _held: set[str] = set()
 
 
 class Busy(CouldNotRun):
-    """Another process has been writing into a folder for longer than anybody should."""
+    """Another process has been writing into a folder for longer than it should."""
 
     def __init__(self, folder: str) -> None:
         super().__init__(f"another clickgen is writing into {folder} and does not end; nothing was written")
@@ -43,10 +43,10 @@ class Busy(CouldNotRun):
 
 @contextlib.contextmanager
 def locked(folders: Iterable[str | os.PathLike[str]]) -> Iterator[frozenset[str]]:
-    """Lock folders while the block runs; those that are locked already stay so. Yields the real paths of the locked.
+    """Lock folders while the block runs; folders locked already stay locked. Yields their real paths.
 
-    All of them are taken in one order, so that two processes never wait for each other. Raises Busy, and OSError
-    where no file can be made in a folder.
+    All are taken in one order, so that two processes never wait for each other. Raises Busy, and OSError
+    if no file can be made in a folder.
     """
     wanted = {os.path.realpath(folder) for folder in folders}
     with _threads, contextlib.ExitStack() as stack:
@@ -71,7 +71,7 @@ def _locked(folder: str) -> Iterator[None]:
 
 
 def _taken(path: Path) -> IO[bytes] | None:
-    """The lock file, locked; None where this disk has no locks. Raises Busy and OSError."""
+    """The lock file, locked; None if this disk has no locks. Raises Busy and OSError."""
     start = time.monotonic()
     while True:
         try:
@@ -88,7 +88,7 @@ def _taken(path: Path) -> IO[bytes] | None:
             if _try_lock(file.fileno()):
                 if _is_still_there(path, file):
                     return file
-                if is_late:  # A network disk that does not know a file again: its locks are worth nothing.
+                if is_late:  # A network disk that does not recognize its own file: its locks are worth nothing.
                     file.close()
                     _remove_empty(path)
                     return None
@@ -108,7 +108,7 @@ def _taken(path: Path) -> IO[bytes] | None:
 
 
 def _opened(path: Path) -> IO[bytes] | None:
-    """The lock file; None where something else has its name."""
+    """The lock file; None if something else has its name."""
     with contextlib.suppress(FileNotFoundError):
         if not stat.S_ISREG(os.lstat(path).st_mode):
             return None
@@ -122,7 +122,7 @@ def _opened(path: Path) -> IO[bytes] | None:
 
 
 def _is_still_there(path: Path, file: IO[bytes]) -> bool:
-    """False where the one who had the lock has taken its file away: then the next one is another file."""
+    """False if the owner of the lock has removed its file: then the next one is another file."""
     try:
         return os.path.samestat(os.fstat(file.fileno()), os.lstat(path))
     except FileNotFoundError:
@@ -131,8 +131,8 @@ def _is_still_there(path: Path, file: IO[bytes]) -> bool:
 
 def _release(path: Path, file: IO[bytes]) -> None:
     if sys.platform == "win32":
-        # Windows unlocks what is closed, but only when it comes to it. It keeps an open file: one who waits has it
-        # open, and takes it away in turn.
+        # Windows unlocks a closed file, but only in its own time. It keeps a file that is open: whoever waits has
+        # it open, and removes it in turn.
         with contextlib.suppress(OSError):
             _unlock(file.fileno())
         file.close()
@@ -152,7 +152,7 @@ if sys.platform == "win32":
     import msvcrt
 
     def _try_lock(descriptor: int) -> bool:
-        """Lock the first byte, which need not be there; the position is where the lock begins."""
+        """Lock the first byte, which need not exist; the lock begins at the file position."""
         try:
             os.lseek(descriptor, 0, os.SEEK_SET)
             msvcrt.locking(descriptor, msvcrt.LK_NBLCK, 1)

@@ -8,7 +8,7 @@ from itertools import accumulate
 from typing import NamedTuple
 
 FORM_FEED = re.compile(r"(?m)^[ \t]*\f")
-"""What Python does not count at the beginning of a line."""
+"""Blanks at the beginning of a line that Python does not count."""
 
 
 class Span(NamedTuple):
@@ -31,21 +31,21 @@ class Span(NamedTuple):
 
     @property
     def cell(self) -> str:
-        """``IO!B7`` in a workbook; else an empty text."""
+        """``IO!B7`` in a workbook; else ""."""
         return f"{self.sheet}!{_letters(self.col)}{self.line}" if self.sheet else ""
 
     def __str__(self) -> str:
         return f"{self.path}:{self.cell or f'{self.line}:{self.col}'}"
 
     def seen_from(self, other: Span) -> str:
-        """``line 5``, or with its file where that is another one; ``IO!B7`` in a workbook."""
+        """``line 5``, with its file if that is another one; ``IO!B7`` in a workbook."""
         if self.path != other.path:
             return str(self)
         return self.cell or f"line {self.line}"
 
 
 def _letters(column: int) -> str:
-    """How a spreadsheet names a column: 1 is A, 27 is AA."""
+    """The name of a column in a spreadsheet: 1 is A, 27 is AA."""
     letters = ""
     while column:
         column, rest = divmod(column - 1, 26)
@@ -67,7 +67,7 @@ class SourceFile:
 
     @cached_property
     def starts(self) -> list[int]:
-        """Where each line begins in the text, counted from 0."""
+        """The offset in the text at which each line begins, counted from 0."""
         return [0, *accumulate(len(line) + 1 for line in self.lines)]
 
     @cached_property
@@ -75,21 +75,25 @@ class SourceFile:
         return self.text.isascii()
 
     def line(self, number: int) -> str:
-        """The text of a line, counted from 1; empty when there is no such line."""
+        """The text of a line, counted from 1; "" if there is no such line."""
         return self.lines[number - 1] if 0 < number <= len(self.lines) else ""
 
     def column(self, line: int, byte_offset: int) -> int:
-        """The column (from 1, in characters) of a UTF-8 byte offset, which is what ``ast`` counts in."""
+        """The column (from 1, in characters) of a UTF-8 byte offset, as ``ast`` counts."""
         if self.is_ascii:
             return byte_offset + 1
         return len(self.line(line).encode()[:byte_offset].decode(errors="ignore")) + 1
+
+    def text_of(self, span: Span) -> str:
+        """The text of a stretch of this file."""
+        return self.text[self.starts[span.line - 1] + span.col - 1 : self.starts[span.end_line - 1] + span.end_col - 1]
 
     def span(self, line: int, col: int, end_line: int, end_col: int) -> Span:
         return Span(self.path, line, col, end_line, end_col)
 
 
 class EmbeddedText(NamedTuple):
-    """The value of a string literal together with where each of its characters stands in the file.
+    """The value of a string literal, and the place in the file of each of its characters.
 
     ``positions`` has one (line, column) per character, and a last one for the end.
     """

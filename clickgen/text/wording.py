@@ -1,4 +1,4 @@
-"""Numbers and names in messages, and what of a text can be shown."""
+"""Numbers and names in messages, and text made safe to show."""
 
 from __future__ import annotations
 
@@ -11,26 +11,18 @@ def counted(number: int, noun: str, plural: str = "") -> str:
 
 
 def quoted(text: str) -> str:
-    """A text in quotes, double ones where it can be: ``"Auto Mode"``."""
+    """A text in quotes, double ones if possible: ``"Auto Mode"``."""
     shown = repr(text)
     return shown if '"' in text else f'"{shown[1:-1]}"'
 
 
-def no_opposite(shown: str, is_negated: bool = False) -> str:
-    """The way out for what has no opposite; ``is_negated`` where a ``not`` asks for it, not an else."""
-    nothing, then = "nothing", "test the bit"
-    if is_negated:
-        nothing, then = "nothing in the language", "write nc(...) of that bit"
-    return f"{nothing} is the opposite of {shown}: put it on a bit with out(...) in a rung before, and {then}"
-
-
 _WRITTEN = {"\n": "\\n", "\r": "\\r", "\t": "\\t"}
 _LOG_COMMAND = re.compile(r"#(#(?:vso)?\[)")
-"""What runners of GitHub and Azure Pipelines take for a command anywhere in a line of a log."""
+"""Text that the runners of GitHub and Azure Pipelines take for a command anywhere in a line of a log."""
 
 
 def escaped(text: str) -> str:
-    """One line of text, whatever it holds: a name, a message. What steers a terminal or a log is written out.
+    """One line of any text, such as a name or a message. Characters that steer a terminal or a log are escaped.
 
     A line break becomes ``\\n``, other controls, marks of the writing direction and the like ``\\x1b`` or ``\\u202e``.
     """
@@ -40,7 +32,7 @@ def escaped(text: str) -> str:
 
 
 def printable(text: str) -> str:
-    """Source text of one line or several, each character in its column: a control character becomes a dot.
+    """Source text of one line or more, each character in its column: a control character becomes a dot.
 
     A tab becomes four spaces.
     """
@@ -56,7 +48,7 @@ _DOTS = {"\t": "    "}
 
 
 def json_text(tree: object, indent: int | None = None) -> str:
-    """A tree as JSON that a person can read, without characters that steer a terminal or turn the writing."""
+    """A tree as JSON that a person can read, without characters that steer a terminal or the writing direction."""
     import json
 
     text = json.dumps(tree, indent=indent, ensure_ascii=False)
@@ -83,3 +75,8 @@ def shorten(text: str, limit: int = 40) -> str:
     """Source text on one line, for a message."""
     line = " ".join(text.split())
     return line if len(line) <= limit else line[: limit - 3] + "..."
+
+
+def word_pattern(word: str) -> re.Pattern[str]:
+    """A whole word in any case."""
+    return re.compile(rf"(?<!\w){re.escape(word)}(?!\w)", re.IGNORECASE)

@@ -1,6 +1,6 @@
 """Puts several files in place, all of them or none, whoever else writes and whenever it is stopped.
 
-Folders are locked while their files are replaced (``lock.py``). What is to be done is noted first, so that the next
+Folders are locked while their files are replaced (``lock.py``). The plan is noted first, so that the next
 writer puts back what a killed one left half done (``journal.py``).
 """
 
@@ -22,7 +22,7 @@ from clickgen.workspace import CouldNotRun, leads_elsewhere, read_file, read_if_
 from clickgen.workspace.digest import digest_of
 
 written: list[Path] = []
-"""Everything that this process has put in place, for those who have to say so when it is stopped."""
+"""Every path that this process has put in place, for callers who report them when it is stopped."""
 
 
 class ChangedMeanwhile(CouldNotRun):
@@ -41,11 +41,11 @@ def put_in_place(
 ) -> list[Path]:
     """Write and remove files, all or nothing; returns the paths that really changed, as they were given.
 
-    A file that already holds its bytes is not touched. A symbolic link stays one, and what it points to is written; of
-    ``no_links`` a file that is a link is refused: these were not read, so nobody knows what it leads to.
+    A file that already holds its bytes is not touched. A symbolic link stays one, and its target is written; a
+    link among ``no_links`` is refused: these were not read, so nobody knows where it leads.
     ``unchanged`` gives files the bytes that they must still have (None: must not exist) just before they are replaced.
-    Raises ChangedMeanwhile where they have not, and OSError with the path as ``filename``; after either, and after any
-    other exception, every file is as it was before. A process that is killed leaves a journal, by which the next one
+    Raises ChangedMeanwhile if they have not, and OSError with the path as ``filename``; after either, and after any
+    other exception, every file is as it was before. A process that is killed leaves a journal, with which the next one
     that writes into these folders puts everything back.
     """
     removals, unchanged = list(removals), unchanged or {}
@@ -74,7 +74,7 @@ def put_in_place(
 
 
 class _Step:
-    """One file: what is to stand at ``target`` (None: nothing), and where its former content is kept meanwhile."""
+    """One file: what is to be at ``target`` (None: nothing), and where its former content is kept meanwhile."""
 
     def __init__(
         self, path: Path, target: Path, staged: Path | None, former: Path, existed: bool, digest: str | None = None
@@ -111,7 +111,7 @@ class _Work:
         return [step.path for step in self.steps]
 
     def folders(self, writes: Mapping[Path, bytes], removals: Iterable[Path]) -> list[Path]:
-        """The folders in which there is something to do; those that are missing are made."""
+        """The folders in which there is something to do; missing ones are made."""
         found: dict[Path, None] = {}
         for path, data in writes.items():
             with _naming(path):
@@ -125,7 +125,7 @@ class _Work:
         return list(found)
 
     def _target(self, path: Path) -> Path:
-        """The file itself. Raises OSError for a link that is not to be written through."""
+        """The file itself. Raises OSError for a link that must not be written through."""
         if path in self.no_links and leads_elsewhere(path):
             raise _os_error(
                 errno.EMLINK, "this is a link to another place; take it away, or choose another place", path
@@ -147,7 +147,7 @@ class _Work:
                     raise _os_error(errno.EINVAL, "this is a device or a pipe, not a file", path)
                 if read_file(target) == data:
                     return
-                # Renaming over a read-only file works on POSIX and not on Windows; it was protected on purpose.
+                # Renaming over a read-only file works on POSIX but not on Windows; it was protected on purpose.
                 if not os.access(target, os.W_OK):
                     raise _os_error(errno.EACCES, "the file is read-only", path)
             self._make_folders(target.parent)
@@ -170,17 +170,17 @@ class _Work:
             self.steps.append(_Step(path, target, None, self._sibling(target, "old"), True))
 
     def _sibling(self, target: Path, kind: str) -> Path:
-        # Not the target's own name with something added: that can be too long for the file system.
+        # Not the target's own name with a suffix: that can be too long for the file system.
         return target.with_name(sibling_name(self.name, len(self.steps), kind))
 
     def _note(self) -> None:
-        """Write down what is about to be done, in each folder; the note that counts comes last."""
+        """Note the plan in each folder; the note that counts comes last."""
         folders = tuple(dict.fromkeys(str(step.target.parent) for step in self.steps))
         for folder in reversed(folders):
             note = Note(folders, tuple(step.noted for step in self.steps if str(step.target.parent) == folder))
             path = Path(folder, journal_name(self.name))
             self.notes.append(path)
-            # Under another name until it is whole: half a note says nothing.
+            # Under another name until it is complete: half a note says nothing.
             with _naming(Path(folder)):
                 _write(path.with_suffix(".new"), note.to_bytes(folder))
                 os.rename(path.with_suffix(".new"), path)
@@ -199,7 +199,7 @@ class _Work:
                     self._replace(step)
                     continue
                 if os.path.lexists(step.target):
-                    # Someone was faster, or this disk takes the names of two outputs for one (Fill.csv, fill.csv).
+                    # Someone was faster, or this disk treats the names of two outputs as one (Fill.csv, fill.csv).
                     step.begun = False
                     raise _os_error(errno.EEXIST, "another file has appeared in the place of this one", step.path)
                 os.replace(step.staged, step.target)
@@ -207,7 +207,7 @@ class _Work:
     def _replace(self, step: _Step) -> None:
         """Put the new content over the former, unless somebody has saved the file since it was read.
 
-        The former content stays under a second name, so that what is saved into it even now is not lost. What is left
+        The former content stays under a second name, so that even a save at this moment is not lost. The only gap
         is a save by renaming between two calls that follow each other.
         """
         assert step.staged is not None
@@ -221,7 +221,7 @@ class _Work:
             _require(step.path, expected, step.former)
 
     def commit(self) -> None:
-        """Everything is in place: from here on there is only to tidy up."""
+        """Everything is in place: from here on only tidying up remains."""
         if self.notes:
             with _naming(self.notes[-1].parent):
                 os.rename(self.notes[-1], self.notes[-1].with_name(done_name(self.name)))
@@ -245,7 +245,7 @@ class _Work:
                 kept = f"; its former content is in {step.former}" if os.path.lexists(step.former) else ""
                 cause.add_note(f"{step.path} could not be put back ({error.strerror or error}){kept}")
         if not getattr(cause, "__notes__", None):
-            # In the order in which they were written: the last one says that it is not done.
+            # In the order in which they were written: the last one says that the work is not done.
             half = [note.with_suffix(".new") for note in self.notes]
             for path in (*(step.staged for step in self.steps), *half, *self.notes):
                 if path is not None:
@@ -253,7 +253,7 @@ class _Work:
                         _remove(path)
 
     def drop_folders(self) -> None:
-        """Take away folders that were made for nothing."""
+        """Remove folders that were made for nothing."""
         for folder in reversed(self.made_folders if not self.is_done else []):
             with contextlib.suppress(OSError):
                 folder.rmdir()
@@ -261,7 +261,7 @@ class _Work:
     def _undo(self, step: _Step) -> None:
         replaced = step.staged is not None and step.begun and not step.staged.exists()
         if step.existed:
-            # A rename between two names of one file does nothing, so the second name is taken away after it.
+            # A rename between two names of one file does nothing, so the second name is removed after it.
             if os.path.lexists(step.former) and (replaced or step.staged is None):
                 os.replace(step.former, step.target)
             _remove(step.former)
@@ -275,7 +275,7 @@ class _Work:
             with contextlib.suppress(OSError):
                 try:
                     _remove(path)
-                except KeyboardInterrupt:  # Too late to go back, so this goes on to the end.
+                except KeyboardInterrupt:  # Too late to go back, so go on to the end.
                     _remove(path)
 
     def _is_written(self, path: Path) -> bool:
@@ -301,7 +301,7 @@ class _Work:
 
 @contextlib.contextmanager
 def _undisturbed() -> Iterator[None]:
-    """Hold Ctrl-C and the like back until the block ends: the files are in place by then, or as they were."""
+    """Hold back Ctrl-C and the like until the block ends: the files are in place by then, or as they were."""
     kinds = [signal.SIGINT, signal.SIGTERM]
     if threading.current_thread() is not threading.main_thread() or any(
         signal.getsignal(kind) is None for kind in kinds
@@ -333,7 +333,7 @@ def _write(path: Path, data: bytes) -> None:
 
 
 def _keep_copy(target: Path, former: Path) -> None:
-    """A second name for what stands there; where the file system has no hard links, a copy."""
+    """Give the existing file a second name; a copy if the file system has no hard links."""
     try:
         os.link(target, former)
     except OSError:
@@ -361,14 +361,14 @@ def _is_regular(path: Path) -> bool:
 
 
 def _require(path: Path, expected: bytes | None, place: Path | None = None) -> None:
-    """Raises ChangedMeanwhile where a file, or what is kept of it, does not hold what it must hold."""
+    """Raise ChangedMeanwhile if a file, or what is kept of it, does not hold what it must hold."""
     with _naming(path):
         if read_if_there(place or path) != expected:
             raise ChangedMeanwhile(path)
 
 
 def _same_entry(path: Path, target: Path) -> bool:
-    """True where two names that differ at most in case are one file, which is for the file system to say."""
+    """True if two names that differ at most in case are one file, which the file system decides."""
     if path == target:
         return True
     with contextlib.suppress(OSError):
@@ -382,7 +382,7 @@ def _os_error(code: int, message: str, path: Path) -> OSError:
 
 @contextlib.contextmanager
 def _naming(path: Path) -> Iterator[None]:
-    """Errors speak of the file that the user knows, not of a temporary one."""
+    """Errors name the file that the user knows, not a temporary one."""
     try:
         yield
     except OSError as error:

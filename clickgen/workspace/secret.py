@@ -1,4 +1,4 @@
-"""The secret of this user on this machine, by which a cache is known for one's own."""
+"""The secret of this user on this machine, which identifies a cache as one's own."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ _BYTES = 32
 
 
 def user_secret(root: StrPath) -> bytes | None:
-    """The secret, made at first use; None where there is no place for it that is this user's alone.
+    """Return the secret, made at first use; None if there is no place for it that is private to this user.
 
-    A place below ``root``, the folder that is checked, is none: whoever made the repository could have put it there.
+    A place below ``root``, the folder that is checked, does not count: whoever made the repository could have put it
+    there.
     """
     folder = _folder()
     if folder is None:
@@ -35,7 +36,7 @@ def user_secret(root: StrPath) -> bytes | None:
 
 
 def _folder() -> Path | None:
-    """Where this user's programs keep what can be made anew."""
+    """The folder in which this user's programs keep data that can be made again."""
     if sys.platform == "win32":
         place = os.environ.get("LOCALAPPDATA", "")
     else:
@@ -50,7 +51,7 @@ def _folder() -> Path | None:
 def _make(path: Path) -> None:
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
-    # Who comes between the two calls finds a file that is too short, and does without the cache this once.
+    # A process that comes between the two calls finds a file that is too short, and does without the cache this once.
     with open(os.open(path, flags, 0o600), "wb") as file:
         file.write(os.urandom(_BYTES))
 

@@ -1,4 +1,4 @@
-"""Repositories that somebody else has laid out."""
+"""Repositories laid out by somebody else."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ MENDED = "def main():\n    if c.A and c.B:\n        out(y[1])\n    if True:\n   
 
 @pytest.fixture(autouse=True)
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A repository to work in, beside a folder that is no part of it."""
+    """A repository to work in, beside a folder that is not part of it."""
     (tmp_path / "repository").mkdir()
     (tmp_path / "outside").mkdir()
     monkeypatch.chdir(tmp_path / "repository")

@@ -1,4 +1,4 @@
-"""Every case builds what its golden files say, again and again, and the outside readers take what it builds."""
+"""Every case builds its golden files, again and again, and the outside readers take them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ each_case = pytest.mark.parametrize("name", golden.names())
 
 @cache
 def built_of(name: str) -> dict[str, bytes]:
-    """What a case builds, built once for all tests."""
+    """The outputs of a case, built once for all tests."""
     return golden.outputs(golden.CASES / name)
 
 

@@ -15,9 +15,11 @@ from clickgen.commands.check.programs import run as run_check
 from clickgen.config import find_config
 from clickgen.device.banks import Kind
 from clickgen.device.limits import comment_bytes, styled_part
-from clickgen.dialects.if_rungs.discover import is_program, matches
+from clickgen.dialects.if_rungs.look import is_program
+from clickgen.lower import split
 from clickgen.table.blocks import mark_in
 from clickgen.table.rows import initial_fault
+from clickgen.text.patterns import matches
 from clickgen.text.source import Span
 
 END = "    if True:\n        end()\n"
@@ -51,11 +53,10 @@ def judged(text: str, folder: Path) -> int:
     return judged_and_told(text, folder)[0]
 
 
-def judged_and_told(text: str, folder: Path, reserved: str = "") -> tuple[int, list[str]]:
-    """The work of a check, and the codes of what it finds; some addresses may be reserved."""
+def judged_and_told(text: str, folder: Path) -> tuple[int, list[str]]:
+    """The work of a check, and the codes of its findings."""
     (folder / "p.py").write_text(text, "utf-8")
-    settings = f'reserved = ["{reserved}"]\n' if reserved else ""
-    (folder / "clickgen.toml").write_text(f'{settings}[check.per-file-ignores]\n"**/q*.py" = ["CG5"]\n', "utf-8")
+    (folder / "clickgen.toml").write_text('[check.per-file-ignores]\n"**/q*.py" = ["CG5"]\n', "utf-8")
     request = Request(find_config(folder), paths=(str(folder / "p.py"),), use_cache=False)
     outcomes: list[Outcome] = []
     work = calls_in(lambda: outcomes.append(run_check(request)))
@@ -108,7 +109,7 @@ def test_blocks_inside_each_other_are_gone_through_once(tmp_path: Path) -> None:
 
 
 def test_a_long_range_costs_little_more_than_a_short_one(tmp_path: Path) -> None:
-    """Its addresses are made once, and a coil in it asks for its own bit alone."""
+    """Its addresses are made once, and a coil in it asks only for its own bit."""
     text = "def main():\n    if x[1]:\n        out(c[1])\n    if x[2]:\n        set(c[1:{}])\n" + END
     judged(text.format(10), tmp_path)
     small, large = (judged(text.format(n), tmp_path) for n in (500, 1000))
@@ -143,13 +144,13 @@ def test_patterns_with_many_stars_are_quick() -> None:
     ids=["quote", "double", "triple", "import", "quotes", "triples", "marks"],
 )
 def test_a_long_line_is_no_long_look(text: str) -> None:
-    """Each of these took minutes: the end of a text was looked for again at every quote."""
+    """Each of these took minutes: the end of a text was searched for again at every quote."""
     assert not is_program(text)
 
 
 @pytest.mark.parametrize("digits", ["9" * 100_000, "-" + "9" * 100_000 + ".", "1." + "9" * 100_000])
 def test_a_long_number_is_no_long_look(digits: str) -> None:
-    """Some of these took a minute: where a number that is none ends was tried at every digit."""
+    """Some of these took a minute: the end of something that is not a number was tried at every digit."""
     span = Span("main.csv", 1, 1, 1, 2)
     assert condition_of(digits, span) is None
     assert condition_of(f"DS1=={digits}x", span) is None
@@ -164,13 +165,19 @@ def test_marks_and_styles_are_looked_for_in_what_can_hold_them() -> None:
     assert comment_bytes(" __a" * 50_000) == 200_000
 
 
-def test_scratch_cells_that_cannot_be_placed_are_not_drawn(tmp_path: Path) -> None:
-    """Each of these rungs takes ten scratch bits; four hundred fill what is free, and the rest is not drawn."""
-    rungs = "    if nc(c[1:301]):\n        set(y[1])\n"
-    sources = ("def main():\n" + rungs * n + END for n in (4, 80))
-    (few, _), (many, codes) = (judged_and_told(source, tmp_path, "C401..C2000") for source in sources)
-    assert many < 12 * few, "twenty times as many rungs, of which the free bits serve half"
-    assert codes == ["CG208"]
+def test_scratch_cells_that_cannot_be_placed_are_not_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each of these rungs takes ten scratch bits; after two hundred the bank is full, and the rest is not drawn."""
+    divided: list[object] = []
+    real = split._RungSplit.run
+
+    def run(rung: split._RungSplit) -> None:
+        divided.append(rung)
+        real(rung)
+
+    monkeypatch.setattr(split._RungSplit, "run", run)
+    rungs = "    if nc(c[1:301]):\n        set(y[1])\n" * 220
+    assert judged_and_told("def main():\n" + rungs + END, tmp_path)[1] == ["CG208"]
+    assert len(divided) == 201
 
 
 def test_names_that_have_no_room_apart_are_not_compared(
@@ -199,7 +206,7 @@ def unknown_calls(n: int) -> str:
 
 
 def test_unknown_names_are_not_all_compared_with_all_names(tmp_path: Path) -> None:
-    """The first hundred get a suggestion where there is one."""
+    """The first hundred get a suggestion if there is one."""
     small, large = (judged(unknown_calls(n), tmp_path) for n in (200, 400))
     assert large < 2.4 * small
 

@@ -1,4 +1,4 @@
-"""Whatever stands in the files, a build says what is wrong or builds what outside readers take."""
+"""Whatever is in the files, a build reports what is wrong or builds something that outside readers take."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def check_whole(files: Given) -> None:
 
 
 def check_table(files: Given) -> None:
-    """A table is told or read, whatever it holds."""
+    """A table is refused or read, whatever it holds."""
     check_build(files, codec=False)
 
 
@@ -66,7 +66,7 @@ def test_anything_can_stand_in_the_address_table(files: Given) -> None:
 @pytest.mark.parametrize("start", [b"", b"\xef\xbb\xbf", b"a\n", b"\xef\xbb\xbfa\n\n", b"a\r", b"a\r\n", b"\xc3\xa9"])
 @pytest.mark.parametrize("byte", [b"\x80", b"\xff"])
 def test_the_byte_that_is_no_text_is_named_in_its_place(start: bytes, byte: bytes, tmp_path: Path) -> None:
-    """Line and column count from the first character: behind a byte order mark, and whatever ends the lines."""
+    """Line and column count from the first character: after a byte order mark, and with any line ends."""
     path = tmp_path / "prog.py"
     path.write_bytes(start + byte + b"\n")
     [problem] = clickgen.build(path).diagnostics
@@ -90,7 +90,7 @@ def main():
         end()
 """,
 }
-"""Valid programs that did not build, or built what no reader takes."""
+"""Valid programs that did not build, or built something that no reader takes."""
 
 
 @pytest.mark.parametrize("name", FOUND)
@@ -107,7 +107,7 @@ def main():
         end()
 """,
 }
-"""Programs with a fault that was not told well."""
+"""Programs with a fault that was reported badly."""
 
 
 @pytest.mark.parametrize("name", FAULTS)
@@ -116,7 +116,7 @@ def test_what_was_not_told_well(name: str) -> None:
 
 
 def test_a_condition_without_end_is_told(tmp_path: Path) -> None:
-    """What Python reads and nobody else can ends in a problem, not in a fault of the process."""
+    """A condition that Python reads and nobody else can ends in a problem, not in a crash."""
     program = tmp_path / "prog.py"
     program.write_text(f"def main():\n    if {' and '.join(['c[1]'] * 20_000)}:\n        out(c[1])\n")
     command = [sys.executable, "-m", "clickgen", "build", str(program), "-o", str(tmp_path / "out")]

@@ -1,4 +1,4 @@
-"""A repository that somebody else has laid out cannot make clickgen write what it should not."""
+"""A repository laid out by somebody else cannot make clickgen write where it should not."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from hostile import DOUBLE, GOOD, MENDED, check, outside, place, posix_only
 
 from clickgen.cli import main
 from clickgen.commands.check.cache import NAME
-from clickgen.dialects.if_rungs.discover import Target
+from clickgen.dialects.discover import Target
 from clickgen.workspace import secret
 from clickgen.workspace.memory import Memory
 
@@ -243,7 +243,7 @@ def test_a_forged_source_map_takes_no_file_of_a_person(name: str, routines: obje
 
 
 def test_ladder_that_no_build_made_is_not_removed_for_its_form_alone() -> None:
-    """Not even where the map knows a routine of its name with as many rungs."""
+    """Not even if the map knows a routine of its name with as many rungs."""
     assert main(["build", "prog.py", "-o", "other"]) == 0
     ladder = Path("other/subroutines/wash.csv").read_bytes()
     Path("out/subroutines").mkdir(parents=True)
@@ -267,7 +267,7 @@ def test_a_leftover_that_somebody_has_drawn_on_stays(capsys: pytest.CaptureFixtu
 
 
 def test_a_leftover_with_other_ends_of_lines_goes() -> None:
-    """Git changes them on Windows."""
+    """Git changes line ends on Windows."""
     assert main(["build", "prog.py"]) == 0
     path = Path("build/prog/subroutines/wash.csv")
     path.write_bytes(path.read_bytes().replace(b"\r\n", b"\n").replace(b"\n", b"\r\n"))

@@ -1,4 +1,4 @@
-"""A repository that somebody else has laid out cannot make clickgen read or run what it should not."""
+"""A repository laid out by somebody else cannot make clickgen read or run what it should not."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def silent(path: Path) -> None:
 def test_devices_and_pipes_are_not_read(
     name: str, command: str, kind: Callable[[Path], None], capfd: pytest.CaptureFixture[str]
 ) -> None:
-    """Every command comes to its end; whether it refuses or does without is its own affair."""
+    """Every command ends; it may refuse or do without."""
     Path("user.py").write_text(f"from part import fill\n\n\n{GOOD}")
     Path("build/prog").mkdir(parents=True)
     if name != "build/prog/main.csv":
@@ -97,7 +97,7 @@ def test_devices_and_pipes_are_not_read(
 
 @contextlib.contextmanager
 def ends() -> Iterator[None]:
-    """Break off what waits for a pipe for ever, so that the test fails instead of never ending."""
+    """Break off a command that waits for a pipe for ever, so that the test fails instead of hanging."""
 
     def alarmed(*_: object) -> None:
         raise AssertionError("it waits for ever")
@@ -234,7 +234,7 @@ SHADOWS = ("argparse", "json", "queue", "pickle", "concurrent", "multiprocessing
 
 @pytest.fixture
 def shadowed(place: Path) -> list[str]:
-    """Files with the names of modules, which leave a trace when they are run; and programs for several processes."""
+    """Files with the names of modules, which leave a trace when run; and programs for several processes."""
     for name in SHADOWS:
         Path(f"{name}.py").write_text(f"open({str(place / 'started')!r}, 'w')\n")
     names = [f"p{number}.py" for number in range(5)]

@@ -1,4 +1,4 @@
-"""Programs do in a simulator, scan by scan, what the references say that a CLICK does."""
+"""In a simulator, programs do, scan by scan, what the references say of a CLICK."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ NOT_RUN = [one for one in SCENARIOS if one.pyrung_cannot]
 
 
 def bundle(one: Scenario, folder: Path) -> Path:
-    """What clickgen makes of the program."""
+    """The bundle that clickgen makes from the program."""
     program = folder / "prog.py"
     program.write_text(one.program, "utf-8")
     result = clickgen.build(program)
@@ -52,7 +52,7 @@ def run(machine: Simulator, step: Step) -> None:
 
 
 def differences(step: Step, machine: Simulator) -> list[str]:
-    """Where the memory is not as the step says, or pyrung not of the opinion that the step ascribes to it."""
+    """Where the memory differs from the step, or pyrung does not do what the step says of it."""
     found = []
     opinions = {one.address: one for one in step.disagreements}
     for address, click in step.expected.items():

@@ -1,4 +1,4 @@
-"""The example program of the language's specification builds as it stands; skipped where the specification is not."""
+"""The example program of the language's specification builds unchanged; skipped if the specification is missing."""
 
 from __future__ import annotations
 

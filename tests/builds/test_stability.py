@@ -1,4 +1,4 @@
-"""Builds that follow each other: nothing that stands ever moves, and the same input gives the same bytes.
+"""Successive builds: nothing that has a place ever moves, and the same input gives the same bytes.
 
 A random program is edited step by step and built after each edit, with the address table carried along.
 """
@@ -43,7 +43,7 @@ FOREIGN = (
     'TD9,INT,"Elapsed here",0,No,""',
     'DS4500,INT,"Top",0,Yes,"say ""when"""',
 )
-"""Rows of the user's, some of them not in clickgen's own form and some where scratch would go."""
+"""Rows of the user's, some not in clickgen's own form and some where scratch would go."""
 
 
 # -- a desk ------------------------------------------------------------------------------------------------------------
@@ -71,7 +71,7 @@ class Desk:
         return self.folder / "out"
 
     def build(self, program: str | dict[str, str] = "", *, frozen: bool = False) -> BuildResult:
-        """Build a program, given by its text or the texts of its files, or the one that stands there."""
+        """Build a program, given by its text or the texts of its files, or the one that is there."""
         if program:
             for path in self.folder.glob("*.py"):
                 path.unlink()
@@ -109,7 +109,7 @@ def by_name(rows: dict[str, tuple[str, ...]]) -> dict[str, str]:
 
 
 def scratch_of(rows: dict[str, tuple[str, ...]]) -> dict[str, str]:
-    """Scratch addresses to what they are for."""
+    """Scratch addresses, each with its purpose."""
     return {address: row[5] for address, row in rows.items() if row[2] == f"Scratch_{address}"}
 
 
@@ -171,7 +171,7 @@ def test_edit_after_edit_nothing_moves(data: st.DataObject, with_foreign: bool) 
 @examples(6)
 @given(st.data())
 def test_scratch_of_unchanged_needs_stays(data: st.DataObject) -> None:
-    """Rungs put in front, behind and between change nothing of a scratch row."""
+    """Rungs inserted before, after and between change nothing in a scratch row."""
     numbers = numbers_from(100)
     # Every need has a purpose of its own here: bits that no other piece has.
     needs = [
@@ -236,7 +236,7 @@ FIRST_VERSION = {
     "C1995": "condition of Pump rung 3 rung 1: not C2",
     "C1994": "part of the condition of Pump rung 3 rung 12: " + " and ".join(f"C{n}" for n in range(101, 131)),
 }
-"""What earlier versions wrote, at other addresses than a first build would choose."""
+"""Rows of earlier versions, at other addresses than a first build would choose."""
 MIGRATED = {
     "C1998": "reset input of main: rton T2 Second",
     "C1999": "condition of main: rton T1 First",
@@ -275,7 +275,7 @@ def main():
 
 
 def test_a_table_of_an_earlier_version_keeps_every_address() -> None:
-    """Its comments have the rung and the condition in them; the next build says the same in the new words."""
+    """Its comments hold the rung and the condition; the next build says the same in the new words."""
     names = {"C1": "Go", "C2": "Done", "C3": "Clear", "T1": "First", "T2": "Second", "T3": "Idle", "CT1": "Parts"}
     lines = [f'{address},BIT,"{name}",0,{"Yes" if "CT" in address else "No"},""' for address, name in names.items()]
     for address, reason in FIRST_VERSION.items():
@@ -308,7 +308,7 @@ def main():
 
 
 def test_programs_of_one_table_leave_each_others_scratch_cells_alone() -> None:
-    """What both need for the same, they share; else each has its own, and no build changes the other's."""
+    """They share cells for the same need; else each has its own, and no build changes the other's."""
     with desk() as here:
         for program in (ONE, OTHER):
             here.build(program).write(here.out)

@@ -245,7 +245,7 @@ def test_an_internal_error_is_told_without_a_traceback(
     def broken(*_: object) -> None:
         raise ZeroDivisionError("no such luck")
 
-    monkeypatch.setattr("clickgen.pipeline.read_program", broken)
+    monkeypatch.setattr("clickgen.pipeline.dialect_of", broken)
     assert main(["build", "prog.py"]) == 2
     said = capsys.readouterr().err
     assert "internal error: ZeroDivisionError: no such luck" in said
@@ -284,7 +284,7 @@ def test_the_functions_of_the_package_stay_functions(tmp_path: Path) -> None:
 
 
 def _built(folder: Path, capsys: pytest.CaptureFixture[str], *names: str) -> list[str]:
-    """What a build of a program with these control relays says, from the count of new addresses on."""
+    """The messages of a build of a program with these control relays, from the count of new addresses on."""
     rungs = "".join(f"    if x[1]:\n        out(c.{name})\n" for name in names)
     (folder / "prog.py").write_text(f"def main():\n{rungs}    if True:\n        end()\n")
     capsys.readouterr()
@@ -375,7 +375,7 @@ def test_a_table_that_is_named_and_not_there_says_how_to_begin_one(
     assert (folder / "prog.csv").exists()
 
 
-# -- files that are no programs ---------------------------------------------------------------------------------------
+# -- files that are not programs --------------------------------------------------------------------------------------
 
 PROJECT = "clickgen import the folder of the Scr*.tmp files"
 NO_PROGRAMS = [

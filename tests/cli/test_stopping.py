@@ -1,4 +1,4 @@
-"""A command that is stopped, or that nobody listens to: the exit code, what is said, and what is left."""
+"""A command that is stopped, or that nobody listens to: its exit code, its messages, and what is left."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def stopping(folder: Path, where: str, number: int) -> subprocess.CompletedProcess[str]:
-    """A build that gets a signal where a function is called for the first time."""
+    """A build that gets a signal when a function is called for the first time."""
     module = where.rpartition(".")[0]
     program = folder / "run.py"
     program.write_text(
@@ -154,7 +154,7 @@ def test_a_standard_error_that_takes_nothing_changes_no_exit_code() -> None:
 
 
 def test_no_word_of_a_signal_that_is_ignored() -> None:
-    """Who starts a command in the background lets it ignore Ctrl-C."""
+    """A shell that starts a command in the background lets it ignore Ctrl-C."""
     program = (
         "import signal\n"
         "signal.signal(signal.SIGINT, signal.SIG_IGN)\n"
@@ -171,7 +171,7 @@ def test_no_word_of_a_signal_that_is_ignored() -> None:
 
 
 def busy(folder: Path, what: str) -> list[str]:
-    """A check in two processes that do something else than judge."""
+    """A check whose two processes do something other than judge."""
     for number in range(6):
         Path(f"p{number}.py").write_text(GOOD)
     program = folder / "run.py"
@@ -280,7 +280,7 @@ def test_a_table_that_changes_all_the_time_is_told(
 def test_what_an_editor_saves_while_files_are_replaced_stays(
     moment: str, how: str, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What is left is one who renames between the last look and the replacement."""
+    """The only gap is a rename between the last look and the replacement."""
     from clickgen.text.write import ChangedMeanwhile, put_in_place
 
     table = folder / "nicknames.csv"

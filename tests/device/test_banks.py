@@ -53,7 +53,7 @@ def test_numbers(bank: Bank) -> None:
 
 @EVERY_BANK
 def test_kinds(bank: Bank) -> None:
-    # pyclickplc calls the last kind TXT; CLICK's nickname CSV says TEXT.
+    # pyclickplc calls the last kind TXT; CLICK's nickname CSV has TEXT.
     their_name = theirs.BANKS[bank.name].data_type.name.replace("TXT", "TEXT")
     assert bank.kind is Kind(their_name)
     assert bank.is_bit == (bank.name in theirs.BIT_ONLY_TYPES)

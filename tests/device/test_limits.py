@@ -1,4 +1,4 @@
-"""The size of a rung comment, against what laddercodec makes of it (the codec refuses more than 1,400 bytes)."""
+"""The size of a rung comment, against laddercodec's encoding of it (the codec refuses more than 1,400 bytes)."""
 
 from __future__ import annotations
 

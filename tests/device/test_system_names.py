@@ -1,4 +1,4 @@
-"""CLICK's own names: the data file is the one that the script makes, and lookups go both ways."""
+"""CLICK's own names: the data file is the script's output, and lookups go both ways."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ SCRIPT = ROOT / "scripts" / "make_system_nicknames.py"
 EXPORT = ROOT / "fixtures" / "click-3.41" / "system-names.csv"
 
 LOOKALIKE = "_I/O_Module_Error"
-"""SC22 in a list where ``_I/O Module Error`` is SC20 in CLICK."""
+"""SC22 in a list, but in CLICK ``_I/O Module Error`` is SC20."""
 MOVED = {"_Port1_AL_Denied_Count": ("SD132", "SD134"), "_WLAN_AL_Denied_Count": ("SD133", "SD135")}
 
 
@@ -167,7 +167,7 @@ def test_writable_points_exist() -> None:
 
 
 def test_what_click_lets_a_master_write_is_writable() -> None:
-    """The export says of each address with a name whether Modbus writes it."""
+    """The export says for each address with a name whether Modbus writes it."""
     written = {row["Address"] for row in _exported() if row["Function Code"] in ("FC=01,05,15", "FC=03,06,16")}
     ours = {f"SC{number}" for number in WRITABLE_SC} | {f"SD{number}" for number in WRITABLE_SD}
     # Slots of communication modules: another list from an export has them as writable (click-facts

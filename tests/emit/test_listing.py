@@ -18,7 +18,7 @@ END = "    if True:\n        end()\n"
 
 
 def cross_reference(folder: Path, rungs: str, table: str = "") -> dict[str, str]:
-    """The lines of the cross-reference by address: what is to be seen behind the nickname."""
+    """The lines of the cross-reference by address: the text after the nickname."""
     program = folder / "prog.py"
     program.write_text(f"{HEAD}\n\ndef main():\n{rungs}\n{END}", "utf-8")
     if table:

@@ -1,4 +1,4 @@
-"""Programs and their fixes, for the tests of both: what is found, what a fix makes of it, and what that means."""
+"""Programs and their fixes, for the tests of both: the findings, the result of a fix, and its meaning."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from clickgen.text.edits import apply_fixes
 
 
 def found(data: bytes, code: str, folder: Path) -> list[Diagnostic]:
-    """The problems of a code, errors or what the rule about logic says."""
+    """The problems of a code, errors or findings of the rule about logic."""
     path = folder / "prog.py"
     path.write_bytes(data)
     result = check(path, Settings(wants=lambda wanted: wanted == code))
@@ -58,7 +58,7 @@ COMPARISONS = {ast.Eq: operator.eq, ast.NotEq: operator.ne, ast.LtE: operator.le
 
 
 def holds(node: ast.expr, bits: Mapping[str, bool], value: int) -> bool:
-    """What a condition of these tests is, be it in Python's words or in the language's."""
+    """The meaning of a condition of these tests, in Python's words or in the language's."""
     if isinstance(node, ast.BoolOp):
         terms = (holds(term, bits, value) for term in node.values)
         return all(terms) if isinstance(node.op, ast.And) else any(terms)
@@ -79,7 +79,7 @@ def holds(node: ast.expr, bits: Mapping[str, bool], value: int) -> bool:
 
 
 def truth_table(condition: str) -> list[bool]:
-    """What a condition is for every state of four bits and three values of the register, compared with 5."""
+    """The value of a condition in every state of four bits and three values of the register, compared with 5."""
     node = ast.parse(f"({condition})", mode="eval").body
     states = product((False, True), repeat=len(NAMES))
     return [holds(node, dict(zip(NAMES, bits, strict=True)), value) for bits in states for value in (4, 5, 6)]

@@ -1,4 +1,4 @@
-"""A safe fix leaves no error in the statement that it mends, and changes nothing inside of a text."""
+"""A safe fix leaves no error in the statement that it fixes, and changes nothing inside a text."""
 
 from __future__ import annotations
 

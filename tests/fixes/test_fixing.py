@@ -1,4 +1,4 @@
-"""Fixes keep every other byte and do not meet each other; those of rules keep the meaning and leave nothing to fix."""
+"""Fixes keep every other byte and do not overlap; those of rules keep the meaning and leave nothing to fix."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The fixes of errors: what they write builds, means what was meant, and every other byte stands."""
+"""The fixes of errors: their text builds, means what was meant, and every other byte stays."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ COMMENTED = [
 def test_python_logic_is_rewritten(condition: str, after: str, tmp_path: Path) -> None:
     assert fixed(rung(condition), "CG105", tmp_path) == rung(after)
     assert_builds(rung(after), tmp_path)
-    # Of a DF register that holds no number neither of two opposite comparisons may hold.
+    # If a DF register holds no number, it can be that neither of two opposite comparisons holds.
     is_float = "not df" in condition
     safety = [problem.fix and problem.fix.is_safe for problem in found(rung(condition), "CG105", tmp_path)]
     assert set(safety) == {not is_float}
@@ -181,7 +181,7 @@ def test_columns_behind_other_alphabets_are_right(tmp_path: Path) -> None:
     problems = found(f"def main():\n{line}\n".encode(), "CG105", tmp_path)
     spans = [problem.span for problem in problems if problem.span]
     assert [line[span.col - 1 : span.end_col - 1] for span in spans] == ['x["Tür"] and ds.Ä == 5 or not x["門"]']
-    # CLICK takes no such nicknames: no fix leaves that in the line that it mends.
+    # CLICK takes no such nicknames: no fix leaves one in the line that it fixes.
     assert [problem.fix for problem in problems] == [None]
 
 
@@ -253,13 +253,13 @@ def test_else_and_elif_of_a_branch_become_branches(tmp_path: Path) -> None:
 
 
 def safety(text: str, folder: Path) -> bool | None:
-    """Whether the fix of the only else or elif is safe; None where there is none."""
+    """Whether the fix of the only else or elif is safe; None if there is none."""
     [problem] = found(body(text), "CG104", folder)
     return problem.fix and problem.fix.is_safe
 
 
 BECOMES = [
-    # Rungs, that look one after the other.
+    # Rungs look one after the other.
     (["if ds.S == 1: copy(1, ds.T)", "elif ds.S == 2: copy(2, ds.T)"], ["if ds.S == 1", "if ds.S == 2"]),
     (["if c.A: out(y[1])", "else: out(y[2])"], ["if c.A", "if nc(c.A)"]),
     (["if nc(c.A): out(y[1])", "else: out(y[2])"], ["if nc(c.A)", "if c.A"]),
@@ -275,7 +275,7 @@ BECOMES = [
     ),
     (["if ds.L > 5: set(c.P)", "elif ds.L < 6: set(c.Q)"], ["if ds.L > 5", "if ds.L < 6"]),
     (["if all(df.L > 5, c.A): set(c.P)", "elif nc(c.A): set(c.Q)"], ["if all(df.L > 5, c.A)", "if nc(c.A)"]),
-    # What no table and no declaration knows gets an address of its own.
+    # A name that no table and no declaration knows gets an address of its own.
     (["if c[1]: set(c.Q)", "else: set(c[3])"], ["if c[1]", "if nc(c[1])"]),
     (["if c.A: set(c[3])", "else: set(c.P)"], ["if c.A", "if nc(c.A)"]),
     (['if txt[1] == "A": copy("AB", txt.M)', "else: set(c.Q)"], ['if txt[1] == "A"', 'if txt[1] != "A"']),
@@ -308,7 +308,7 @@ BECOMES = [
         ["if all(ds.V > 5, c.B)", "if all(any(ds.V == 1, ds.V == 2), c.C)"],
     ),
     (["if c[1]: set(y[1])", "elif c.A: set(y[2])"], ["if c[1]", "if all(nc(c[1]), c.A)"]),
-    # What excludes each other is not looked at again.
+    # Conditions that exclude each other are not looked at again.
     (
         ["if all(ds.S == 1, c.Go, re(c.A)): reset(c.Go)", "elif all(t.T, ds.S == 1): call(s)"],
         None,
@@ -357,7 +357,7 @@ def test_else_and_elif_of_a_rung_become_rungs_where_that_is_the_same(
         ["if c.A: return", "else: set(c.Q)"],
         ["if c.A: set(c.P)", "elif c.B: set(c.C)", "elif c.C: set(c.D)"],
         ["if c.A: set(c.P)", "else: ctu(ct.N, 5, reset=lambda: c.P)"],
-        # What looks differs from look to look.
+        # Some conditions differ from look to look.
         ["if t.T: set(c.P)", "else: set(c.Q)"],
         ["if t.T: set(c.P)", "elif nc(t.T): set(c.Q)"],
         ["if td.T > 5: set(c.P)", "elif td.T < 3: set(c.Q)"],
@@ -373,7 +373,7 @@ def test_else_and_elif_of_a_rung_become_rungs_where_that_is_the_same(
         ["if df.L > 5: set(c.P)", "elif df.L < 6: set(c.Q)"],
         ["if df.L == 0.1: set(c.P)", "elif df.L == 0.2: set(c.Q)"],
         ["if df.L < 16777217: set(c.P)", "elif df.L > 16777217: set(c.Q)"],
-        # A coil is turned off where its rung is off.
+        # A coil is turned off when its rung is off.
         ["if c.A: out(y[1])", "else: out(y[1])"],
         ["if c.A: set(y[1])", "else: out(y[1])"],
     ],
@@ -524,7 +524,7 @@ def test_the_rungs_of_a_chain_run_when_its_arms_did(tests: list[str], has_else: 
     note(data.decode())
     after = re.findall(r"^    if (.*):\n        set", data.decode(), re.MULTILINE)
     if len(after) < len(arms):
-        return  # Some arm could never run, or there was but one.
+        return  # Some arm could never run, or there was only one.
     for number, test in enumerate(after):
         wanted = [here and not any(before) for here, *before in zip(tables[number], *tables[:number], strict=True)]
         assert truth_table(test) == wanted

@@ -1,4 +1,4 @@
-"""A fix is safe only where the resolved program proves it: by its table, its files, and every program it is in."""
+"""A fix is safe only if the resolved program proves it: by its table, its files, and every program it is in."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def problems(
 def verdicts(
     folder: Path, data: bytes, table: str = "", files: Mapping[str, str] = {}, is_part: bool = False
 ) -> list[bool | None]:
-    """Whether the fix of each is safe; None where there is none."""
+    """Whether the fix of each is safe; None if there is none."""
     found = problems(folder, data, table, files, is_part)
     return [problem.fix and problem.fix.is_safe for problem in found]
 
@@ -140,7 +140,7 @@ def test_where_something_hides_what_a_name_is_no_fix_is_safe(name: str, tmp_path
     arms = chain("if ds.A == 0: copy(1, ds.B)", "else: set(y[1])")
     assert verdicts(tmp_path, first + body(arms), table, files) == [False]
     assert verdicts(tmp_path, first + rung("not ds.A"), table, files) == [False]
-    # What needs no name, or turns nothing round, is as safe as ever.
+    # A fix that needs no name, or turns nothing round, is as safe as ever.
     for text in ("c.A and c.Bits", "not c[500]", "not ds[4000] == 5", "not x[1].immediate"):
         assert verdicts(tmp_path, first + rung(text), table, files) == [True]
 
@@ -204,7 +204,7 @@ def test_what_other_devices_send_arrives_in_its_own_time(
             is_safe
         ]
         assert verdicts(tmp_path, sub(action).encode() + body(called + arms)) == [is_safe]
-        # Branches look in one moment.
+        # Branches look at the same moment.
         branches = "    if x[8]:\n" + chain(f"if {test}: set(y[1])", "else: set(y[2])", line="        ")
         assert verdicts(
             tmp_path, b"from other import talk\n" + body(called + branches), files={"other": sub(action)}
@@ -223,7 +223,7 @@ def test_a_subroutine_does_what_its_file_says(tmp_path: Path) -> None:
         for imported in (True, False):
             first = "from other import talk\n" if imported else sub(action)
             assert verdicts(tmp_path, first.encode() + body(arms), files={"other": sub(action)}) == [is_safe]
-    # Of what cannot be read, or is not there, nobody knows what it does.
+    # Nobody knows what a file does that cannot be read, or is missing.
     assert verdicts(tmp_path, b"from other import talk\n" + body(arms), files={"other": sub("sett(c[9])")}) == [False]
     assert verdicts(tmp_path, b"from other import talk\n" + body(arms), files={"other": sub("set(c[9])", "walk")}) == [
         False
@@ -264,7 +264,7 @@ def test_a_block_of_one_program_is_no_bit_in_the_other(
     owner: str, flags: tuple[str, ...], capsys: pytest.CaptureFixture[str]
 ) -> None:
     Path(f"{owner}.csv").write_text(HEADER + BITS, "utf-8")
-    for _ in range(2):  # The second time the findings come out of the cache.
+    for _ in range(2):  # The second time the findings come from the cache.
         lib = LIB.format("not c.Bits")
         assert mended(capsys, lib, *flags) == lib
         main(["check", "--output-format", "json", *(flag for flag in flags if flag != "--unsafe-fixes")])
@@ -287,7 +287,7 @@ def test_a_fix_of_a_shared_file_waits_for_its_other_program(capsys: pytest.Captu
     Path("b.csv").write_text(HEADER + BITS, "utf-8")
     lib = LIB.format("not c.Bits")
     assert mended(capsys, lib, "a.py") == lib
-    # What rests on no name does not wait.
+    # A fix that rests on no name does not wait.
     assert mended(capsys, LIB.format("c.Bits and c.A"), "a.py") == LIB.format("all(c.Bits, c.A)")
 
 

@@ -1,4 +1,4 @@
-"""What ``check --fix`` makes of a program does what the person meant, scan by scan (``judges.mending``)."""
+"""A program after ``check --fix`` does what the person meant, scan by scan (``judges.mending``)."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ MENDED: dict[str, tuple[Rung | Program, tuple[tuple[str, str], ...]]] = {
         (),
     ),
 }
-"""Programs that safe fixes mend."""
+"""Programs that safe fixes can correct."""
 
 
 @pytest.mark.parametrize("name", MENDED)
@@ -77,7 +77,7 @@ LEFT: dict[str, tuple[Rung | Program, tuple[tuple[str, str], ...]]] = {
         (("ctd[13]", "ctd.Count"),),
     ),
 }
-"""Programs that a person has to mend."""
+"""Programs that a person has to correct."""
 
 
 @pytest.mark.parametrize("name", LEFT)

@@ -1,4 +1,4 @@
-"""The formula room by example: both modes, every construct, and mistakes at their place inside the string."""
+"""Formulas by example: both modes, every construct, and mistakes at their place inside the string."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import pytest
 
 import clickgen
 from clickgen.device.banks import Address
+from clickgen.dialects.if_rungs.trade.formulas import formula_advice
 from clickgen.formula import Formula, Mode, Operand, Sum, parse_formula, print_formula, print_source, references
 from clickgen.formula import explain as explaining
 from clickgen.formula.build import Builder
@@ -30,11 +31,11 @@ def embed(formula: str) -> EmbeddedText:
 
 def read(formula: str, mode: Mode) -> tuple[Formula | None, list[Diagnostic]]:
     problems = Diagnostics()
-    return parse_formula(embed(formula), mode, problems), problems.found
+    return parse_formula(embed(formula), mode, problems, "", formula_advice), problems.found
 
 
 def native(ref: Named | Cell | Pointer | Range) -> str:
-    """CLICK's text of an operand; names stand for themselves."""
+    """CLICK's text of an operand; names are unchanged."""
     if isinstance(ref, Range):
         return f"{ref.bank}{ref.first} : {ref.bank}{ref.last}"
     if isinstance(ref, Cell):
@@ -50,7 +51,7 @@ def click(formula: str, mode: Mode = "decimal") -> str:
 
 
 def mistakes(formula: str, mode: Mode = "decimal") -> list[tuple[str, str]]:
-    """Each problem's code and the text it is shown at."""
+    """Each problem's code and the text that it marks."""
     result, found = read(formula, mode)
     assert result is None
     assert all(problem.message and problem.span is not None for problem in found)
@@ -74,6 +75,7 @@ def shown(formula: str, problem: Diagnostic) -> str:
         ("ds.RawValue * 100 / 4095", "RawValue * 100 / 4095"),
         ('ds["My Value"] + 1', "My Value + 1"),
         ('xd["0u"] + xd[0]', "XD0u + XD0"),
+        ("ds[0x10]", "DS16"),
         ("ds[ds.Index] + dd[ds[5]]", "DS[Index] + DD[DS5]"),
         ("x[1] + 0", "X001 + 0"),
         ("2 * pi * df.R ^ 2", "2 * PI * R ^ 2"),
@@ -160,30 +162,31 @@ def test_decimal_number_in_hex_warns() -> None:
     ("source", "mode", "expected"),
     [
         # what does not exist
-        ("ds[5000] + ds[0]", "decimal", [("CG201", "5000"), ("CG201", "0")]),
-        ("ds[-1] + ds[1.5] + ds[0x10]", "decimal", [("CG201", "-1"), ("CG201", "1.5"), ("CG201", "0x10")]),
-        ("x[17] + xd[9]", "decimal", [("CG201", "17"), ("CG201", "9")]),
-        ("ds[-1.5]", "decimal", [("CG201", "1.5")]),
+        ("ds[5000] + ds[0]", "decimal", [("CG201", "ds[5000]"), ("CG201", "ds[0]")]),
+        ("ds[-1] + ds[1.5]", "decimal", [("CG201", "ds[-1]"), ("CG113", "1.5")]),
+        ("ds[10h] + SUM(ds[1h:5])", "decimal", [("CG113", "10h"), ("CG202", "ds[1h:5]")]),
+        ("x[17] + xd[9]", "decimal", [("CG201", "x[17]"), ("CG201", "xd[9]")]),
+        ("ds[-1.5]", "decimal", [("CG113", "1.5")]),
         ("di.A * 2", "decimal", [("CG113", "di")]),
         ("DS.A + DS[5]", "decimal", [("CG113", "DS"), ("CG113", "DS")]),
         ("DS5 + ds5 + XD0u", "decimal", [("CG113", "DS5"), ("CG113", "ds5"), ("CG113", "XD0u")]),
         ("Speed + ds + dh", "decimal", [("CG113", "Speed"), ("CG113", "ds"), ("CG113", "dh")]),
-        ('ds[""]', "decimal", [("CG113", '""')]),
+        ('ds[""]', "decimal", [("CG203", '""')]),
         # ranges
         ("SUM(ds[5:5])", "decimal", [("CG202", "ds[5:5]")]),
         ("SUM(ds[5:1]) + SUM(ds[5:1:-1])", "decimal", [("CG202", "ds[5:1]"), ("CG202", "ds[5:1:-1]")]),
         ("SUM(ds[1:9:2]) + SUM(ds[:9])", "decimal", [("CG202", "ds[1:9:2]"), ("CG202", "ds[:9]")]),
         ("SUM(x[10:30])", "decimal", [("CG202", "x[10:30]")]),
-        ("SUM(ds[4490:9999])", "decimal", [("CG201", "9999")]),
-        ("SUM(ds[0:9999])", "decimal", [("CG201", "0"), ("CG201", "9999")]),
-        ("SUM(ds[ds.A:ds.B])", "decimal", [("CG202", "ds.A"), ("CG202", "ds.B")]),
-        ('SUM(ds["A":5])', "decimal", [("CG201", '"A"')]),
+        ("SUM(ds[4490:9999])", "decimal", [("CG202", "ds[4490:9999]")]),
+        ("SUM(ds[0:9999])", "decimal", [("CG202", "ds[0:9999]")]),
+        ("SUM(ds[ds.A:ds.B])", "decimal", [("CG202", "ds[ds.A:ds.B]")]),
+        ('SUM(ds["A":5])', "decimal", [("CG202", 'ds["A":5]')]),
         ("ds[1:5] + 1", "decimal", [("CG116", "ds[1:5]")]),
         ("SUM((ds[1:5]))", "decimal", [("CG116", "SUM((ds[1:5]))")]),
         ("SUM(ds.A) + SUM(ds[1:2], 5)", "decimal", [("CG116", "SUM(ds[1:2], 5)")]),
         # pointers
         ("ds[dd.Index]", "decimal", [("CG212", "dd.Index")]),
-        ("x[ds.Index] + sd[dh[1]]", "decimal", [("CG213", "x[ds.Index]"), ("CG213", "sd[dh[1]]"), ("CG212", "dh[1]")]),
+        ("x[ds.Index] + sd[dh[1]]", "decimal", [("CG213", "x[ds.Index]"), ("CG212", "dh[1]")]),
         ("ds[ds[ds.A]] + ds[ds[1:5]]", "decimal", [("CG212", "ds[ds.A]"), ("CG212", "ds[1:5]")]),
         # the other mode's words
         ("dh.A AND dh.B", "decimal", [("CG117", "AND")]),
@@ -200,8 +203,8 @@ def test_decimal_number_in_hex_warns() -> None:
         ("0x10000 + 65536 + 1.5", "hex", [("CG302", "0x10000"), ("CG302", "65536"), ("CG302", "1.5")]),
         ("1e39 + 1e-39 + 1e999999", "decimal", [("CG302", "1e39"), ("CG302", "1e-39"), ("CG302", "1e999999")]),
         ("2147483648", "decimal", [("CG302", "2147483648")]),
-        # what was told before a syntax error stays told
-        ("di.A + ds[0] + ", "decimal", [("CG113", "di"), ("CG201", "0"), ("CG116", "+")]),
+        # a problem reported before a syntax error stays
+        ("di.A + ds[0] + ", "decimal", [("CG113", "di"), ("CG201", "ds[0]"), ("CG116", "+")]),
     ],
 )
 def test_mistakes_at_their_place(source: str, mode: Mode, expected: list[tuple[str, str]]) -> None:
@@ -216,6 +219,7 @@ def test_mistakes_at_their_place(source: str, mode: Mode, expected: list[tuple[s
         ("dss.A", "decimal", "did you mean ds?"),
         ("DS5", "decimal", "write ds[5]"),
         ("XD0u", "decimal", 'write xd["0u"]'),
+        ("ds[10h]", "decimal", "write ds[16]"),
         ("SINE(2)", "decimal", "write SIN(2): a sine"),
         ("POW(ds.A, 2)", "decimal", "write (ds.A ^ 2)"),
         ("dh.A AND 5", "decimal", "math_hex"),
@@ -223,7 +227,7 @@ def test_mistakes_at_their_place(source: str, mode: Mode, expected: list[tuple[s
         ("0xFF", "decimal", "write 255"),
         ("SUM(DS1:DS10)", "decimal", "SUM(ds[1:11])"),
         ("ds[1:5]", "decimal", "SUM(ds[1:5])"),
-        ("SUM(ds[5:5])", "decimal", "ds[5:15] is DS5 to DS14"),
+        ("SUM(ds[5:5])", "decimal", "ds[5:6] is one address"),
         ("ds.My Name", "decimal", 'ds["Any name"]'),
         ("dh.A & 1", "decimal", "math_hex"),
         ("ds.A ** 2", "decimal", "write ^"),
@@ -301,7 +305,7 @@ def test_place_inside_joined_and_escaped_literals() -> None:
     text = embedded_text(source, [("'ds.A \\x2b '", 1, 6), ("'ds[0]'", 2, 6)], "ds.A + ds[0]")
     problems = Diagnostics()
     assert parse_formula(text, "decimal", problems) is None
-    assert [str(problem.span) for problem in problems.found] == ["prog.py:2:10"]
+    assert [str(problem.span) for problem in problems.found] == ["prog.py:2:7"]
 
 
 # -- limits -----------------------------------------------------------------------------------------------------------

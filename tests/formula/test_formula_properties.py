@@ -1,7 +1,7 @@
-"""The formula room by property: reading what was printed gives it back, CLICK computes what was meant, nothing raises.
+"""Formulas by property: reading a printed one gives it back, CLICK computes what was meant, nothing raises.
 
-CLICK's grouping is known only where usual maths settles it, so the reader of CLICK's form below is run under several
-grammars that agree on usual maths and on nothing else: the printed formula must mean the same to all of them.
+CLICK's grouping is known only where usual maths settles it, so the reader of CLICK's form below runs with several
+grammars that agree only on usual maths: the printed formula must mean the same to all of them.
 """
 
 from __future__ import annotations
@@ -152,7 +152,7 @@ def without_places(thing: Any) -> Any:
 def test_reading_the_printed_source_gives_it_back(formula: Formula) -> None:
     problems = Diagnostics()
     again = parse(print_source(formula), formula.mode, problems)
-    if again is None:  # Only the limits may speak against it.
+    if again is None:  # Only the limits may refuse it.
         assert {problem.code for problem in problems.found} <= {"CG310", "CG311"}
     else:
         assert without_places(again) == without_places(formula)
@@ -219,7 +219,7 @@ def value_of(text: str) -> int:
 
 
 def meaning(node: Node, mode: Mode) -> int:
-    """What the source says."""
+    """The value by the source."""
     if isinstance(node, Number):
         exponent = "e" in node.text.lower()
         return value_of(repr(float(node.text)) if exponent else node.text)
@@ -263,7 +263,7 @@ CLICKS = (
 
 
 class ClickReader:
-    """A small evaluator of CLICK's form. Tokens stand one space apart."""
+    """A small evaluator of CLICK's form. Tokens are one space apart."""
 
     def __init__(self, text: str, mode: Mode, rules: Rules) -> None:
         self.tokens = text.split(" ")

@@ -1,4 +1,4 @@
-"""What a part of a formula is worth without running it, numbers that are too large among them."""
+"""The value of a part of a formula without running it, including numbers that are too large."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What each instruction takes, cell by cell: what is legal builds and reads back, what is not has its code.
+"""The operands of each instruction, cell by cell: legal ones build and read back, others have their code.
 
 The tables in ``matrix/`` are written from docs/click-facts.md, independently of clickgen's Specs. The arguments of a
 call are judged by the Spec itself: every instruction's faults name its signature.
@@ -114,7 +114,7 @@ def _problems(cells: Sequence[Cell], result: BuildResult) -> list[list[Diagnosti
 
 
 def _assert_codes(cells: Sequence[Cell], result: BuildResult) -> None:
-    """Every cell has exactly its codes; where it is refused, warnings beside them do not count."""
+    """Every cell has exactly its codes; if it is refused, warnings beside them do not count."""
     wrong = []
     for cell, found in zip(cells, _problems(cells, result), strict=True):
         expected = [code for code in cell.codes if cell.builds or code not in WARNINGS]
@@ -152,7 +152,7 @@ def _shown(cell: Cell) -> str:
 
 
 class Call(NamedTuple):
-    """A call with one fault: its code, and the words that the problem says."""
+    """A call with one fault: its code, and the words of the problem."""
 
     source: str
     code: str
@@ -166,7 +166,7 @@ _ANY_VALUE = {
     ParamKind.PIN: "lambda: c[1]",
     ParamKind.OPTIONS: "None",
 }
-"""Of the kinds that an instruction can leave out."""
+"""One of the kinds that an instruction can leave out."""
 
 _WRONG_VALUES = {
     ParamKind.OPERANDS: ("5", "{c[1]}", "lambda: c[1]"),
@@ -187,7 +187,7 @@ _NO_OPERANDS = ("True", "None", "lambda: c[1]", "[c[1]]", "(c[1], c[2])", "c[1] 
 
 
 def _given(spec: Spec) -> dict[str, str]:
-    """Every parameter and a value for it: that of the Spec's example, where it has one."""
+    """Every parameter and a value for it: that of the Spec's example, if it has one."""
     call = ast.parse(spec.example, mode="eval").body
     assert isinstance(call, ast.Call)
     names = {alias: param.name for param in spec.params for alias in (param.name, *param.aliases)}
@@ -250,7 +250,7 @@ def _no_operand(spec: Spec) -> Iterator[Call]:
     for param in spec.params:
         if param.kind is ParamKind.OPERAND:
             for value in _NO_OPERANDS:
-                # None leaves out what can be left out.
+                # None leaves out an argument that may be left out.
                 if value != "None" or param.default is not None:
                     yield Call(_call(spec, {**_given(spec), param.name: value}), "CG113", ())
 

@@ -1,4 +1,4 @@
-"""What the language has no word for: kept to the letter, and nothing is taken for granted about what it does."""
+"""Tokens that the language has no word for: kept to the letter, with no assumptions about what they do."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from clickgen.click.draw.tokens import action_token, operand_token
 from clickgen.click.read.kept import fault_of, raw_of
 from clickgen.click.read.rungs import import_rung
 from clickgen.click.read.tokens import height_of
+from clickgen.dialects.registry import default
 from clickgen.instructions.raw import RAW, rows_of
 from clickgen.ir.operands import Cell, Pointer, Range
 from clickgen.ir.program import KeptToken
@@ -218,7 +219,7 @@ def test_what_cannot_be_kept_is_refused_with_a_way_out(token: str, tmp_path: Pat
     fault = fault_of(token)
     assert fault is not None
     assert fault.help
-    assert REFUSED[token] in f"{fault.message}: {fault.help}"
+    assert REFUSED[token] in f"{fault.message}: {fault.way_out(default().spell)}"
     assert raw_of(token, HERE) is None
     result = build(tmp_path, f"def main():\n    if c.Go:\n        raw({token!a})\n{END}")
     assert [problem.code for problem in result.diagnostics] == ["CG317"]
@@ -226,7 +227,7 @@ def test_what_cannot_be_kept_is_refused_with_a_way_out(token: str, tmp_path: Pat
 
 
 def test_a_coil_in_the_binary_form_is_no_way_around_the_word() -> None:
-    """laddercodec shows the binary form of a coil as raw where it is asked to; read back it is a coil."""
+    """laddercodec shows the binary form of a coil as raw on request; read back it is a coil."""
     from laddercodec.csv.converter import af_node_to_token
     from laddercodec.csv.token_parser import parse_af_token
     from laddercodec.instructions.raw import RawInstruction, find_blob_boundary
@@ -237,7 +238,7 @@ def test_a_coil_in_the_binary_form_is_no_way_around_the_word() -> None:
         assert disguised.startswith("raw(")
         fault = fault_of(disguised)
         assert fault is not None
-        assert f"write {word}" in fault.help
+        assert f"write {word}" in fault.way_out(default().spell)
 
 
 TEXTS = st.text(st.characters(codec="utf-16", exclude_categories=("Cc", "Cs")), max_size=12)
@@ -350,6 +351,7 @@ def test_a_name_that_only_a_token_uses_is_not_pruned(tmp_path: Path, capsys: pyt
 
 COUNTER = "        ctu(ct.N, 5, reset=lambda: nc(c.Also))\n"
 KEPT = "        raw('raw(Odd,0x2799,1,0000=)')\n"
+KEPT_LATER = "raw(Odd,0x2799,1,60aa=DS5,0000=)"
 
 
 @pytest.mark.parametrize(
@@ -357,7 +359,7 @@ KEPT = "        raw('raw(Odd,0x2799,1,0000=)')\n"
     [
         # Two scratch bits: the rung's condition and the counter's input.
         (f"    if c.Go:\n{KEPT}{COUNTER}", 4),
-        # What stands behind the counter is in a part of its own, and sees the condition as it was.
+        # The rest after the counter is in a part of its own, and sees the condition as it was.
         (f"    if c.Go:\n{COUNTER}{KEPT}", 2),
         (f"    if True:\n{KEPT}        ctu(ct.N, 5, reset=lambda: sc[1])\n", 3),
         (f"    if True:\n{KEPT}        set(c.A)\n", 1),
@@ -398,6 +400,16 @@ def test_a_rule_about_logic_counts_its_addresses(code: str, tmp_path: Path) -> N
         found.append({problem.code for problem in check(program).diagnostics})
     assert code in found[0]
     assert found[1] == set()
+
+
+@pytest.mark.parametrize(("token", "is_found"), [("math(DS1+DS2,DS5,mode=decimal)", True), (KEPT_LATER, False)])
+def test_what_a_kept_formula_writes_does_not_change_by_itself(token: str, is_found: bool, tmp_path: Path) -> None:
+    """A formula runs at once like any other; what another kept instruction writes may change in its own time."""
+    twice = "    if ds[5] == 1:\n        copy(1, ds.X)\n    if ds[5] == 1:\n        copy(2, ds.X)\n"
+    read = "    if ds.X == 2:\n        out(y[1])\n"
+    program = tmp_path / "prog.py"
+    program.write_text(f"def main():\n{twice}{read}    if x[1]:\n        raw({token!r})\n{END}")
+    assert ("CG510" in {problem.code for problem in check(program).diagnostics}) is is_found
 
 
 def test_an_output_in_a_token_is_not_said_to_be_driven(tmp_path: Path) -> None:
@@ -462,7 +474,7 @@ def test_its_word_in_a_ladder_file_is_none_of_ours() -> None:
 
 
 def test_a_token_of_endless_length_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Not even asked about: laddercodec took a quarter of a minute over these blanks."""
+    """It is not even given to laddercodec, which took a quarter of a minute over these blanks."""
     monkeypatch.setattr("clickgen.click.read.kept._fault_in_codec", lambda _: pytest.fail("it was asked"))
     for token in (f"math(DS1{' ' * 60_000}!,DS1,mode=decimal)", f"raw(Email,0x2737,1,60a5={'1' * 60_000})"):
         fault = fault_of(token)

@@ -1,4 +1,4 @@
-"""Builds of programs under test: in memory, and with everything that a person sees of a build judged."""
+"""Builds of programs under test: in memory, judging everything that a person sees of a build."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def workshop() -> Path:
 
 
 def ladder_files(texts: Mapping[str, str]) -> dict[str, str]:
-    """The ladder files that a program becomes, given by the text of each of its files; it must build."""
+    """Return the ladder files of a program, given by the text of each of its files; it must build."""
     for name, text in texts.items():
         (workshop() / name).write_text(text, encoding="utf-8")
     for path in workshop().glob("*.py"):
@@ -42,7 +42,7 @@ def ladder_files(texts: Mapping[str, str]) -> dict[str, str]:
 
 
 def check_build(given: Given, codec: bool = True, is_valid: bool = False) -> None:
-    """Build through the API and through the command line, and judge all that comes out."""
+    """Build through the API and through the command line, and judge every result."""
     with tempfile.TemporaryDirectory(prefix="clickgen-robust-") as name:
         folder = Path(name)
         program, out = folder / given.files[0][0], folder / "out"
@@ -110,7 +110,7 @@ def check_diagnostics(result: clickgen.BuildResult, files: dict[str, bytes]) -> 
 
 
 def check_outputs(out: Path, codec: bool) -> None:
-    """Outside readers take every ladder file."""
+    """Check that outside readers take every ladder file."""
     for path in (*out.glob("main*.csv"), *out.glob("subroutines/*.csv")):
         text = path.read_bytes().decode("utf-8")
         rungs = read_ladder(text)

@@ -1,4 +1,4 @@
-"""laddercodec as outside reader: what it reads, encodes, decodes and writes back must be what our CSV says."""
+"""laddercodec as outside reader: it must read, encode, decode and write back just what our CSV says."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ TOKEN_DIFFERENCES: tuple[Difference, ...] = (
     ),
 )
 
-# Applied to the comments of both sides; a character outside ASCII then stands for up to four others.
+# Applied to the comments of both sides; a character outside ASCII then matches up to four others.
 COMMENT_DIFFERENCES: tuple[Difference, ...] = (
     Difference(r"[*_]", "", "emphasis becomes RTF styling, and _x_ comes back as *x*"),
 )
@@ -73,7 +73,7 @@ def normalise(token: str) -> str:
 
 
 def comments_agree(ours: Sequence[str], theirs: Sequence[str]) -> bool:
-    """Whether two comments differ in styling and down-converted characters only; a lone empty line is no comment."""
+    """True if two comments differ only in styling and down-converted characters; a lone empty line is no comment."""
 
     def plain(lines: Sequence[str]) -> str:
         text = "\n".join(lines)
@@ -89,7 +89,7 @@ def comments_agree(ours: Sequence[str], theirs: Sequence[str]) -> bool:
 
 
 def ladder_of_codec_rung(rung: CodecRung) -> LadderRung:
-    """laddercodec's hydrated, expanded grid as a rung of ours; the tokens are in the common spelling."""
+    """Return laddercodec's hydrated, expanded grid as a rung of ours; the tokens are in the common spelling."""
     rows = tuple(
         Row(tuple(normalise(_text(cell)) for cell in cells), normalise(_text(af)))
         for cells, af in zip(rung.conditions, rung.instructions, strict=True)
@@ -186,7 +186,7 @@ def assert_codec_reads(text: str) -> list[CodecRung]:
 
 
 def _different(*stages: Sequence[CodecRung]) -> Iterator[tuple[int, CodecRung]]:
-    """Each rung with its number: as it is after the first stage, and again after those that change it."""
+    """Yield each rung with its number: after the first stage, and again after those that change it."""
     seen: dict[int, list[CodecRung]] = {}
     for rungs in stages:
         for number, rung in enumerate(rungs):
@@ -197,7 +197,7 @@ def _different(*stages: Sequence[CodecRung]) -> Iterator[tuple[int, CodecRung]]:
 
 
 def _compare(where: str, ours: LadderRung, theirs: LadderRung) -> None:
-    """The same grid, outputs, pins and comment. So the power is the same too: it follows from them alone."""
+    """Check for the same grid, outputs, pins and comment, from which the same power follows."""
     assert comments_agree(ours.comment, theirs.comment), f"{where}: comment {theirs.comment!r}, ours {ours.comment!r}"
     assert len(theirs.rows) == len(ours.rows), f"{where}: {len(theirs.rows)} expanded rows, ours {len(ours.rows)}"
     for number, (our_row, their_row) in enumerate(zip(ours.rows, theirs.rows, strict=True), 1):
@@ -209,7 +209,7 @@ def _compare(where: str, ours: LadderRung, theirs: LadderRung) -> None:
 
 
 def _compare_rows(ours: LadderRung, theirs: Sequence[Sequence[str]]) -> None:
-    """Our rows are in the canonical form: what laddercodec leaves out we leave out, what it writes we write."""
+    """Check that our rows are in the canonical form: they leave out and write just what laddercodec does."""
     where = f"rung at line {ours.written[0].line} (written back)"
     comment = tuple(row[1] for row in theirs if row[0] == "#")
     assert comments_agree(ours.comment, comment), f"{where}: comment {comment!r}, ours {ours.comment!r}"
@@ -224,7 +224,7 @@ def _compare_rows(ours: LadderRung, theirs: Sequence[Sequence[str]]) -> None:
 
 
 def _compare_files(ours: str, theirs: str) -> None:
-    """The file as laddercodec writes it: the same rows, markers and quoting, line ends aside."""
+    """Compare with the file as laddercodec writes it: the same rows, markers and quoting, except line ends."""
     mine, other = (
         [[normalise(cell) for cell in row] for row in _records(text) if row[0] != "#"] for text in (ours, theirs)
     )

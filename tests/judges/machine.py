@@ -1,7 +1,7 @@
-"""The memory of a PLC and what its instructions do to it, simplified: alike for a source and for its ladder.
+"""The memory of a PLC and what its instructions do to it, simplified: the same for a source and for its ladder.
 
-Only what an instruction reads and writes, and when, is true to CLICK; how a drum steps or what a partner answers is
-made up, as long as it depends on everything that the instruction looks at.
+What an instruction reads and writes, and when, is true to CLICK. The rest, how a drum steps or what a partner answers,
+is made up, as long as it depends on everything that the instruction looks at.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ OPERATORS: Mapping[str, Callable[[int, int], bool]] = {
 MOVING = ("SC4", "SC7", "SD26")
 """System points that change by themselves."""
 HIDDEN = "~"
-"""Marks the bit of the on-delay timer inside an rtof; its number is the retentive off-delay's own in the source."""
+"""Marks the bit of the on-delay timer inside an rtof; in the source its number is that of the retentive off-delay."""
 BOXES = ("on_delay", "off_delay", "count_up", "count_down", "shift", "event_drum", "time_drum")
 
 
 @dataclass
 class DrumState:
-    """What a drum remembers of the scan before: its events and its edge inputs."""
+    """A drum's memory of the previous scan: its events and its edge inputs."""
 
     events: list[int]
     jump: bool = False
@@ -39,7 +39,7 @@ class Machine:
     seed: int
     edges_by_bit: bool
     inputs_move: bool
-    """Immediate inputs, system bits, and what messages bring change between two instructions."""
+    """Immediate inputs, system bits, and cells that messages fill change between two instructions."""
     bits_follow: bool = False
     """The bit of a timer or counter follows at once when another instruction writes its current value."""
     hidden: frozenset[str] = frozenset()
@@ -47,7 +47,7 @@ class Machine:
     memory: dict[str, int] = field(default_factory=dict)
     scan: int = 0
     clock: int = 0
-    """Counts what was written in this scan: immediate inputs may change with it."""
+    """Counts the writes in this scan: immediate inputs may change with it."""
     seen: list[tuple[object, ...]] = field(default_factory=list)
     """Each box that ran, with the power on its inputs."""
     before: dict[str, int] = field(default_factory=dict)
@@ -55,7 +55,7 @@ class Machine:
     once: dict[Place, bool] = field(default_factory=dict)
     drums: dict[Place, DrumState] = field(default_factory=dict)
     arriving: dict[str, int] = field(default_factory=dict)
-    """What messages that ran write, each with as many values as it can have: it may arrive later too."""
+    """The cells that executed messages write, each with its number of possible values: they may also arrive later."""
 
     def __post_init__(self) -> None:
         draw = random.Random(self.seed)
@@ -84,7 +84,7 @@ class Machine:
         return self.moving(name) if name in MOVING else self.memory.get(name, 0)
 
     def moving(self, name: str, values: int = 2) -> int:
-        """What changes by itself: it stays as it is until the next instruction writes."""
+        """The value of a cell that changes by itself: it stays until the next instruction writes."""
         moment = self.clock if self.inputs_move else 0
         return drawn(f"{self.seed} {self.scan} {name} {moment}", values)
 
@@ -138,7 +138,7 @@ class Machine:
             self.arrive()
 
     def arrive(self) -> None:
-        """Another device may answer now."""
+        """Let another device answer now."""
         draw = random.Random(f"{self.seed} {self.scan} {self.clock} arrives")
         if self.inputs_move and self.arriving and draw.randrange(2):
             name = draw.choice(sorted(self.arriving))
@@ -200,7 +200,7 @@ class Machine:
             self.memory[own] = int(enable or (bool(self.bit(own)) and not on))
 
     def drum(self, inner: str, place: Place, enable: bool, pins: Mapping[str, bool]) -> None:
-        """One step on with the event or the time of the step, with jog, or to where a jump leads; reset is first."""
+        """Step on with the event or the time of the step, with jog, or to where a jump leads; reset comes first."""
         given = arguments(inner)
         events, presets = listed(given.get("events", "")), listed(given.get("presets", ""))
         rows = given["pattern"].strip("[]").split("],[")
@@ -208,7 +208,7 @@ class Machine:
         target = self.value(jump[6:-1]) if jump else 0
         power = {"reset": pins[".reset()"], "jump": pins.get(jump, False), "jog": pins.get(".jog()", False)}
         now = [self.bit(event) for event in events]
-        # The events aside, of which the ladder may name another bit: an rtof's is a scratch bit there.
+        # Except the events, for which the ladder may name another bit: an rtof's is a scratch bit there.
         own = {name: text for name, text in given.items() if name != "events"}
         self.seen.append((*own.items(), *now, enable, target, *power.items()))
 
@@ -234,7 +234,7 @@ class Machine:
         if presets:
             self.store(given["accumulator"], time)
 
-    # -- what does something only with power
+    # -- instructions that do something only with power
 
     def latch(self, inner: str) -> None:
         for bit in cells(inner):
@@ -258,7 +258,7 @@ class Machine:
         self.memory["SC44"] = int("[" in inner and value == 0)
 
     def copy_text(self, source: str, target: str, option: str) -> None:
-        """Characters one behind the other, from the target on."""
+        """Copy characters one after the other, from the target on."""
         text = source.strip('"') if source.startswith('"') else str(self.value(source))
         if "suppress_zero=0" in option:
             text = text.zfill(5)
@@ -307,7 +307,7 @@ class Machine:
         self.store(given["found"], int(bool(hits)))
 
     def message(self, inner: str) -> None:
-        """What the partner answers depends on what was sent and on the scan."""
+        """Receive the partner's answer, which depends on what was sent and on the scan."""
         given = arguments(inner)
         sent = [self.value(cell) for cell in cells(given.get("source", ""))]
         draw = random.Random(f"{self.seed} {self.scan} {inner} {sent}")
@@ -331,7 +331,7 @@ class Machine:
 
 @lru_cache(maxsize=65536)
 def drawn(moment: str, values: int) -> int:
-    """A number below ``values``, always the same for the same moment."""
+    """Return a number below ``values``, always the same for the same moment."""
     return random.Random(moment).randrange(values)
 
 
@@ -368,7 +368,7 @@ def listed(text: str) -> Sequence[str]:
 
 @cache
 def cells(text: str) -> Sequence[str]:
-    """``C1..C3`` and ``immediate(Y001)`` as single names; ``C3..C1`` runs backwards; nothing of nothing."""
+    """``C1..C3`` and ``immediate(Y001)`` as single names; ``C3..C1`` runs backwards; none for an empty text."""
     if not text:
         return ()
     match = re.fullmatch(r"(?:immediate\()?([A-Z]+)(\d+)(?:\.\.[A-Z]+(\d+))?\)?", text)
@@ -383,6 +383,6 @@ def cells(text: str) -> Sequence[str]:
 
 @cache
 def is_users(name: str) -> bool:
-    """False for scratch cells, which stand at the top of their banks."""
+    """False for scratch cells, which are at the top of their banks."""
     match = re.fullmatch(r"(C|DS|DD|DH|DF)(\d+)", name)
     return not match or int(match[2]) <= 100

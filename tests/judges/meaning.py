@@ -1,8 +1,9 @@
-"""The source and the emitted ladder do the same, scan by scan.
+"""Checks that the source and the emitted ladder do the same, scan by scan.
 
-Two small interpreters share what an instruction does and what a contact reads (``judges.machine``); they differ in
-where conditions come from. The source evaluates every condition of a rung, inputs of boxes included, and then runs its
-instructions. The ladder does the same for each CLICK rung, with the power that ``judges.power`` finds in the drawing.
+Two small interpreters share what an instruction does and what a contact reads (``judges.machine``); they get their
+conditions from different places. The source evaluates every condition of a rung, inputs of boxes included, and then
+runs its instructions. The ladder does the same for each CLICK rung, with the power that ``judges.power`` finds in the
+drawing.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ class Leave(Exception):
 
 @dataclass(frozen=True)
 class Step:
-    """An instruction of the source that waits for its turn, with the power that it got."""
+    """An instruction of the source waiting for its turn, with the power that it got."""
 
     item: Act | Loop
     place: Place
@@ -94,7 +95,7 @@ class SourceForm:
 
 
 def _conditions(condition: Condition, items: Sequence[Item]) -> Iterator[Condition]:
-    """All that a rung looks at before its first instruction; the rungs of a loop's body look for themselves."""
+    """Everything that a rung looks at before its first instruction; the rungs of a loop's body look for themselves."""
     yield condition
     for item in items:
         if isinstance(item, Branch):
@@ -107,7 +108,7 @@ def _conditions(condition: Condition, items: Sequence[Item]) -> Iterator[Conditi
 
 
 class Drawing:
-    """One CLICK rung: which contacts it looks at, and where they send power."""
+    """One CLICK rung: the contacts that it looks at, and where they send power."""
 
     def __init__(self, rung: LadderRung) -> None:
         self.rung = rung
@@ -123,7 +124,7 @@ class Drawing:
 
 
 def drawings(files: Mapping[str, str]) -> dict[str, list[Drawing]]:
-    """The CLICK rungs of every routine; the parts of main one behind the other."""
+    """The CLICK rungs of every routine; the parts of main one after the other."""
     routines: dict[str, list[Drawing]] = {"main": []}
     for name, text in files.items():
         routine = "main" if name.startswith("main") else name.removeprefix("subroutines/").removesuffix(".csv")
@@ -171,12 +172,12 @@ class LadderForm:
 
 
 def check_meaning(program: Program, inputs_move: bool = False, seeds: int = SEEDS) -> None:
-    """Source and ladder leave the same memory and show the same power to each box, scan by scan."""
+    """Check that source and ladder leave the same memory and show the same power to each box, scan by scan."""
     check_same(program, ladder_files(program.texts), inputs_move, seeds)
 
 
 def check_same(program: Program, files: Mapping[str, str], inputs_move: bool = False, seeds: int = SEEDS) -> None:
-    """A source and the ladder of these files leave the same memory and show the same power to each box."""
+    """Check that a source and the ladder of these files leave the same memory and show the same power to each box."""
     routines = drawings(files)
     hidden = frozenset(_off_delays(program))
     for edges_by_bit in (False, True):
@@ -214,7 +215,7 @@ def _off_delays(program: Program) -> Iterator[str]:
 
 
 def visible(machine: Machine) -> dict[str, int]:
-    """The memory as a person may look at it: no scratch, no flags, and of an rtof the timer inside."""
+    """The memory that a person may look at: no scratch, no flags, and for an rtof the timer inside."""
     found = {name: value for name, value in machine.memory.items() if value and is_users(name) and name[:2] != "SC"}
     for name in machine.hidden:
         found.pop(name, None)

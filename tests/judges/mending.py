@@ -1,4 +1,4 @@
-"""Fixes keep what a person meant: the mended program does, scan by scan, what its text says as Python reads it."""
+"""Checks that fixes keep a person's meaning: the fixed program does, scan by scan, what Python reads in its text."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _ROUNDS_MAX = 20
 
 
 def mended(mending: Mending, is_wanted: Callable[[Diagnostic], bool]) -> tuple[dict[str, str], dict[str, int]]:
-    """The files after all wanted fixes, round by round, and how many of each code went in."""
+    """Return the files after all wanted fixes, round by round, and how many of each code were applied."""
     texts, codes = dict(mending.texts), dict[str, int]()
     for _ in range(_ROUNDS_MAX):
         fixes: dict[str, list[Fix]] = {}
@@ -41,7 +41,7 @@ def _is_safe(finding: Diagnostic) -> bool:
 
 
 def check_mended(mending: Mending, is_wanted: Callable[[Diagnostic], bool] = _is_safe) -> bool:
-    """The mended program builds and does what was meant; False where something is left that no fix takes away."""
+    """Check that the fixed program builds and does what was meant; False if something is left that no fix removes."""
     texts, _ = mended(mending, is_wanted)
     result = clickgen.build(_written(texts))
     if not result.ok:

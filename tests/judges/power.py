@@ -1,4 +1,4 @@
-"""Reads 33-column ladder CSV and says where power goes, by the grid rules alone.
+"""Reads 33-column ladder CSV and finds where power goes, by the grid rules alone.
 
 click-facts [grid.columns, grid.power, grid.wires]
 
@@ -37,7 +37,7 @@ HEIGHTS: Mapping[str, int] = {
     **dict.fromkeys(("event_drum", "time_drum"), 4),
     **dict.fromkeys(("send", "receive"), 3),
     **dict.fromkeys(("out", "latch", "reset", "math", "call", "return", "for", "next", "end"), 1),
-    "raw": 1,  # or as many as it says itself
+    "raw": 1,  # or as many as it states
 }
 NOP = "NOP"
 
@@ -57,7 +57,7 @@ REQUIRED_PINS: Mapping[str, tuple[str, ...]] = {
     "event_drum": (".reset",),
     "time_drum": (".reset",),
 }
-# A down counter's own input is the middle input of its three-row box (click-facts [grid.down-counter]): its row stands
+# A down counter's own input is the middle input of its three-row box (click-facts [grid.down-counter]): its row is
 # second.
 OWN_SLOT: Mapping[str, int] = {"count_down": 1}
 
@@ -83,7 +83,7 @@ class Terminal(NamedTuple):
 
 @dataclass(frozen=True)
 class Pin:
-    """A box's secondary input such as ``.reset()`` and the expanded row it stands on."""
+    """A box's secondary input such as ``.reset()``, and its expanded row."""
 
     token: str
     row: int
@@ -264,7 +264,7 @@ def _expand(written: Sequence[Row]) -> tuple[tuple[Row, ...], tuple[Output, ...]
     boxes: list[_Box] = []
     box: _Box | None = None
     loose = False  # the row above has no output and belongs to no box
-    pin_fits = False  # nothing but padding stands between this row and the instruction or pin above it
+    pin_fits = False  # only padding is between this row and the instruction or pin above it
 
     def pad(count: int) -> None:
         rows.extend([Row(("",) * CONDITION_COLUMNS)] * count)
@@ -323,7 +323,7 @@ def _hydrate(rows: Sequence[Row]) -> tuple[Row, ...]:
 
 
 def _check_wires(where: str, rung: LadderRung) -> None:
-    """Nothing floats, nothing leads nowhere, no wire end hangs in the air, every pin has a condition."""
+    """Check that nothing floats, nothing leads nowhere, no wire end is loose, and every pin has a condition."""
     cells = [row.cells for row in rung.rows]
 
     def at(row: int, column: int) -> str:
@@ -358,7 +358,7 @@ def _check_wires(where: str, rung: LadderRung) -> None:
 
 
 def _useful(cells: Sequence[Sequence[str]], ends: set[int]) -> list[list[bool]]:
-    """For every node whether power could go on from it to one of the ends (rows of the AF column)."""
+    """For every node, whether power could go on from it to one of the ends (rows of the AF column)."""
     useful = [[False] * (CONDITION_COLUMNS + 1) for _ in cells]
     for row in ends:
         useful[row][-1] = True
@@ -389,8 +389,8 @@ def flow(
 ) -> list[list[int]]:
     """Power at every node as a bit set over situations.
 
-    ``mask(token)`` says in which situations a condition conducts, ``full`` is the set of all of them. Power goes from
-    left to right and along vertical wires both ways; with ``bidirectional`` every cell conducts both ways.
+    ``mask(token)`` gives the situations in which a condition conducts, ``full`` is the set of all of them. Power goes
+    from left to right and along vertical wires both ways; with ``bidirectional`` every cell conducts both ways.
     """
     masks = {"": 0, "|": 0, "-": full, "T": full}
 
@@ -433,7 +433,7 @@ def flow(
 def power_sets(
     rung: LadderRung, sets: Mapping[str, int], full: int, bidirectional: bool = False
 ) -> dict[Terminal, int]:
-    """In which situations each terminal has power; ``sets`` gives the situations in which each leaf is true."""
+    """The situations in which each terminal has power; ``sets`` gives those in which each leaf is true."""
 
     def mask(token: str) -> int:
         leaf, negated = leaf_of(token)
@@ -446,7 +446,7 @@ def power_sets(
 def power(rung: LadderRung, values: Callable[[str], bool], bidirectional: bool = False) -> dict[Terminal, bool]:
     """Whether power arrives at each output and pin.
 
-    ``values`` is asked for leaf tokens only (``X001``, ``rise(C1)``, ``DS1==5``): ``~X001`` is not values("X001").
+    ``values`` is called with leaf tokens only (``X001``, ``rise(C1)``, ``DS1==5``): ``~X001`` is not values("X001").
     """
     sets = {leaf: int(values(leaf)) for leaf in condition_tokens(rung)}
     return {terminal: bool(bit) for terminal, bit in power_sets(rung, sets, 1, bidirectional).items()}
@@ -507,7 +507,7 @@ def truth_table(rung: LadderRung, max_vars: int = 12, seed: int = 0, bidirection
 
 
 def check_no_backfeed(rung: LadderRung, max_vars: int = 12, seed: int = 0) -> None:
-    """A series-parallel drawing gives the same outputs when everything conducts both ways."""
+    """Check that a series-parallel drawing gives the same outputs when everything conducts both ways."""
     sets, full = situations(condition_tokens(rung), max_vars, seed)
     one_way, both_ways = power_sets(rung, sets, full), power_sets(rung, sets, full, bidirectional=True)
     for (number, pin), reached in one_way.items():

@@ -1,4 +1,4 @@
-"""A CLICK program file (``Scr*.tmp``) from rows of ladder, as laddercodec's manual describes the form.
+"""Makes a CLICK program file (``Scr*.tmp``) from rows of ladder, in the form that laddercodec's manual describes.
 
 It knows contacts, out, call, return and end: enough for every shape of a rung and every order of routines.
 """
@@ -42,7 +42,7 @@ def program_file(name: str, index: int, rungs: Iterable[tuple[str, Sequence[Sequ
 
 
 def _text(text: str) -> bytes:
-    """The NUL behind a text has one byte."""
+    """Encode a text; the NUL after it has one byte."""
     data = text.encode("utf-16-le") + b"\0"
     return bytes((len(data),)) + data
 
@@ -54,7 +54,7 @@ def _rtf(comment: str) -> bytes:
 
 
 def _wires(rows: Sequence[Sequence[str]]) -> bytes:
-    """The rows, of which the first is the comment's, then for each column those with a wire down."""
+    """Encode the rows, of which the first is the comment's, then for each column those with a wire down."""
     data = struct.pack("<H", len(rows) + 1) + b"\x03\0\0"
     for cells in rows:
         right = [column for column, cell in enumerate(cells) if cell not in ("", "|")]

@@ -18,15 +18,15 @@ Value = int | float | str
 
 @dataclass(frozen=True)
 class Spelling:
-    """What pyrung does not read, or writes and then does not run, and how it takes the same."""
+    """A spelling that pyrung does not read, or writes but does not run, and one that it takes for the same."""
 
     pattern: str
     readable: str | Callable[[re.Match[str]], str]
     reason: str
     action: str
-    """An action of the language that comes out in this way."""
+    """An action of the language that is emitted in this way."""
     in_program: bool = False
-    """It stands in the Python that pyrung makes of the ladder, not in the ladder."""
+    """True if it is in the Python that pyrung makes from the ladder, not in the ladder."""
 
 
 SPELLINGS: tuple[Spelling, ...] = (
@@ -78,7 +78,7 @@ WHOLE_MAIN = "WholeMain"
 class Simulator:
     """A PLC that holds the program of one bundle folder; each of its scans takes the same time.
 
-    ``ends_return`` makes main a subroutine that the whole scan calls: pyrung has no end() but the last, and a return()
+    ``ends_return`` makes main a subroutine that the whole scan calls: pyrung has only the last end(), and a return()
     leaves a subroutine as an end() leaves main.
     """
 
@@ -101,7 +101,7 @@ class Simulator:
         self._plc = PLC(self._code["logic"], dt=ms / 1000)
 
     def _name(self, address: str) -> str:
-        """What pyrung calls it: system points and timers have names of its own, the others perhaps a nickname."""
+        """pyrung's name for an address: its own for system points and timers, perhaps a nickname for the others."""
         if address not in self._names:
             bank, number = parse_address(address)
             self._names[address] = self._code[bank.lower()][number].name
@@ -122,7 +122,7 @@ class Simulator:
         return "" if value == "\0" else value
 
     def power_up(self) -> None:
-        """What a PLC does with its memory when it begins to run; pyrung does it on the way from STOP to RUN."""
+        """Do what a PLC does with its memory when it begins to run; pyrung does it on the way from STOP to RUN."""
         self._plc.stop()
         self._plc.run(0)
 

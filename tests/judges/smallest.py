@@ -1,4 +1,4 @@
-"""The smallest form of files that fail: hypothesis makes examples smaller, and takes whole programs as they are."""
+"""The smallest form of files that fail: hypothesis makes examples smaller, but takes whole programs as they are."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from strategies.shown import ShownAsText
 
 @dataclass(frozen=True)
 class Smallest(ShownAsText):
-    """Files under a check. Only a failure is printed, and only then do its superfluous lines go."""
+    """Files under a check. Only a failure is printed, and only then are its superfluous lines removed."""
 
     files: Given
     check: Callable[[Given], None]
@@ -24,7 +24,7 @@ class Smallest(ShownAsText):
 
 
 def fault_of(files: Given, check: Callable[[Given], None]) -> str:
-    """The first words of what a check raises; an empty text where the files pass."""
+    """The first words of what a check raises; "" if the files pass."""
     try:
         check(files)
     except Exception as error:
@@ -33,7 +33,7 @@ def fault_of(files: Given, check: Callable[[Given], None]) -> str:
 
 
 def without_lines(files: Given, check: Callable[[Given], None], fault: str) -> Given:
-    """The same files without the lines that the fault does not need."""
+    """Return the files without the lines that the fault does not need."""
     for name, _ in files.files:
         at = 0
         while name != TABLE:

@@ -119,7 +119,7 @@ def test_a_reader_that_errs_is_caught(monkeypatch: pytest.MonkeyPatch, row: int,
 
 
 def token_examples() -> dict[str, list[list[Line]]]:
-    """Rungs by name from the table beside the project, or nothing where it does not stand there."""
+    """Rungs by name from the table beside the project, or none if it is not there."""
     if not TOKENS.exists():
         return {}
     examples: dict[str, list[list[Line]]] = {}

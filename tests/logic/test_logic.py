@@ -1,4 +1,4 @@
-"""What clickgen.logic.conditions says of conditions, case by case and against trying every state of a small machine."""
+"""clickgen.logic.conditions case by case, and checked against every state of a small machine."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from clickgen.dialects.if_rungs.read.imports import read_program
+from clickgen.dialects.registry import default
 from clickgen.ir.conditions import All, Compare, Condition
 from clickgen.ir.program import Program
 from clickgen.logic.conditions import always_holds, are_exclusive, can_hold, decided, implies
@@ -40,7 +41,7 @@ def unresolved(text: str) -> Condition:
 def read(text: str) -> Condition:
     """The condition of ``if text:``, names resolved."""
     problems = Diagnostics()
-    resolved = resolve(program(text), AddressTable.empty(""), False, problems).program
+    resolved = resolve(program(text), AddressTable.empty(""), False, problems, default()).program
     assert not problems.has_errors, problems.found
     return resolved.routines[0].rungs[0].condition
 
@@ -84,7 +85,7 @@ ds[1]
 all(dd[1] == 16777217, dd[1] == 16777216.0)
 all(xd[0] == 0x0001, nc(x[1]))
 """.strip().split("\n")
-"""Some state makes these true, or it is not to be decided: three registers in a circle, a register and two others."""
+"""Some state makes these true, or it cannot be decided: three registers in a circle, a register and two others."""
 
 IMPOSSIBLE = """
 all(c[1], nc(c[1]))
@@ -417,11 +418,11 @@ class Floats:
 
 _HALVES = (*(number / 2 for number in range(-2, 9)), math.nan)
 FLOATS = tuple(map(Floats, product(_HALVES, repeat=2)))
-"""Around and between the constants 0 to 3, and no number: of that Python says what IEEE 754 says."""
+"""Around and between the constants 0 to 3, and no number, which Python treats as IEEE 754 does."""
 
 
 def _floats(term: Term) -> tuple[Condition, list[bool]]:
-    """A condition of DF registers, and what it is in every state."""
+    """A condition of DF registers, and its value in every state."""
     return read(term.text.replace("ds[", "df[")), [term.holds(state) for state in FLOATS]
 
 
@@ -467,7 +468,7 @@ def _named(text: str) -> str:
 
 @given(decidable, decidable, st.sampled_from([("c.A", "c.B"), ("ds.V", "ds.W"), ("c.B", "c[3]"), ("", "")]))
 def test_what_it_says_of_names_holds_wherever_they_are(one: Term, other: Term, alike: tuple[str, str]) -> None:
-    """Whatever it denies of names it denies of their addresses, also where two are of the same one."""
+    """Whatever it denies of names it denies of their addresses, even if two names have the same one."""
     name, twin = alike
     places = {name: place for place, name in NAMES.items()}
     first, second = map(unresolved, (_named(one.text), _named(other.text)))

@@ -1,4 +1,4 @@
-"""What each instruction takes, as tables to be held against docs/click-facts.md.
+"""The operands of each instruction, as tables to be compared with docs/click-facts.md.
 
 ``test_matrix.py`` builds every cell.
 """

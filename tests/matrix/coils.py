@@ -56,7 +56,7 @@ def _one_shots() -> list[Cell]:
         *(action(f"{name}(y[5], oneshot=True)", codes="CG109") for name in ("set", "reset")),
     ]
     for operand in (*addresses(WRITTEN), *CONSTANTS):
-        # Of an immediate C one fault is enough to say.
+        # One fault of an immediate C is enough to report.
         fault = _COIL.fault(operand) or ("CG313" if operand.form == "immediate" else "")
         bits = operand.token.split("..") if operand.form == "range" else [operand.token]
         found.append(
@@ -79,7 +79,7 @@ _SHIFTS = [
     *slot(_SHIFTED, _shift),
     action(f"shift(c[8:0:-1], {_INPUTS})", "shift(C8..C1)", "C2", ".clock()", "C3", ".reset()"),
     action("shift(c[1:9]).clock(c[2]).reset(c[3])", "shift(C1..C8)", "C2", ".clock()", "C3", ".reset()"),
-    # A bare wire is no input (click-facts [grid.pin-contact]): what is left out is never on.
+    # A bare wire is no input (click-facts [grid.pin-contact]): a pin that is left out is never on.
     action("shift(c[1:9])", "shift(C1..C8)", "~SC1", ".clock()", "~SC1", ".reset()", codes="CG419"),
     action("shift(c[1:9], clock=lambda: c[10])", "shift(C1..C8)", "C10", ".clock()", "~SC1", ".reset()", codes="CG419"),
     action("shift(c[1:9], reset=lambda: c[10])", "shift(C1..C8)", "~SC1", ".clock()", "C10", ".reset()", codes="CG419"),
@@ -116,7 +116,7 @@ _CALLS = [
         action(f"call({arguments})", 'call("auto")')
         for arguments in ("auto", '"auto"', "subroutine=auto", 'subroutine_name="auto"')
     ),
-    # The name of a routine is the name of a file too, and keeps its capital letters.
+    # The name of a routine is also that of a file, and keeps its capital letters.
     *(action(f"call({name})", codes="CG405") for name in ("other", '"other"', "main", '"Auto"')),
     *(action(f"call({name})", codes="CG115") for name in ("5", "0x05", "1.5", "True", "auto()", "c[1]", "ds[ds[1]]")),
 ]

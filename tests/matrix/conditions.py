@@ -46,7 +46,7 @@ def _contacts(source: str, token: str, judge: Callable[[Operand], str]) -> list[
 
 
 def _level(operand: Operand) -> str:
-    """Normally open and normally closed: one bit or a range of bits; of immediates X only."""
+    """Normally open and normally closed: one bit or a range of bits; immediates only on X."""
     if operand.form == "pointer":
         return "CG307" if operand.bank in POINTED.split() else "CG213"
     if operand.bank not in BITS.split():

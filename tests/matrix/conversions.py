@@ -30,7 +30,7 @@ _LEGAL = {"to_value": _TO_NUMBER, "to_ascii": _TO_NUMBER, "to_binary": _TO_TEXT,
 _PLAIN_TEXT = "to_text(suppress_zero=1,exponential=0,termination_code=none)"
 
 _BLOCK_OPTIONS = ("to_value", "to_ascii")
-"""Those that a block copy has."""
+"""The conversions that a block copy has."""
 
 
 def _token(option: str) -> str:
@@ -38,7 +38,7 @@ def _token(option: str) -> str:
 
 
 def _copies(option: str) -> Iterator[Cell]:
-    """Of what the copy takes at all, the option converts its own pairs; a constant is not converted."""
+    """Among the copy's operands, the option converts its own pairs; a constant is not converted."""
     constants = (integer(5), hexadecimal(0x00FF), real("2.0"), text("5"), code(0x0D))
     sources, targets = [*cells(READ), *pointers(8), *constants], [*cells(WRITTEN), *pointers()]
     for source, target, codes in pairs(_LEGAL[option], (SOURCE, DESTINATION), sources, targets):
@@ -50,7 +50,7 @@ def _copies(option: str) -> Iterator[Cell]:
 
 
 def _modifiers(option: str) -> Iterator[Cell]:
-    """The same with the modifier of the other dialect behind the source."""
+    """The same with the modifier of the other dialect after the source."""
     modifier = option.replace("to_", "as_")
     for source, target, codes in pairs(_LEGAL[option], (SOURCE, DESTINATION), cells(READ), cells(WRITTEN)):
         yield action(
@@ -61,7 +61,7 @@ def _modifiers(option: str) -> Iterator[Cell]:
 
 
 def _blocks(option: str) -> Iterator[Cell]:
-    """The option of another pair is its fault; where it fits, the block copy has fewer pairs than the copy."""
+    """The option of another pair is its fault; if it fits, the block copy has fewer pairs than the copy."""
     legal = BLOCK if option in _BLOCK_OPTIONS else {}
     targets = [*cells(WRITTEN), *ranges(WRITTEN)]
     for source, target, codes in pairs(legal, (BLOCK_SOURCE, BLOCK_DESTINATION), ranges(READ), targets):

@@ -42,7 +42,7 @@ _WORDS = ["DH", "XD", "YD"]
 
 
 def _typed(source: Operand, target: Operand) -> tuple[str, str]:
-    """A constant as its destination takes it, and the code where it does not: no fraction into a whole number."""
+    """A constant as its destination takes it, and the code if it does not: no fraction into a whole number."""
     token = source.word if target.bank in _WORDS else source.token
     if source.form == "hex" and target.bank in (*_WHOLE, "DF"):
         token = str(int(source.word[:-1], 16))
@@ -133,7 +133,7 @@ _SYSTEM = [
 
 # -- block copy -------------------------------------------------------------------------------------------------------
 
-# From TXT to TXT there is no evidence.
+# There is no evidence for TXT to TXT.
 BLOCK = table("""
     X Y C T CT SC       -> Y C
     DS DD DH DF SD      -> DS DD DH DF YD TD CTD
@@ -169,7 +169,7 @@ _BLOCK_LENGTHS = [
     action("copy_block(ds[1:1001], dd[1])", "blockcopy(DS1..DS1000,DD1..DD1000)"),
     *(action(f"copy_block(ds[1:5], ds[11:{end}])", codes="CG306") for end in (14, 16)),
     *(action(f"copy_block(ds[1:3], {last})", codes="CG306") for last in ("ds[4500]", "dd[1000]", "dh[500]", "yd[8]")),
-    # Behind the last point of a module comes a gap.
+    # There is a gap after the last point of a module.
     *(action(f"copy_block(c[1:3], y[{last}])", codes="CG306") for last in (16, 36, 816)),
     action('copy_block(dh[1:3], yd["0u"])', codes="CG301"),
     action("copy_block(ds[4:0:-1], ds[11])", codes="CG202"),

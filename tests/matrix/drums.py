@@ -35,7 +35,7 @@ def _one(operand: Operand) -> Shown:
 
 
 def _listed(*operands: Operand) -> Shown:
-    """In a list a slice stands for each of its addresses."""
+    """In a list, a slice means each of its addresses."""
     tokens: list[str] = []
     for operand in operands:
         tokens += [bit.token for bit in _bits(operand)] if operand.form == "range" else [operand.token]
@@ -57,7 +57,7 @@ _RESET = ("reset=lambda: c[2]", "C2", ".reset()")
 
 
 def _drum(name: str, number: int, codes: str = "", pins: Sequence[str] = _RESET, **changed: Shown) -> Cell:
-    """One output and one step, apart from what is changed. A time drum's accumulator is a timer's and has one owner."""
+    """One output and one step, except for the changes. A time drum's accumulator is a timer's and has one owner."""
     arguments: dict[str, Shown] = {
         "outputs": _listed(cell("C", 5)),
         **(

@@ -28,7 +28,7 @@ _HEX = "DH XD YD"
 _BANKS = {"calc": _DECIMAL, "math_hex": _HEX}
 _TARGETS = {"calc": (_DECIMAL, "DS5", "decimal"), "math_hex": ("DH", "DH5", "hex")}
 _KEPT_IN = {"XD": "DH", "YD": "DH", "TD": "DS", "CTD": "DD"}
-"""Banks that have no register to spare, and the bank of the same kind that has."""
+"""Banks that have no register to spare, and the bank of the same kind that has one."""
 _ONE = {"calc": ("1", "1"), "math_hex": ("0x01", "01h")}
 
 
@@ -45,7 +45,7 @@ def _formula(name: str, formula: str, token: str, codes: str = "", copied: str =
 
 
 def _wrong_kind(name: str, bank: str) -> str:
-    """Bits and text are no numbers; hexadecimal and decimal do not mix."""
+    """Bits and text are not numbers; hexadecimal and decimal do not mix."""
     if bank in f"{BITS} TXT".split():
         return "CG301"
     return "" if bank in _BANKS[name].split() else "CG309"
@@ -74,7 +74,7 @@ def _operands(name: str) -> Iterator[Cell]:
 
 
 def _sums(name: str) -> Iterator[Cell]:
-    """SUM adds up a range; of XD and YD words it cannot, because they are no operands."""
+    """SUM adds up a range; it cannot add XD and YD words, because they are not operands."""
     for bank in BANKS:
         whole = span(bank, READ[bank], 4)
         fault = _wrong_kind(name, bank) or ("CG301" if bank in ("XD", "YD") else "")
@@ -92,7 +92,7 @@ def _target(name: str, operand: Operand) -> tuple[str, str]:
 
 
 def _targets(name: str) -> list[Cell]:
-    """What a formula is stored in; of SD what can be written."""
+    """The destination of a formula; in SD only writable ones."""
     numbers = (1, 28, *WRITABLE_SD, 30, 148, 216, 1000) if name == "calc" else ()
     return [
         *slot(Takes(cells=_TARGETS[name][0], is_written=True), lambda operand: _target(name, operand)),
@@ -171,7 +171,7 @@ _SHIFTS = (("SHL", "LSH"), ("SHR", "RSH"))
 
 
 def _limits() -> Iterator[Cell]:
-    """8 parentheses inside each other and 68 operands."""
+    """8 nested parentheses and 68 operands."""
     for depth, fault in ((8, ""), (9, "CG310")):
         yield _formula("calc", "(" * depth + "ds[1]" + ")" * depth, "( " * depth + "DS1" + " )" * depth, fault)
     for depth, fault in ((7, ""), (8, "CG310")):

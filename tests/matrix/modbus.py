@@ -47,7 +47,7 @@ def _same(text: str) -> Shown:
 
 
 def _call(name: str, codes: str = "", changed: dict[str, Shown | None] | None = None) -> Cell:
-    """A send or receive of registers, apart from what is changed or left out (None)."""
+    """A send or receive of registers, except for what is changed or left out (None)."""
     own, busy = _NAMES[name]
     arguments: dict[str, Shown | None] = {
         "target": _same(_TCP),
@@ -66,7 +66,7 @@ def _call(name: str, codes: str = "", changed: dict[str, Shown | None] | None = 
 
 
 def _own(name: str) -> Iterator[Cell]:
-    """What is sent, or where it is received: bits from or to bits, registers from or to registers."""
+    """The cells that are sent, or that receive: bits from or to bits, registers from or to registers."""
     takes = _OWN[name]
     for operand in (*addresses(WRITTEN if takes.is_written else READ), *CONSTANTS):
         fault = takes.fault(operand)
@@ -84,7 +84,7 @@ def _flags(name: str, argument: str) -> Iterator[Cell]:
 
 
 def _ends(name: str) -> Iterator[Cell]:
-    """Both ends hold bits or both hold registers; words are swapped only where there are words."""
+    """Both ends hold bits or both hold registers; words are swapped only if there are words."""
     own = _NAMES[name][0]
     for remote in ('"Y001"', '"C1"', "ModbusAddress(address=0h,register_type=coil)"):
         source = remote.replace("0h", '"0h"').replace("=coil", '="coil"')

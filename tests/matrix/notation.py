@@ -1,4 +1,4 @@
-"""How the tables are written: operands with their tokens, what a slot takes, which banks go to which.
+"""The notation of the tables: operands with their tokens, the operands of a slot, which banks go to which.
 
 Nothing here comes from clickgen: banks, limits and tokens are those of docs/click-facts.md.
 """
@@ -24,7 +24,7 @@ WRITABLE_SD = (
 )
 
 WARNINGS = ("CG312", "CG315", "CG418", "CG419", "CG420")
-"""What is said of a rung that is built all the same."""
+"""The message for a rung that is built all the same."""
 
 
 # -- operands ---------------------------------------------------------------------------------------------------------
@@ -40,7 +40,7 @@ class Operand(NamedTuple):
 
     @property
     def kind(self) -> str:
-        """What a table calls it: its bank, or the form of a constant."""
+        """Its name in a table: its bank, or the form of a constant."""
         return self.bank or self.form
 
     @property
@@ -110,7 +110,7 @@ def numbered(number: int) -> dict[str, int]:
 
 READ = numbered(1)
 WRITTEN = numbered(5) | {"SC": 50, "SD": 140}
-"""Addresses that can be written, where the bank can; the next one can be too."""
+"""Addresses that can be written, if the bank can; the next one can be too."""
 
 
 def cells(numbers: Numbers) -> list[Operand]:
@@ -141,9 +141,9 @@ def addresses(numbers: Numbers) -> list[Operand]:
 
 
 class Cell(NamedTuple):
-    """One rung: its source, what stands in the ladder file for it, and the problems at its lines.
+    """One rung: its source, its tokens in the ladder file, and the problems at its lines.
 
-    ``tokens`` are contacts and outputs in reading order; ``C?`` stands for any C that clickgen chose.
+    ``tokens`` are contacts and outputs in reading order; ``C?`` matches any C that clickgen chose.
     """
 
     source: str
@@ -171,9 +171,9 @@ Matrices = dict[str, list[Cell]]
 
 @dataclass(frozen=True)
 class Takes:
-    """What an operand position takes: banks by form, and forms of constants.
+    """The operands that a position takes: banks by form, and forms of constants.
 
-    ``disputed`` banks are taken as one address, with a warning. What is not taken has the code of its form.
+    ``disputed`` banks are taken as one address, with a warning. A refused operand has the code of its form.
     """
 
     cells: str = ""
@@ -214,7 +214,7 @@ def slot(takes: Takes, write: Callable[[Operand], Sequence[str]]) -> list[Cell]:
 
 
 def table(rows: str) -> dict[tuple[str, str], str]:
-    """Rows like ``X Y -> DH``, or ``X Y ?> DS`` for what is disputed, as pairs of kinds with their code."""
+    """Read rows like ``X Y -> DH``, or ``X Y ?> DS`` for a disputed one, as pairs of kinds with their code."""
     pairs: dict[tuple[str, str], str] = {}
     for row in rows.strip().splitlines():
         arrow, verdict = ("?>", "CG312") if "?>" in row else ("->", "")
@@ -230,6 +230,6 @@ def pairs(
     for source in sources:
         for target in targets:
             faults = [fault for fault in (takes[0].fault(source), takes[1].fault(target)) if fault]
-            # What cannot be read at all hides what is wrong otherwise.
+            # An operand that cannot be read at all hides other faults.
             faults = [fault for fault in faults if fault == "CG213"] or faults
             yield source, target, " ".join(faults) or legal.get((source.kind, target.kind), "CG305")

@@ -50,7 +50,7 @@ def _name(pair: tuple[str, str]) -> str:
 
 
 def _fits(source: str, target: str, length: int) -> bool:
-    """16 bits or 32 by what holds them, two words exactly, any number of characters."""
+    """16 bits or 32 depending on the register that holds them, two words exactly, any number of characters."""
     if (source, target) in _PACK_TEXT:
         return True
     if (source, target) in _PACK_WORDS:
@@ -61,7 +61,7 @@ def _fits(source: str, target: str, length: int) -> bool:
 def _packs(ending: str = "", token: str = "") -> Iterator[Cell]:
     for source, target, codes in pairs(_PACK, (_PACK_FROM, _PACK_TO), ranges(READ), cells(WRITTEN)):
         pair = source.bank, target.bank
-        # Also where the pair is disputed.
+        # Also if the pair is disputed.
         spaces = "allow_whitespace" in token and codes in ("", "CG312") and _name(pair) != "pack_text"
         yield action(
             f"copy_pack({source.source}, {target.source}{ending})",
@@ -97,7 +97,7 @@ def _pack_forms() -> Iterator[Cell]:
 
 
 def _options() -> Iterator[Cell]:
-    """What packs and unpacks converts nothing."""
+    """An instruction that packs or unpacks converts nothing."""
     for option in ("to_value", "to_ascii", "to_binary", "to_text", "to_text(suppress_zero=False)"):
         yield action(f"copy_pack(txt[1:5], ds[5], options={option})", codes="CG314")
         yield action(f"copy_unpack(dh[1], c[1:17], options={option})", codes="CG314")

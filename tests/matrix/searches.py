@@ -47,8 +47,8 @@ def _search(value: Operand, bank: str, codes: str = "", operator: str = "==", is
 def _found_in(value: Operand, bank: str, is_range: bool = False) -> str:
     """The codes of a value and the bank that is searched: both registers, and of one class.
 
-    A search among bits says that they are bits, of each end or of the range, and no more; what is refused as a value
-    is not of another kind too.
+    A search among bits says that they are bits, for each end or for the range, and no more; a value that is refused as
+    one is not also of another kind.
     """
     ends = 1 if is_range else 2
     faults = [_REGISTER.fault(cell(bank, 2))] * ends + [_REGISTER.fault(value)]
@@ -75,7 +75,7 @@ _OPERATORS = {"==": "eq", "!=": "ne", "<": "lt", "<=": "le", ">": "gt", ">=": "g
 
 
 def _operators() -> list[Cell]:
-    """Six operators, under two names each; of texts the two that compare for equality."""
+    """Six operators, under two names each; for texts only the two that compare for equality."""
     cells = []
     for operator, word in _OPERATORS.items():
         text_fault = "" if operator in ("==", "!=") else "CG301"

@@ -35,7 +35,7 @@ _NO_SETPOINTS = (hexadecimal(5), hex_text(5), real("1.5"), real("5.0"), text("A"
 
 
 def _timer(name: str, timer: Operand, setpoint: Operand, codes: str = "", unit: str = "") -> Cell:
-    """The retentive ones have a reset. rtof does not exist: it is a retentive on-delay and two bits, and says so."""
+    """The retentive ones have a reset. rtof does not exist: a note says it is a retentive on-delay and two bits."""
     number = timer.token.lstrip("T")
     tokens = [f"{_TIMERS[name]}(T{number},TD{number},preset={setpoint.token},unit={unit or 'Tms'})"]
     arguments = [timer.source, setpoint.source, *([unit] if unit else [])]
@@ -53,7 +53,7 @@ def _timer_matrices(name: str) -> Matrices:
     setpoints = [*addresses(numbered(3)), *_NO_SETPOINTS]
     wrong_units = ("ts", "Tus", '"Ts"', "5", "True", "c[5]")
     return {
-        # What is refused as a timer owns no number.
+        # An operand that is refused as a timer owns no number.
         f"{name} timer": [
             _timer(name, operand, integer(5), _TIMER.fault(operand))
             for operand in (*addresses(numbered(3)), *CONSTANTS)
@@ -90,7 +90,7 @@ def _counter(name: str, counter: Operand, setpoint: Operand, codes: str = "", is
 def _counter_matrices(name: str) -> Matrices:
     setpoints = [*addresses(numbered(3)), *_NO_SETPOINTS]
     return {
-        # What is refused as a counter owns no number.
+        # An operand that is refused as a counter owns no number.
         f"{name} counter": [
             *(
                 _counter(name, operand, integer(5), _COUNTER.fault(operand))
@@ -116,7 +116,7 @@ _CHAINS = [
     action("ctu(ct[1], 5).reset(c[2])", "count_up(CT1,CTD1,preset=5)", "C2", ".reset()"),
     action("ctd(ct[2], 5).reset(c[2])", "count_down(CT2,CTD2,preset=5)", "C2", ".reset()"),
     action("ctud(ct[3], 5).down(c[3]).reset(c[2])", "count_up(CT3,CTD3,preset=5)", "C3", ".down()", "C2", ".reset()"),
-    # What has no such input: a reset on ton and tof, an input down on ctu and ctd (click-facts [counter.forms]).
+    # Inputs that do not exist: a reset on ton and tof, an input down on ctu and ctd (click-facts [counter.forms]).
     *(action(f"{name}(t[4], 5).reset(c[2])", codes="CG109") for name in ("ton", "tof")),
     *(action(f"{name}(ct[4], 5).down(c[3]).reset(c[2])", codes="CG109") for name in ("ctu", "ctd")),
     *(

@@ -1,4 +1,4 @@
-"""What a check found, for GitLab, SARIF and JUnit readers."""
+"""The findings of a check for GitLab, SARIF and JUnit readers."""
 
 from __future__ import annotations
 

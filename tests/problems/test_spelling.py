@@ -1,10 +1,10 @@
-"""Which names are one by a slip of the hand, and which somebody chose."""
+"""Names that are the same but for a slip of the hand, and names that somebody chose."""
 
 from __future__ import annotations
 
 import pytest
 
-from clickgen.dialects.if_rungs.spelling import Spellings, is_slip
+from clickgen.problems.name_slips import Spellings, is_slip
 
 SLIPS = [
     ("Gaurd_Fault", "Guard_Fault"),

@@ -1,6 +1,6 @@
 """Citations of facts about CLICK, and the page that they lead to: docs/click-facts.md.
 
-Written here are examples of citations, and what must not be one; this file is left out of the search.
+This file has examples of citations and of texts that must not be one; it is left out of the search.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ _DETAIL = re.compile(r" \([^()]*\)")
 
 _MENTION = re.compile(r"click[- ]facts", re.IGNORECASE)
 _NEXT = r"(?:\s+(?:#\s+)?)"
-"""A citation may go on in the next line, of a comment as well."""
+"""A citation may continue on the next line, also in a comment."""
 _CITATION = re.compile(rf"click-facts{_NEXT}\[([^\]]*)\]")
 _PAGE_NAME = re.compile(r"click[-_]facts\.(?:md|py)")
 _FORMER = re.compile(r"\bE341\b|\bdecisions\.md|\btraps? \d|\((?:click-facts, )?sections? \d\)", re.IGNORECASE)
 
 
 class Fact(NamedTuple):
-    """One fact of the page. ``tail`` is None where it does not end with source and certainty."""
+    """One fact of the page. ``tail`` is None if it does not end with source and certainty."""
 
     group: str
     id: str
@@ -63,7 +63,7 @@ def facts_of(page: str) -> Iterator[Fact]:
 
 
 def cited_in(text: str) -> Iterator[str]:
-    """The ids of every citation. Raises ValueError for what speaks of the facts and is no citation."""
+    """The ids of every citation. Raises ValueError for a mention of the facts that is not a citation."""
     former = _FORMER.search(text)
     if former:
         raise ValueError(f"{former[0]!r} names no fact")
@@ -128,7 +128,7 @@ def test_every_fact_has_source_and_certainty() -> None:
 
 
 def test_what_nobody_says_is_assumed() -> None:
-    """Assumed is what rests on an assumption, and what rests on nothing else is assumed."""
+    """An assumed fact ends in an assumption, and a fact without another source is assumed."""
     for fact in FACTS:
         assert fact.tail is not None
         sources = _DETAIL.sub("", fact.tail["sources"]).split(", ")

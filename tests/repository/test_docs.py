@@ -1,10 +1,10 @@
-"""The pages for users say what is so: examples build, commands run, shown outputs and tables are the real ones.
+"""The pages for users are true: examples build, commands run, shown outputs and tables are the real ones.
 
-What a fenced block is, an HTML comment on the line above it says, in words separated by commas:
+An HTML comment on the line above a fenced block says what the block is, in words separated by commas:
 
     example: program      a whole program (any python block with ``def main`` is one without saying so)
     example: rung         rungs of main; ``end()`` is added
-    example: actions      what stands under a condition
+    example: actions      goes under a condition
     example: top          declarations or subroutines in front of a main
     example: table        a csv block: an address table
     example: api          Python that uses clickgen, run in the page's folder
@@ -12,14 +12,14 @@ What a fenced block is, an HTML comment on the line above it says, in words sepa
     example: rule         an example of a rule about logic, tested with the rule
     example: spec         an instruction's Spec, which the next examples of the page may use
     file: NAME            a file of the page's folder, and a program
-    ..., part             no program but a file that the next programs of the page import
-    output: PATH          lines that stand in this file of the page's folder
+    ..., part             not a program but a file that the next programs of the page import
+    output: PATH          lines of this file of the page's folder
     tokens                the ladder of the example above, in a page that is made from the code
     ..., gives CG104      the problems that an example has; without it it has none
     ..., frozen           built without choosing addresses
-    exit N                on a console block: the exit code of its last command, 0 when nothing is said
+    exit N                on a console block: the exit code of its last command, 0 if nothing is said
 
-What is made from the code is written by ``scripts/docs.py``.
+``scripts/docs.py`` writes the parts that come from the code.
 """
 
 from __future__ import annotations
@@ -183,7 +183,7 @@ def test_what_a_page_does_gives_what_it_shows(
 
 
 def _run_commands(block: Block, capfd: pytest.CaptureFixture[str]) -> None:
-    """Runs the ``$ clickgen`` lines; what follows one is all that it says, unless nothing follows."""
+    """Run the ``$ clickgen`` lines; the text after one is all of its output, unless there is none."""
     commands: list[tuple[str, list[str]]] = []
     for line in block.text.rstrip("\n").split("\n"):
         if line.startswith("$ "):
@@ -275,7 +275,7 @@ def test_source_files_that_pages_name_exist() -> None:
 
 @pytest.mark.parametrize("code", [code for code in CODES if not code.startswith("CG5")])
 def test_an_example_of_a_problem_gives_it(code: str) -> None:
-    """Those of the rules about logic are tested where the rules are."""
+    """Those of the rules about logic are tested with the rules."""
     blocks = list(blocks_of(PROBLEM_PAGES / f"{code}.md"))
     assert all(code in block.codes for block in blocks if block.codes), code
 

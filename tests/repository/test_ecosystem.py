@@ -1,4 +1,4 @@
-"""What other tools read of this repository: the GitHub action, the problem matcher, the examples for pipelines."""
+"""The files of this repository for other tools: the GitHub action, the problem matcher, the examples for pipelines."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ MATCHER = PROJECT / ".github" / "clickgen-problem-matcher.json"
 
 
 def validate(schema: str, text: str, folder: Path) -> None:
-    """Hold YAML against a schema that comes with check-jsonschema, or as pre-commit does it."""
+    """Validate YAML against a schema that comes with check-jsonschema, or as pre-commit does it."""
     path = folder / "example.yml"
     path.write_text(text, "utf-8")
     tool = ["check_jsonschema", "--builtin-schema", f"vendor.{schema}"]
@@ -60,7 +60,7 @@ def flags_of(command: str) -> set[str]:
 
 
 def check_command(words: list[str]) -> None:
-    """A command line that stands somewhere: its flags are there, its format is one."""
+    """A command line anywhere: its flags exist, and so does its format."""
     assert {word for word in words if word.startswith("--")} <= flags_of(words[1]), words
     if "--output-format" in words:
         assert words[words.index("--output-format") + 1] in FORMATS
@@ -74,7 +74,7 @@ def test_the_action_keeps_to_the_schema(tmp_path: Path) -> None:
 
 
 def expressions(tree: object) -> Iterator[str]:
-    """Everything in ``${{ }}``, and the conditions, which stand without."""
+    """Everything in ``${{ }}``, and the conditions, which have no braces."""
     if isinstance(tree, dict):
         yield from (tree[key] for key in ("if",) if key in tree)
         for value in tree.values():
@@ -241,7 +241,7 @@ LEVELS = {"error": Severity.ERROR, "warning": Severity.WARNING, "notice": Severi
 
 
 def matches(line: str) -> list[dict[str, Any]]:
-    """What a runner makes of a line: IssueMatcher.cs of https://github.com/actions/runner."""
+    """A runner's reading of a line: IssueMatcher.cs of https://github.com/actions/runner."""
     found = []
     for matcher in MATCHERS:
         (pattern,) = matcher["pattern"]
@@ -330,7 +330,7 @@ FILES = {
     "# .gitlab-ci.yml": "gitlab-ci",
     "# azure-pipelines.yml": "azure-pipelines",
 }
-"""The first line of an example, which names the file it belongs into, and its schema."""
+"""The first line of an example, which names the file it belongs in, and its schema."""
 
 
 @pytest.mark.parametrize("block", YAML, ids=lambda block: block.head)

@@ -17,7 +17,7 @@ from clickgen.cli.parser import parse
 PROJECT = Path(__file__).parents[2]
 HOOKS = PROJECT / ".pre-commit-hooks.yaml"
 PACKAGE = ("pyproject.toml", "README.md", "LICENSE", ".pre-commit-hooks.yaml", "clickgen", "grammar", "docs")
-"""What installing from a clone needs."""
+"""The files that installing from a clone needs."""
 
 GOOD = """\
 nickname(y.Door, y[1])

@@ -14,7 +14,7 @@ DEMO = PROJECT / "fixtures" / "cases" / "demo"
 
 
 def run(*command: str | Path, cwd: Path) -> str:
-    # Without what the test environment says about Python, as on a user's machine.
+    # Without the test environment's variables for Python, as on a user's machine.
     environ = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "VIRTUAL_ENV"))}
     done = subprocess.run(command, cwd=cwd, env=environ, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -1,4 +1,4 @@
-"""Which addresses new names and scratch cells get, and what is written to the table."""
+"""The addresses that new names and scratch cells get, and the rows that are written to the table."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def test_declared_addresses_are_not_free(desk: Desk) -> None:
     ],
 )
 def test_addresses_that_the_program_uses_by_number_are_not_free(desk: Desk, action: str, chosen: str) -> None:
-    """Wherever the number stands, be it behind the name in the program."""
+    """Wherever the number is, even after the name in the program."""
     result = desk.good(f"if re(x[1]):\n    copy(ds.New, dd[9])\nif re(x[1]):\n    {action}")
     assert new(result)["New"] == chosen
 

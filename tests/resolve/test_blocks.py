@@ -115,7 +115,7 @@ def test_a_list_of_outputs_takes_a_block(tmp_path: Path) -> None:
         ("copy_block(ds.Recipe[::2], ds[1])", "CG214", "every address"),
         ("copy(ds.Recipe[-1], ds[1])", "CG214", "counted from 0"),
         ("copy(ds.Recipe[ds.I], ds[1])", "CG214", "a pointer cannot count inside ds.Recipe"),
-        ('calc("ds.Recipe[ds.I] + 1", ds[1])', "CG214", "a pointer cannot count inside a block"),
+        ('calc("ds.Recipe[ds.I] + 1", ds[1])', "CG214", "a pointer cannot count inside ds.Recipe"),
         ('calc("ds.Recipe[10] + 1", ds[1])', "CG214", "ds.Recipe has 10 members"),
         ('calc("ds.Recipe + 1", ds[1])', "CG214", "ds.Recipe is a block of 10 where one address stands"),
         ('calc("ds.Recipe[0:3] + 1", ds[1])', "CG116", "a range has a place only in SUM"),
@@ -266,7 +266,7 @@ def test_a_mark_is_what_pyclickplc_takes_for_one(comment: str) -> None:
 def test_a_fix_does_not_take_a_block_of_elsewhere_for_a_bit(
     where: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """``not c.Flags`` is not ``nc(c.Flags)`` where Flags are several bits."""
+    """``not c.Flags`` is not ``nc(c.Flags)`` if Flags are several bits."""
     monkeypatch.chdir(tmp_path)
     text = "def main():\n    if not c.Flags:\n        out(y[1])\n    if True:\n        end()\n"
     if where == "wiring":

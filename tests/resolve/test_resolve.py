@@ -1,4 +1,4 @@
-"""Where an address comes from (docs/language.md, "Addresses"), through whole builds."""
+"""The source of an address (docs/language.md, "Addresses"), through whole builds."""
 
 from __future__ import annotations
 

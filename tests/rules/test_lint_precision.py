@@ -1,7 +1,7 @@
 """The rules that are on by default say what they should of whole programs, and nothing else.
 
-The programs of ``fixtures/lint`` are good practice but for the defects that ``# <- CG502`` marks. The cases of
-``fixtures/cases`` show features, so they hold findings; each of them was looked at and is right.
+The programs of ``fixtures/lint`` are good practice except for the defects that ``# <- CG502`` marks. The cases of
+``fixtures/cases`` show features, so they have findings; each of them was reviewed and is right.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import golden
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from test_lint import program_of
+from test_examples import program_of
 from test_spec_example import SPECIFICATION
 
 from clickgen.api import check
@@ -72,11 +72,11 @@ GOLDEN: dict[str, dict[str, tuple[int, ...]]] = {
     "wide_and_tall": {"CG513": (45,)},
 }
 """The findings of the golden cases, as lines by case and code: latches with one half, timers looked at without their
-instruction, counters on levels, and what else an example leaves out that shows one thing."""
+instruction, counters on levels, and everything else that an example of one thing leaves out."""
 
 
 def findings(program: Path, only_default: bool = True) -> Counter[tuple[str, int]]:
-    """What the rules about logic find, as code and line of the program's own file; any error fails."""
+    """The findings of the rules about logic, as code and line of the program's own file; any error fails."""
     result = check(program)
     assert not [problem for problem in result.diagnostics if problem.is_error]
     return Counter(
@@ -121,7 +121,7 @@ def test_the_specification_s_example(tmp_path: Path) -> None:
     blocks = re.findall(r"^```python\n(.*?)^```", SPECIFICATION.read_text("utf-8"), re.DOTALL | re.MULTILINE)
     program = tmp_path / "prog.py"
     program.write_text(blocks[-1], "utf-8")
-    # A counter that counts down on a level, an edge where only one mode looks, and a cycle that nothing ends.
+    # A counter that counts down on a level, an edge that only one mode looks at, and a cycle that nothing ends.
     assert findings(program) == Counter(
         {("CG513", 32): 1, ("CG514", 94): 1, ("CG502", 95): 1, ("CG528", 63): 1, ("CG545", 98): 1}
     )
@@ -164,7 +164,7 @@ def main():
 @pytest.mark.parametrize(
     ("imported", "found"),
     [
-        # What the other subroutine needs is not known, so no name of its file is accused.
+        # Nobody knows what the other subroutine needs, so no name of its file is accused.
         ("fill", []),
         ("fill, empty", [("CG506", "parts.py", 3), ("CG515", "parts.py", 15)]),
     ],
@@ -186,7 +186,7 @@ def test_shared_files_are_judged_only_as_a_whole(
 
 
 def _snippets() -> list[tuple[str, str, str]]:
-    """Code, title and text of each: what looks like a defect and is none, and what does not hide one."""
+    """Code, title and text of each: code that looks like a defect but is none, and code that does not hide one."""
     text = (FIXTURES / "snippets.txt").read_text("utf-8")
     split = [snippet.strip().partition("\n") for snippet in text.split("---\n")]
     return [(head[:5], head[6:], text) for head, _, text in split]

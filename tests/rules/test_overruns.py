@@ -1,4 +1,4 @@
-"""Texts that run past TXT1000, past their block or over another name: said where it can happen, and only there."""
+"""Texts that run past TXT1000, past their block or over another name: reported if it can happen, and only then."""
 
 from __future__ import annotations
 

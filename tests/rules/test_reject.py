@@ -1,4 +1,4 @@
-"""Every problem code has a program that calls it forth: that code at that place, with a way out, nothing written."""
+"""Every problem code has a program that provokes it: that code at that place, with a way out, nothing written."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ import clickgen
 from clickgen.cli import main
 from clickgen.problems.codes import CODES, Severity
 from clickgen.problems.diagnostics import Diagnostic
-from clickgen.rules.advice import RULES as LINT_RULES
+from clickgen.rules.registry import Folder, rules
 from clickgen.text.source import Span
 
 REJECT = Path(__file__).parents[2] / "fixtures" / "reject"
 PROGRAM, TABLE = "prog.py", "nicknames.csv"
 LIST, WORKBOOK = "io.csv", "io.xlsx"
-"""A workbook stands in a fixture as the rows of its one sheet."""
+"""A fixture holds a workbook as the rows of its one sheet."""
 
 _EXPECT = re.compile(r"# expect: ((?:CG\d{3} (?:\w+\.\w+:)?\d+:\d+(?:, )?)+)\n")
 _FLAGS = re.compile(r"^# flags: (\w+)$", re.MULTILINE)
@@ -100,7 +100,7 @@ each_fixture = pytest.mark.parametrize("name", _names())
 def test_every_code_has_a_fixture_and_every_fixture_a_code() -> None:
     # The rules about logic have their examples in their own files; import, comments that silence, programs that cannot
     # be judged and names that left a program are tested with these.
-    elsewhere = {rule.code for rule in LINT_RULES} | {"CG140", "CG525", "CG541"}
+    elsewhere = {code.name for rule in rules(Folder.ADVICE) for code in rule.codes} | {"CG140", "CG525", "CG541"}
     wanted = {code for code in CODES if code not in elsewhere and not code.startswith("CG7")}
     assert {_code(name) for name in _names()} == wanted
 

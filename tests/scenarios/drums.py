@@ -1,4 +1,4 @@
-"""Drum sequencers. What they hold before their first reset, and after their last step, no source says.
+"""Drum sequencers. No source says what they hold before their first reset and after their last step.
 
 click-facts [drum.work]
 """
@@ -164,7 +164,7 @@ DRUMS: tuple[Scenario, ...] = (
         if ds[1] == 2:
             calc("ds[3] + 1", ds[3])
         """,
-        # C20 comes on in this rung: the drum is reset in the first scan still.
+        # C20 comes on in this rung: the drum is still reset in the first scan.
         scans(1, C1=1, DS1=2).give(DS1=1, Y001=[1, 0], C20=1, DS2=1, DS3=0),
         scans(1).give(DS1=1, DS2=1, DS3=0),
         scans(1, C3=1).give(DS1=2, Y001=[0, 1], DS2=1, DS3=1),
@@ -185,7 +185,7 @@ DRUMS: tuple[Scenario, ...] = (
         scans(1).give(C9=1),
         scans(1, C6=1).give(DS1=1, TD1=0, Y001=[1, 0], C9=0),
         scans(2, C6=0).give(DS1=2, Y001=[0, 1], C9=0),
-        # Without power its time stands still.
+        # Without power its time does not advance.
         scans(5, C1=0).give(DS1=2, C9=0),
     ),
     scenario(

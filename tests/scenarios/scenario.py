@@ -10,12 +10,12 @@ from judges.simulator import Value
 from pyclickplc.addresses import format_address_display, parse_address
 
 Cell = Value | Sequence[Value]
-"""What one address holds; a list, or a text longer than one character, fills the addresses behind it too."""
+"""The content of one address; a list, or a text longer than one character, also fills the addresses after it."""
 
 
 @dataclass(frozen=True)
 class Disagreement:
-    """pyrung does something else than docs/click-facts.md says, which clickgen follows."""
+    """pyrung differs from docs/click-facts.md, which clickgen follows."""
 
     address: str
     click: Value
@@ -37,7 +37,7 @@ class Step:
         return replace(self, expected=dict(_single(cells)))
 
     def but_pyrung(self, reason: str, **cells: Cell) -> Step:
-        """Where pyrung disagrees with what ``give`` says, and why."""
+        """Where pyrung disagrees with ``give``, and why."""
         found = [Disagreement(address, self.expected[address], value, reason) for address, value in _single(cells)]
         assert all(one.click != one.pyrung for one in found), "where both agree there is no disagreement"
         return replace(self, disagreements=self.disagreements + tuple(found))
@@ -63,9 +63,9 @@ class Scenario:
     ms: float
     """The time of a scan."""
     pyrung_cannot: str
-    """What pyrung says when it refuses to read the ladder."""
+    """The message with which pyrung refuses to read the ladder."""
     ends_return: bool
-    """Its steps are run with main as a subroutine and its ends as returns; otherwise, when pyrung refuses, not."""
+    """Run it with main as a subroutine and its ends as returns; otherwise, if pyrung refuses, it does not run."""
 
     @property
     def program(self) -> str:

@@ -1,5 +1,5 @@
-"""Random programs: small models of what was generated, their text in the language, and strategies over them.
+"""Random programs: small models of the generated programs, their text in the language, and strategies for them.
 
-Nothing here uses clickgen: tokens and meanings are written down once more, from docs/language.md and
+Nothing here uses clickgen: tokens and meanings are written down again, from docs/language.md and
 docs/click-facts.md.
 """

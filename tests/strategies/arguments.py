@@ -1,4 +1,4 @@
-"""How arguments are written: in places or by name, lists, options; and the same in the ladder."""
+"""How arguments are written: by position or by name, lists, options; and the same in the ladder."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from strategies.conditions import ladder_name
 
 Shown = tuple[str, str]
-"""Something in the source and in the ladder's token."""
+"""A text in the source, and in the ladder's token."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ def given(name: str, text: str | None, *aliases: str) -> Given:
 
 
 def called(draw: st.DrawFn, name: str, arguments: Sequence[Given]) -> str:
-    """A call with its first arguments in their places and the others by name, in either order."""
+    """Return a call with its first arguments by position and the others by name, in either order."""
     in_place = next((n for n, one in enumerate(arguments) if one.text is None), len(arguments))
     count = draw(st.integers(0, in_place))
     named = [f"{draw(st.sampled_from(one.names))}={one.text}" for one in arguments[count:] if one.text is not None]
@@ -47,7 +47,7 @@ def cell(bank: str, number: int) -> Shown:
 
 
 def span(bank: str, first: int, length: int) -> Shown:
-    """A range of so many addresses."""
+    """A range of this many addresses."""
     token = f"{ladder_name(bank, first)}..{ladder_name(bank, first + length - 1)}"
     return f"{bank.lower()}[{first}:{first + length}]", token
 
@@ -61,7 +61,7 @@ def sequence(draw: st.DrawFn, texts: Sequence[str]) -> str:
 
 
 def bit_list(draw: st.DrawFn, bits: Sequence[tuple[str, int]]) -> Shown:
-    """Bits in a list; runs of neighbours may stand as a slice, and one run alone without a list."""
+    """Bits in a list; runs of neighbours may be a slice, and a single run needs no list."""
     texts: list[str] = []
     at = 0
     slices = draw(st.booleans())
@@ -81,5 +81,5 @@ def bit_list(draw: st.DrawFn, bits: Sequence[tuple[str, int]]) -> Shown:
 
 
 def _is_unbroken(bank: str, first: int, length: int) -> bool:
-    """X and Y have gaps behind each sixteen."""
+    """X and Y have gaps after each sixteen."""
     return bank not in ("X", "Y") or (first - 1) % 20 + length <= 16

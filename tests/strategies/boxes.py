@@ -13,24 +13,24 @@ from strategies.programs import WAYS, Act, Pin
 
 @dataclass(frozen=True)
 class Input:
-    """An input that a box can have: what leaving it out means, and the step of a jump as the ladder says it."""
+    """An input that a box can have: the meaning of leaving it out, and the ladder's text for the step of a jump."""
 
     name: str
     left_out: str = "never"
-    """"never": the never-contact stands there; "absent": the box does not have it; "": it cannot be left out."""
+    """"never": the never-contact is there; "absent": the box does not have it; "": it cannot be left out."""
     step: str = ""
 
 
 @dataclass(frozen=True)
 class Box:
-    """A box without its inputs; ``{}`` in its texts stands for a timer's or counter's number."""
+    """A box without its inputs; ``{}`` in its texts is the number of a timer or counter."""
 
     act: Act
     inputs: tuple[Input, ...]
 
     @property
     def bottom(self) -> Input:
-        """The only input below which there is room for legs."""
+        """The only input with room for legs below it."""
         return self.inputs[-1]
 
 
@@ -94,7 +94,7 @@ _EVENTS += [("T", 500), ("CT", 1), ("CT", 250), ("SC", 1), ("SC", 2), ("SC", 100
 
 @dataclass(frozen=True)
 class DrumCells:
-    """What a drum may be drawn over."""
+    """The cells that a drum may use."""
 
     outputs: tuple[tuple[str, int], ...] = tuple(_OUTPUTS)
     events: tuple[tuple[str, int], ...] = tuple(_EVENTS)

@@ -1,4 +1,4 @@
-"""Broken programs: one step away from valid, with changed tokens and lines, sound Python without sense, noise."""
+"""Broken programs: one step away from valid, with changed tokens and lines, valid Python without sense, noise."""
 
 from __future__ import annotations
 
@@ -132,7 +132,7 @@ def changed(text: str, todo: list[Change]) -> str:
         at = number % len(parts)
         one = parts[at]
         if kind == "alike":
-            # The next token of the same kind, so that what comes out is mostly Python still.
+            # The next token of the same kind, so that the result is mostly still Python.
             alike = [index for index, part in enumerate(parts) if _kind(part)]
             if alike:
                 at = alike[number % len(alike)]
@@ -203,7 +203,7 @@ _KEYWORDS = split(
 
 @st.composite
 def sound_python(draw: st.DrawFn) -> Given:
-    """Programs that Python reads: instructions with arguments of any kind, rungs in rungs, loops, declarations."""
+    """Programs that Python reads: instructions with arguments of any kind, nested rungs, loops, declarations."""
     expression = _expressions()
     pins = expression.map("lambda: {}".format)
 

@@ -1,4 +1,4 @@
-"""Conditions: contacts, ranges, comparisons, ``all`` and ``any``, with when they hold and the room they take."""
+"""Conditions: contacts, ranges, comparisons, ``all`` and ``any``, with when they hold and how much room they take."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def ladder_name(bank: str, number: int) -> str:
 
 
 def written(name: str) -> str:
-    """A ladder name as the program writes it: ``X001`` is ``x[1]``."""
+    """Return a ladder name as the program writes it: ``X001`` is ``x[1]``."""
     bank = name.rstrip("0123456789")
     return f"{bank.lower()}[{int(name[len(bank) :])}]"
 
@@ -63,7 +63,7 @@ class BitRange:
 
 @dataclass(frozen=True)
 class Compare:
-    """A comparison: ``leaf`` is the ladder's token, ``text`` what the program says."""
+    """A comparison: ``leaf`` is the ladder's token, ``text`` the program's text."""
 
     leaf: str
     text: str
@@ -83,7 +83,7 @@ class Group:
 
 @dataclass(frozen=True)
 class Logic:
-    """What the language does not have: conditions under one of Python's own operators."""
+    """Conditions that the language does not have: those under one of Python's own operators."""
 
     operator: str
     terms: tuple[Condition, ...]
@@ -107,7 +107,7 @@ ALWAYS = Always()
 
 
 def leaves(condition: Condition) -> Iterator[Leaf]:
-    """Every contact and comparison in source order, ranges taken apart."""
+    """Every contact and comparison in source order, ranges divided into bits."""
     if isinstance(condition, Group | Logic):
         for term in condition.terms:
             yield from leaves(term)
@@ -118,7 +118,7 @@ def leaves(condition: Condition) -> Iterator[Leaf]:
 
 
 def solve(condition: Condition, sets: Mapping[str, int], full: int) -> int:
-    """In which of the situations of ``full`` the condition holds; ``sets`` says it of each leaf."""
+    """The situations of ``full`` in which the condition holds; ``sets`` has those of each leaf."""
     if isinstance(condition, Always):
         return full
     if isinstance(condition, Group):
@@ -139,7 +139,7 @@ def solve(condition: Condition, sets: Mapping[str, int], full: int) -> int:
 
 
 def size(condition: Condition) -> tuple[int, int]:
-    """Columns and rows that a condition takes when it is drawn."""
+    """Columns and rows that a condition takes when drawn."""
     if isinstance(condition, Group):
         sizes = [size(term) for term in condition.terms]
         widths, heights = [one[0] for one in sizes], [one[1] for one in sizes]
@@ -164,7 +164,7 @@ T = TypeVar("T")
 
 
 def weighted(*choices: tuple[int, st.SearchStrategy[T]]) -> st.SearchStrategy[T]:
-    """One of some strategies, each as often as its weight says; the first is the simplest."""
+    """One of some strategies, each as often as its weight; the first is the simplest."""
     indices = [index for index, (weight, _) in enumerate(choices) for _ in range(weight)]
     return st.sampled_from(indices).flatmap(lambda index: choices[index][1])
 
@@ -240,7 +240,7 @@ def conditions(
     always: bool = False,
     groups_weight: int = 1,
 ) -> st.SearchStrategy[Condition]:
-    """Trees of ``all`` and ``any``, also of a single term and of their own kind inside."""
+    """Trees of ``all`` and ``any``, also with a single term or with their own kind inside."""
     tree = leaf
     for _ in range(depth):
         groups = st.builds(
@@ -256,6 +256,6 @@ any_leaves: st.SearchStrategy[Condition] = st.one_of(
 
 
 def few_leaves(count: int) -> st.SearchStrategy[st.SearchStrategy[Condition]]:
-    """A strategy over a pool of at most so many different leaves, so that all their situations can be tried."""
+    """A strategy over a pool of at most this many different leaves, so that all their situations can be tried."""
     pools = st.lists(any_leaves, min_size=min(6, count), max_size=count, unique=True)
     return pools.map(st.sampled_from)

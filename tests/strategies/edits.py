@@ -1,4 +1,4 @@
-"""Programs that are edited step by step, with names that clickgen places and needs of scratch cells."""
+"""Programs edited step by step, with names that clickgen places and needs for scratch cells."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ RUNGS: tuple[str, ...] = (
 PLAIN, SCRATCH = range(3), (3, 4, 5, 7, 12, 15, 16)
 """Forms that need no scratch cells, and some that do."""
 MESSAGES = tuple(form for form, text in enumerate(RUNGS) if "send(" in text or "receive(" in text)
-"""Forms whose cells change in their own time, so that every routine that looks at them keeps what it saw."""
+"""Forms whose cells change in their own time, so every routine that looks at them keeps what it saw."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class Piece:
 
 @dataclass
 class Draft:
-    """A program under way; its subroutine may stand in a file of its own."""
+    """A program being edited; its subroutine may be in a file of its own."""
 
     pieces: list[Piece] = field(default_factory=list)
     routine: list[Piece] = field(default_factory=list)
@@ -131,7 +131,7 @@ def edit(data: st.DataObject, draft: Draft, numbers: Iterator[int]) -> None:
 
 
 def random_draft(seed: int) -> dict[str, str]:
-    """The files of a program that depends on the seed alone."""
+    """The files of a program that depends only on the seed."""
     chance = random.Random(seed)
 
     def some(first: int) -> list[Piece]:

@@ -1,4 +1,4 @@
-"""Builds that are given as files: programs that are whole, to begin with."""
+"""Builds given as files, starting with complete programs."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Given(ShownAsText):
 
     @property
     def text(self) -> str:
-        """For people."""
+        """The text for people."""
         (_, first), *more = self.files
         shown = first.decode("utf-8", "backslashreplace")
         for name, data in more:

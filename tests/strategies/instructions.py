@@ -54,7 +54,7 @@ _CODES: tuple[Shown, ...] = (('"$0D"', "$0D"), ("13", "$0D"), ('"A"', "$41"), ("
 
 
 def _place(draw: st.DrawFn, bank: str) -> Shown:
-    """An address, or now and then a pointer."""
+    """An address, or sometimes a pointer."""
     if bank in _POINTED and draw(st.integers(0, 4)) == 0:
         number = draw(st.integers(1, 9))
         return f"{bank.lower()}[ds[{number}]]", f"{bank}[DS{number}]"
@@ -62,7 +62,7 @@ def _place(draw: st.DrawFn, bank: str) -> Shown:
 
 
 def _text_settings(draw: st.DrawFn, bank: str, is_modifier: bool) -> Shown:
-    """The settings of a number's text: those given in the source, all three in the token."""
+    """The settings of a number's text: in the source those given, in the token all three."""
     settings: list[str] = []
     suppress, exponential = "1", "0"
     kind = draw(st.sampled_from(("", "suppress", "zeros", "pad", "exponential")))
@@ -89,7 +89,7 @@ def _text_settings(draw: st.DrawFn, bank: str, is_modifier: bool) -> Shown:
 
 @st.composite
 def converting_copies(draw: st.DrawFn) -> Act:
-    """Copies that convert, with ``options=`` or with the modifier behind the source that means the same."""
+    """Copies that convert, with ``options=`` or with the equivalent modifier after the source."""
     name = draw(st.sampled_from(("value", "ascii", "binary", "text")))
     is_modifier = draw(st.booleans())
     to_text = name in ("binary", "text")
@@ -152,7 +152,7 @@ def searches(draw: st.DrawFn) -> Act:
     arguments += [given("result", result[0], "result_address"), given("flag", found[0], "found", "result_flag")]
     is_continuous = draw(st.booleans())
     if arguments[0].names == ("comparison",):
-        # The comparison itself has no name that a program would write.
+        # A program would write no name for the comparison itself.
         head, tail = (
             f"search({arguments[0].text}, ",
             called(draw, "", [*arguments[1:], *_flags(is_continuous, oneshot)]),

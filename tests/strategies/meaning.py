@@ -28,12 +28,12 @@ from strategies.programs import Act, Branch, Item, Loop, Program, Rung
 
 @dataclass(frozen=True)
 class World:
-    """What a program for the scan tests may look at."""
+    """The addresses that a program for the scan tests may look at."""
 
     flags: bool = False
-    """Conditions may read the status bits that copies and formulas set; then clickgen may need no copy of its own."""
+    """Conditions may read the status bits that copies and formulas set; then clickgen must need no copy of its own."""
     immediates: str = "anywhere"
-    """Where immediate contacts may stand: "anywhere", "rungs" (a rung's first condition only) or "nowhere"."""
+    """Where immediate contacts may be: "anywhere", "rungs" (a rung's first condition only) or "nowhere"."""
 
 
 BOX_NUMBERS = {"T": (11, 12, 15), "CT": (13, 14)}
@@ -112,7 +112,7 @@ WORLD_COUNTS = (
     Act('calc("ctd[13] + 1", td[11])', "math(CTD13 + 1,TD11,mode=decimal)"),
     Act("copy(ds[1], td[ds[2]])", "copy(DS1,TD[DS2])", 2),
 )
-"""What writes current values of timers and counters."""
+"""Instructions that write current values of timers and counters."""
 WORLD_TEXTS = (
     Act('copy("10", txt[1])', 'copy("10",TXT1)', 2),
     Act("copy(ds[1].as_text(), txt[1])", f"copy(DS1,TXT1,{_TO_TEXT.format(1, 'none')})", 2),
@@ -179,7 +179,7 @@ def world_drums(world: World) -> st.SearchStrategy[Box]:
 
 @st.composite
 def large_conditions(draw: st.DrawFn, leaf: st.SearchStrategy[Condition]) -> Condition:
-    """More than 31 columns or 32 rows, of few different leaves so that it is not always false or always true."""
+    """More than 31 columns or 32 rows, with few different leaves so that it is not always false or always true."""
     pool = draw(st.lists(leaf, min_size=1, max_size=3))
     some = st.sampled_from(pool)
     word, other = draw(st.sampled_from((("all", "any"), ("any", "all"))))
@@ -226,7 +226,7 @@ def _world_items(world: World, place: str, large: bool) -> st.SearchStrategy[Run
     leaves_if: st.SearchStrategy[Item] = st.builds(lambda one, act: Branch(one, (act,)), branch, leave)
     item = weighted((5, plain), (4, box), (1, leave), (1, leaves_if))
 
-    # Something that changes or leaves, and behind it something that a split could be wrong about.
+    # Something that changes or leaves, and after it something that a split could get wrong.
     then = weighted((3, box), (1, st.builds(lambda one, act: Branch(one, (act,)), branch, box)))
     two = st.tuples(weighted((2, plain), (1, drum), (2, leaves_if), (1, leave)), then)
 
@@ -246,7 +246,7 @@ def _world_items(world: World, place: str, large: bool) -> st.SearchStrategy[Run
 
 
 def _numbered(program: Program) -> Program:
-    """The same program with a number for each timer, counter and drum; those beyond what there is become coils."""
+    """Return the program with a number for each timer, counter and drum; those beyond the last number become coils."""
     free = {bank: list(numbers) for bank, numbers in BOX_NUMBERS.items()}
     off_delays: list[int] = []
 
@@ -275,7 +275,7 @@ def _numbered(program: Program) -> Program:
 
 
 _FILES: Sequence[tuple[str, str]] = (("", ""), ("", ""), ("", ""), ("parts", ""), ("parts", "parts"), ("parts", "more"))
-"""Where the two subroutines stand."""
+"""The files of the two subroutines."""
 
 
 def meaning_programs(immediate_places: str = "anywhere", large: bool = True) -> st.SearchStrategy[Program]:

@@ -1,4 +1,4 @@
-"""Programs with something to mend: else and elif, Python's operators, terms said twice, and what other rules find."""
+"""Programs to be fixed: else and elif, Python's operators, repeated terms, and findings of other rules."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ NAMES = {
     "ct[13]": ("ct.Count",),
     "ctd[13]": ("ctd.Count",),
 }
-"""Other words for some addresses."""
+"""Names for some addresses."""
 TABLE = """\
 Address,Data Type,Nickname,Initial Value,Retentive,Address Comment
 C1,BIT,"First",0,No,"<Bits>"
@@ -58,7 +58,7 @@ DS3,INT,"",0,Yes,"</Row>"
 
 @dataclass(frozen=True)
 class Mending(ShownAsText):
-    """A program with something to mend, and the words for its addresses."""
+    """A program to be fixed, and the words for its addresses."""
 
     program: Program
     words: tuple[tuple[str, str], ...] = ()
@@ -78,7 +78,7 @@ class Mending(ShownAsText):
 
     @property
     def meant(self) -> Program:
-        """What the person means, in the language: the arms of an if are branches that exclude each other."""
+        """The person's meaning, in the language: the arms of an if are branches that exclude each other."""
         program = self.program
         routines = tuple((name, _meant_rungs(rungs)) for name, rungs in program.subroutines)
         return Program(_meant_rungs(program.main), routines, program.modules, program.wiring)
@@ -140,7 +140,7 @@ def _groups(inner: st.SearchStrategy[Condition]) -> st.SearchStrategy[Condition]
 
 
 PLAIN: st.SearchStrategy[Condition] = st.recursive(LEAVES, _groups, max_leaves=5)
-"""In the language; terms stand in it twice."""
+"""Conditions in the language, with repeated terms."""
 WRONG: st.SearchStrategy[Condition] = st.recursive(
     LEAVES, lambda inner: st.one_of(_logic(inner), _logic(inner), _groups(inner)), max_leaves=5
 )

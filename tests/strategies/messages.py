@@ -68,7 +68,7 @@ def _remote(draw: st.DrawFn, word: str, is_bits: bool) -> tuple[str, str]:
 
 
 def _own(draw: st.DrawFn, word: str, is_bits: bool, short: bool) -> Shown:
-    """What is sent or filled; not ``short``: up to as much as one request moves."""
+    """The cells that are sent or filled; unless ``short``, up to as many as one request moves."""
     bank = draw(st.sampled_from((_OWN_BITS if is_bits else _OWN_WORDS)[word]))
     if bank in ("XD", "YD"):
         return cell(bank, draw(st.integers(0, 8)))
@@ -77,7 +77,7 @@ def _own(draw: st.DrawFn, word: str, is_bits: bool, short: bool) -> Shown:
     if bank in ("C", "DS", "DD") and not short and draw(st.integers(0, 4)) == 0:
         return span(bank, 1, _MOST[word, is_bits] // _WORDS.get(bank, 1))
     first, length = draw(st.integers(1, 5)), draw(st.integers(1, 8))
-    # Of a range of one address laddercodec keeps the address alone.
+    # For a range of one address laddercodec keeps only the address.
     return span(bank, first, length) if length > 1 else (span(bank, first, 1)[0], cell(bank, first)[1])
 
 
@@ -87,7 +87,7 @@ def messages(draw: st.DrawFn) -> Act:
     word = draw(st.sampled_from(("send", "receive")))
     is_bits = draw(st.booleans())
     target, remote = _target(draw, word), _remote(draw, word, is_bits)
-    # In another CLICK too the range stays inside its bank, and X and Y have a gap behind the first 16.
+    # In another CLICK too the range stays inside its bank, and X and Y have a gap after the first 16.
     own_text, own = _own(draw, word, is_bits, short=remote[0].startswith('"'))
     name, busy = ("source", "sending") if word == "send" else ("dest", "receiving")
     arguments: list[Given] = [given("target", target[0]), given("remote_start", remote[0]), given(name, own_text)]

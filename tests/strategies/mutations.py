@@ -1,4 +1,4 @@
-"""One step away from valid: changes of a program's text at the places that its grammar has."""
+"""One step away from valid: changes to a program's text at the places of its grammar."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from strategies.words import (
 )
 
 Change = Callable[[Source, Random], str | None]
-"""The changed text, or None where there is nothing to change."""
+"""Returns the changed text, or None if there is nothing to change."""
 
 
 def _one(source: Source, draw: Random, nodes: Sequence[ast.AST], new: Callable[[str], str]) -> str | None:
@@ -126,7 +126,7 @@ def other_operand(source: Source, draw: Random) -> str | None:
 
 
 def operand_from_here(source: Source, draw: Random) -> str | None:
-    """An operand becomes one that stands elsewhere in the program."""
+    """Replace an operand by one from elsewhere in the program."""
     nodes = source.every(ast.Subscript, ast.Attribute, ast.Constant, ast.Call, ast.Compare)
     return _one(source, draw, nodes, lambda _: source.of(draw.choice(nodes)))
 
@@ -165,7 +165,7 @@ def other_operator(source: Source, draw: Random) -> str | None:
 
 
 def names_for_numbers(source: Source, draw: Random) -> str | None:
-    """All addresses of a bank by names: ``c[1]`` becomes ``c.c_1``, which clickgen then places."""
+    """Write all addresses of a bank as names: ``c[1]`` becomes ``c.c_1``, which clickgen then places."""
     bank = draw.choice(BANKS[:12])
     text = re.sub(rf"\b{bank}\[(\d+)\]", rf"{bank}.{bank}_\1", source.text)
     return text if text != source.text else None
@@ -203,7 +203,7 @@ def other_quotes(source: Source, draw: Random) -> str | None:
 
 
 def other_text(source: Source, draw: Random) -> str | None:
-    """A character more, less, doubled or another one, inside the quotes: formulas, texts, addresses."""
+    """Add, remove, double or replace a character inside the quotes: formulas, texts, addresses."""
 
     def new(text: str) -> str:
         at = draw.randrange(1, max(2, len(text) - 1))
@@ -216,7 +216,7 @@ def other_text(source: Source, draw: Random) -> str | None:
 
 
 def other_list(source: Source, draw: Random) -> str | None:
-    """A list that is empty, nested, longer, shorter, of another kind."""
+    """Make a list empty, nested, longer, shorter or of another kind."""
     nodes = [node for node in source.nodes if isinstance(node, ast.List | ast.Tuple)]
     if not nodes:
         return None
@@ -255,7 +255,7 @@ def _links(source: Source) -> list[tuple[ast.Call, Span]]:
 
 
 def chain(source: Source, draw: Random) -> str | None:
-    """One more method behind a call."""
+    """Add a method after a call."""
     condition = draw.choice((*OPERANDS, "c[1]", "c[1], c[2]", "(c[1], c[2])", "[c[1]]", "(c[1]), step=2", ""))
     link = f".{draw.choice(METHODS)}({condition})"
     return _one(source, draw, source.calls(), lambda text: text + link)
@@ -275,7 +275,7 @@ def other_link(source: Source, draw: Random) -> str | None:
 
 
 def chain_to_keyword(source: Source, draw: Random) -> str | None:
-    """``.reset(c[1])`` moves among the arguments, or stays there too."""
+    """Move ``.reset(c[1])`` to the arguments, or copy it there."""
     links = [(call, span) for call, span in _links(source) if isinstance(getattr(call.func, "value", None), ast.Call)]
     if not links:
         return None
@@ -319,7 +319,7 @@ def indent_line(source: Source, draw: Random) -> str | None:
 
 
 def shape_line(source: Source, draw: Random) -> str | None:
-    """A comment, two statements in one line, a continuation, a trailing blank."""
+    """Add a comment, a second statement in the line, a continuation or a trailing blank."""
 
     def new(line: str) -> str:
         body = line.rstrip("\n")
@@ -362,7 +362,7 @@ def drop_statement(source: Source, draw: Random) -> str | None:
 
 
 def copy_statement(source: Source, draw: Random) -> str | None:
-    """A statement once more, in front of one that stands as deep or not."""
+    """Copy a statement to before another one, indented alike or not."""
     statements = _statements(source)
     if not statements:
         return None
@@ -394,7 +394,7 @@ def other_bracket(source: Source, draw: Random) -> str | None:
 
 
 def other_sibling(source: Source, draw: Random) -> str | None:
-    """An import that reads something else."""
+    """Change what an import reads."""
     lines = [edit for edit in source.lines() if re.match(r"(from|import) ", edit[2])]
     new = draw.choice(SIBLINGS) + "\n"
     if not lines:
@@ -414,11 +414,11 @@ CHANGES: Mapping[str, Change] = {
     )
 }  # fmt: skip
 TORN = ("drop line", "double line", "indent line", "swap lines", "other word", "other bracket")
-"""Changes after which little is Python."""
+"""Changes that mostly leave no Python."""
 
 
 def mutated(text: str, kind: str, number: int) -> str:
-    """The text with one change of this kind; the number decides where and to what."""
+    """Return the text with one change of this kind; the number decides where and to what."""
     draw = Random(f"{kind} {number}")
     changed = CHANGES[kind](Source(text), draw)
     if changed is None:  # nothing of this kind is there

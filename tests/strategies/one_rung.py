@@ -1,4 +1,4 @@
-"""Programs of which every rung is one CLICK rung, a drum's constant step aside."""
+"""Programs in which every rung is one CLICK rung, except for a drum's constant step."""
 
 from __future__ import annotations
 
@@ -49,14 +49,14 @@ def rung_size(condition: Condition, items: Sequence[Item]) -> tuple[int, int]:
 
 
 def fits(rung: Rung) -> bool:
-    """Whether a plain rung surely fits one CLICK rung: the last column is left for the wire behind a merge."""
+    """True if a plain rung surely fits one CLICK rung: the last column is left for the wire after a merge."""
     width, height = rung_size(rung.condition, rung.items)
     return width <= 30 and height <= 32
 
 
 @st.composite
 def pinned_rungs(draw: st.DrawFn, numbers: Numbers | None = None) -> Rung:
-    """A rung with one box that has inputs, its conditions as tall as one CLICK rung takes them."""
+    """A rung with one box that has inputs, its conditions as tall as one CLICK rung takes."""
     leaf = draw(few_leaves(10))
     mine = numbers or Numbers()
     tree = conditions(leaf, draw(st.integers(1, 4)), 3, always=True, groups_weight=2)
@@ -69,7 +69,7 @@ def pinned_rungs(draw: st.DrawFn, numbers: Numbers | None = None) -> Rung:
 
 
 def _settled(rung: Rung) -> Rung:
-    """An immediate contact may change while the step of a jump is copied; behind the copy it needs a scratch bit."""
+    """An immediate contact may change while the step of a jump is copied; after the copy it needs a scratch bit."""
     branches, act = _taken_apart(rung)
     if not act.constant_step:
         return rung
@@ -84,7 +84,7 @@ def _settled(rung: Rung) -> Rung:
 
 
 def _taken_apart(rung: Rung) -> tuple[list[Condition], Act]:
-    """The conditions one in the other around a rung's only instruction."""
+    """The nested conditions around a rung's only instruction."""
     branches, item = [rung.condition], rung.items[0]
     while isinstance(item, Branch):
         branches.append(item.condition)
@@ -105,7 +105,7 @@ def pinned_fits(rung: Rung) -> bool:
 
 @st.composite
 def power_programs(draw: st.DrawFn) -> Program:
-    """Main and a subroutine, which may stand in a file of its own."""
+    """Main and a subroutine, which may be in a file of its own."""
     numbers = Numbers()
 
     def rungs(least: int, most: int) -> tuple[Rung, ...]:
@@ -115,7 +115,7 @@ def power_programs(draw: st.DrawFn) -> Program:
     main = rungs(1, 3)
     if draw(st.integers(0, 4)):
         return Program(main, (("other", ()),))
-    # A subroutine calls none, so what hers would call is left out.
+    # A subroutine calls none, so its calls are left out.
     module = draw(st.sampled_from(("", "parts")))
     return Program(main, (("other", tuple(map(_without_calls, rungs(0, 1)))),), (module,), draw(st.booleans()))
 

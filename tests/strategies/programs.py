@@ -17,14 +17,14 @@ PIN_TOKENS = {
     "jog": ".jog()",
 }
 METHODS = {"count_down": "down"}
-"""The name of an input in a chain, where it is not the keyword."""
+"""The name of an input in a chain, if it is not the keyword."""
 WAYS = ("keyword", "chain", "apart", "tuple", "list", "nested")
-"""How an input is written: as a keyword, or behind the call with its conditions in one of these forms."""
+"""How an input is written: as a keyword, or after the call with its conditions in one of these forms."""
 
 
 @dataclass(frozen=True)
 class Pin:
-    """An input of a box: its keyword, its condition, the step of a jump as the ladder says it, how it is written.
+    """An input of a box: its keyword, its condition, the ladder's text for the step of a jump, and how it is written.
 
     An input without a condition is left out, and the ladder has the never-contact there.
     """
@@ -44,7 +44,7 @@ class Pin:
 
     @property
     def keyword(self) -> str:
-        """As it stands among the arguments, or an empty text."""
+        """The text among the arguments, or ""."""
         if self.condition is None or self.way != "keyword":
             return ""
         text = f"{self.name}=lambda: {self.condition.text}"
@@ -52,7 +52,7 @@ class Pin:
 
     @property
     def link(self) -> str:
-        """As it stands behind the call, or an empty text. The terms of an ``all`` may stand one by one there."""
+        """The text after the call, or "". The terms of an ``all`` may be given one by one there."""
         if self.condition is None or self.way == "keyword":
             return ""
         whole = self.condition
@@ -75,7 +75,7 @@ class Act:
     token: str
     height: int = 1
     pins: tuple[Pin, ...] = ()
-    """In the order of the box. An input that the box then does not have is not among them."""
+    """In the order of the box. An input that the box then does not have is not included."""
     backwards: bool = False
     """The inputs are written from the last to the first."""
 
@@ -88,7 +88,7 @@ class Act:
 
     @property
     def tokens(self) -> list[str]:
-        """What stands in the output column: a one-shot range is one coil for each bit."""
+        """The tokens in the output column: a one-shot range is one coil for each bit."""
         match = re.fullmatch(r"out\(([A-Z]+)(\d+)\.\.[A-Z]+(\d+),oneshot=1\)", self.token)
         if not match:
             return [self.token]
@@ -97,11 +97,11 @@ class Act:
 
     @property
     def constant_step(self) -> str:
-        """The step of a jump that CLICK has to be given in a register; an empty text when there is none."""
+        """The step of a jump that CLICK needs in a register; "" if there is none."""
         return next((pin.step for pin in self.pins if pin.step.isdigit()), "")
 
     def numbered(self, number: int) -> Act:
-        """With the number of its timer, counter or accumulator in the open places."""
+        """Return the instruction with the number of its timer, counter or accumulator filled in."""
         return replace(self, call=self.call.format(number), token=self.token.format(number))
 
 
@@ -118,12 +118,12 @@ class Branch:
     condition: Condition
     items: tuple[Item, ...]
     others: tuple[Arm, ...] = ()
-    """What the language does not have."""
+    """Arms that the language does not have."""
 
 
 @dataclass(frozen=True)
 class Loop:
-    """``for _ in range(count):`` around rungs; an open one stands last in its rung and ends at ``next_loop()``."""
+    """``for _ in range(count):`` around rungs; an open one is last in its rung and ends at ``next_loop()``."""
 
     count: int
     body: tuple[Rung, ...]
@@ -138,7 +138,7 @@ class Rung:
     condition: Condition
     items: tuple[Item, ...]
     others: tuple[Arm, ...] = ()
-    """What the language does not have."""
+    """Arms that the language does not have."""
 
 
 PROGRAM = "prog.py"
@@ -150,7 +150,7 @@ DECLARATIONS = 'nickname(c.Wired, c[1234], comment="in a file of its own")\n'
 class Program(ShownAsText):
     """``main`` and ``subroutines`` without their last rungs, the unconditional ``end()`` and ``return``.
 
-    ``modules`` names the file beside the program that each subroutine stands in, "" for the program's own;
+    ``modules`` names the file beside the program for each subroutine, "" for the program's own;
     ``wiring`` puts a declaration into one more file.
     """
 
@@ -185,7 +185,7 @@ class Program(ShownAsText):
 
     @property
     def text(self) -> str:
-        """All files one behind the other, for people."""
+        """All files one after the other, for people."""
         (_, first), *more = self.texts.items()
         return first + "".join(f"\n# ---- {name}\n{text}" for name, text in more)
 

@@ -10,7 +10,7 @@ class Printer(Protocol):
 
 
 class ShownAsText:
-    """Printed as its text. How it was made would take a time exponential in the depth of the strategies to print."""
+    """Printed as its text. Printing how it was made would take time exponential in the depth of the strategies."""
 
     @property
     def text(self) -> str:

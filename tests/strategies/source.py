@@ -1,4 +1,4 @@
-"""A program's text with the places of what its grammar knows."""
+"""A program's text with the places of its grammar."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from itertools import accumulate
 
 Span = tuple[int, int]
 Edit = tuple[int, int, str]
-"""What stands from here to there becomes this."""
+"""The start and end of a stretch, and its new text."""
 
 
 class Source:
@@ -38,7 +38,7 @@ class Source:
         return [node for node in self.nodes if isinstance(node, ast.Call)]
 
     def span(self, node: ast.AST) -> Span:
-        """From the first character to behind the last; ``ast`` counts bytes."""
+        """From the first character to after the last; ``ast`` counts bytes."""
         line, column = getattr(node, "lineno", 1), getattr(node, "col_offset", 0)
         end_line, end_column = getattr(node, "end_lineno", line), getattr(node, "end_col_offset", column)
         return self._offset(line, column), self._offset(end_line, end_column)

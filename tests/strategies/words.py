@@ -1,4 +1,4 @@
-"""What can stand at a place of a program, right or wrong there: words, numbers at their limits, forms of operands."""
+"""Candidates for a place in a program, right or wrong there: words, numbers at their limits, forms of operands."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ def split(text: str) -> list[str]:
 
 
 BANKS = split("x y c ds dd dh df txt t ct td ctd sc sd xd yd X DS foo")
-"""The first twelve hold what a program can give names."""
+"""The first twelve hold addresses that a program can name."""
 FUNCTIONS = ("all", "any", "nc", "re", "fe")
 INSTRUCTIONS = split(
     """

@@ -23,7 +23,7 @@ def at(text: str) -> Address:
 
 
 def judged(path: Path, content: str | bytes) -> tuple[AddressTable, tuple[Diagnostic, ...]]:
-    """Write the file, read it as a table, and check that it would be written back as it is."""
+    """Write the file, read it as a table, and check that it would be written back unchanged."""
     data = content.encode() if isinstance(content, str) else content
     path.write_bytes(data)
     problems = Diagnostics()

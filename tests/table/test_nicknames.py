@@ -1,4 +1,4 @@
-"""What CLICK takes as a nickname, compared with pyclickplc over generated names.
+"""The nicknames that CLICK takes, compared with pyclickplc over generated names.
 
 Where the two differ click-facts [name.characters] is followed. pyclickplc takes these and clickgen does not: the empty
 name (there it means no name), a comma, anything outside ASCII, control characters, and a space at either end (its

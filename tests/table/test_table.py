@@ -1,4 +1,4 @@
-"""The address table: what is read is what is there, and what is wrong with a row is told."""
+"""The address table: it is read exactly, and faults in its rows are reported."""
 
 from __future__ import annotations
 

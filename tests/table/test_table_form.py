@@ -134,7 +134,7 @@ def test_no_other_row_may_lack_its_address(row: str) -> None:
 
 @pytest.mark.usefixtures("folder")
 def test_a_whole_address_list_of_click_leaves_addresses_free() -> None:
-    """CLICK can list every address: a row that says nothing takes none."""
+    """CLICK can list every address: an empty row takes none."""
     rows = [default_row(Address("C", number), "") for number in BANKS["C"].numbers()]
     table, _ = read(HEADER + "\n")
     Path("nicknames.csv").write_bytes(table.extended(rows).to_bytes())
@@ -170,7 +170,7 @@ def test_faults_are_marked_in_their_own_columns() -> None:
 
 
 def bundle(place: Path, table: str) -> Path:
-    """What a build makes of PROGRAM, with this table as its own."""
+    """The build of PROGRAM, with this table as its own."""
     (place / "source").mkdir()
     (place / "source" / "prog.py").write_text(PROGRAM)
     (place / "source" / "nicknames.csv").write_text(table)
@@ -229,7 +229,7 @@ def test_names_of_click_s_own_on_x_are_declared() -> None:
 def test_names_of_another_click_on_sd_reach_the_terminal_declared(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """An export of a newer CLICK knows where its names are; a program on its own has to say it."""
+    """An export of a newer CLICK shows where its names are; a program by itself has to say it."""
     Path("prog.py").write_text(
         "def main():\n    if x[1]:\n        copy(sd[134], ds[1])\n\n    if True:\n        end()\n"
     )

@@ -1,4 +1,4 @@
-"""The address table: what is written changes no row that nobody changed."""
+"""The address table: writing changes no row that nobody changed."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ def test_new_rows_stand_where_click_would_put_them(file: Path) -> None:
     new = ["TXT1", "DS2", "C1", "C9", "T1", "X002", "Y001", "XD0u", "XD0", "SC3"]
     more = table.extended(default_row(at(text), f"N {text}") for text in new)
     assert names(more) == "X001 X002 Y001 C1 C5 C9 T1 SC3 DS1 DS2 XD0 XD0u TXT1"
-    # What was there is written as it was, unquoted.
+    # The old text was written unchanged, unquoted.
     assert more.text().splitlines()[1] == "X001,BIT,A,0,No,"
 
 

@@ -51,12 +51,12 @@ def write_all(folder: Path) -> None:
 
 
 def tree(folder: Path) -> dict[str, bytes]:
-    """Every file. Folders that are empty do not count: one who was killed may leave some."""
+    """Every file. Empty folders do not count: a killed writer may leave some."""
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 def in_a_child(work: Callable[[], None]) -> int:
-    """Run it in a process of its own; returns the exit code."""
+    """Run it in a process of its own; return the exit code."""
     child = os.fork()
     if child:
         return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
@@ -68,7 +68,7 @@ def in_a_child(work: Callable[[], None]) -> int:
 
 
 def dying(at: int, after: bool, names: Sequence[str] = CALLS) -> None:
-    """Let the file system's call number ``at`` be the last thing that this process does, or try to do."""
+    """Let the file system's call number ``at`` be the last thing that this process does, or tries to do."""
     calls = 0
 
     def wrapped(really: Callable[..., Any]) -> Callable[..., Any]:
@@ -90,7 +90,7 @@ def dying(at: int, after: bool, names: Sequence[str] = CALLS) -> None:
 
 
 def kill_after(replacements: int, folder: Path) -> None:
-    """Leave a folder with so many files in place that are to be replaced or removed."""
+    """Leave a folder with this many files in place that are to be replaced or removed."""
 
     def work() -> None:
         dying(replacements, True, ["replace"])
@@ -126,7 +126,7 @@ def test_a_writer_killed_at_any_point_leaves_all_or_nothing(tmp_path: Path, afte
         else:
             for each in folders:
                 recover([each])
-        (folder / "plc" / NAME).unlink(missing_ok=True)  # Locked by nobody; the next writer takes these away.
+        (folder / "plc" / NAME).unlink(missing_ok=True)  # Locked by nobody; the next writer removes these.
         (folder / "out" / NAME).unlink(missing_ok=True)
         (folder / "out" / "subroutines" / NAME).unlink(missing_ok=True)
         (folder / "out" / "pages" / NAME).unlink(missing_ok=True)
@@ -294,7 +294,7 @@ def test_a_disk_that_knows_no_file_again_is_written_to_without_a_lock(
 
 
 class Msvcrt(ModuleType):
-    """``msvcrt.locking`` by its documentation: bytes from the position on, which only who locked them can unlock."""
+    """``msvcrt.locking`` by its documentation: bytes from the position on, which only their locker can unlock."""
 
     LK_NBLCK, LK_UNLCK = 2, 0
 
@@ -320,7 +320,7 @@ class Msvcrt(ModuleType):
 
 @pytest.fixture
 def windows(monkeypatch: pytest.MonkeyPatch) -> tuple[Msvcrt, Callable[[], Any]]:
-    """What stands in for Windows, and the module of locks as another process has it there."""
+    """Replacements for Windows, and the module of locks as another process has it there."""
     fake = Msvcrt()
     monkeypatch.setitem(sys.modules, "msvcrt", fake)
 
@@ -351,7 +351,7 @@ def test_a_folder_is_locked_for_one_on_windows(windows: tuple[Msvcrt, Callable[[
     with other.locked([tmp_path]) as ours:
         assert ours == {os.path.realpath(tmp_path)}
     assert fake.held == {}
-    # It is unlocked before it is closed: Windows takes its time with what is only closed.
+    # It is unlocked before it is closed: Windows takes its time with a file that is only closed.
     assert fake.calls == [2, 2, 0, 2, 0]
     assert list(tmp_path.iterdir()) == []
 
@@ -359,7 +359,7 @@ def test_a_folder_is_locked_for_one_on_windows(windows: tuple[Msvcrt, Callable[[
 def test_a_lock_file_that_is_open_elsewhere_stays_and_can_be_locked_again(
     windows: tuple[Msvcrt, Callable[[], Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Windows takes no file away that somebody has open, such as one who waits, or a scanner."""
+    """Windows removes no file that somebody has open, such as a waiting writer, or a scanner."""
 
     def refused(*_: object) -> None:
         raise PermissionError(errno.EACCES, "The process cannot access the file")

@@ -47,7 +47,7 @@ def out(tmp_path: Path) -> Path:
 
 
 def plan(out: Path) -> tuple[dict[Path, bytes], list[Path]]:
-    """The next build: one file changed, one as it was, two new ones (one in new folders), one to go."""
+    """The next build: one file changed, one unchanged, two new ones (one in new folders), one to remove."""
     writes = {
         out / "main.csv": b"new main",
         out / "nicknames.csv": b"same",
@@ -127,7 +127,7 @@ def test_two_ways_to_one_file(out: Path) -> None:
     with pytest.raises(FileExistsError, match="same file"):
         put_in_place({out / "alias" / "a.csv": b"1", out / "subroutines" / "a.csv": b"2"})
     assert tree(out) == before
-    # What is written is not removed under its other name.
+    # A file that is written is not removed under its other name.
     put_in_place({out / "subroutines" / "gone.csv": b"new"}, [out / "alias" / "gone.csv"])
     assert (out / "subroutines" / "gone.csv").read_bytes() == b"new"
 
@@ -192,7 +192,7 @@ def test_a_file_where_a_folder_is_needed(out: Path) -> None:
 
 def test_a_read_only_file(out: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (out / "nicknames.csv").chmod(0o444)
-    # Asked for, since root may write anything.
+    # Simulated, since root may write anything.
     monkeypatch.setattr(os, "access", lambda path, _: Path(path).name != "nicknames.csv")
     refused(PermissionError, out, out / "nicknames.csv", "the file is read-only")
     assert put_in_place({out / "nicknames.csv": b"same"}) == []
@@ -221,7 +221,7 @@ def test_a_device_is_not_replaced(out: Path) -> None:
 
 
 def test_a_file_that_appears_in_between_is_not_overwritten(out: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also what happens where the disk takes Fill.csv and fill.csv for one file."""
+    """Also what happens if the disk takes Fill.csv and fill.csv for one file."""
     really = write._Work.apply
 
     def apply(self: write._Work) -> None:

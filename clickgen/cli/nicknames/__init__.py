@@ -1,4 +1,4 @@
-"""``clickgen nicknames``: what concerns the address table. Each subcommand is a module of its own."""
+"""``clickgen nicknames``: commands for the address table. Each subcommand is a module of its own."""
 
 from __future__ import annotations
 
@@ -41,6 +41,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Run one of the subcommands; returns the exit code."""
+    """Run one of the subcommands; return the exit code."""
     code: int = _COMMANDS[options.action].run(options)
     return code

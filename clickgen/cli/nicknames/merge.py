@@ -1,4 +1,4 @@
-"""``clickgen nicknames merge``: take in a fresh export from CLICK."""
+"""``clickgen nicknames merge``: merge a fresh export from CLICK."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from clickgen.cli import OK, PROBLEMS, tell
-from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
+from clickgen.cli.jobs import Job, Run, near
 from clickgen.commands.nicknames.changes import KINDS, RENAMED, SWAPPED
 from clickgen.commands.nicknames.merge import Merge
 from clickgen.commands.nicknames.programs import Program
@@ -47,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 class _Merging(NamedTuple):
-    """What an export is taken into: the table, the workbook that it adds to, and programs that are known to use it."""
+    """The target of an export: the table, the workbook that it adds to, and programs that are known to use it."""
 
     table: Path
     workbook: Path | None
@@ -55,20 +55,21 @@ class _Merging(NamedTuple):
 
 
 def run(options: argparse.Namespace) -> int:
-    """Show what an export says otherwise, and take in what is wanted; returns the exit code."""
+    """Show the differences of an export, and take those that are wanted; return the exit code."""
     from clickgen.commands.nicknames.changed_rows import conflict_lines, diff_lines, never_lines, summary
     from clickgen.commands.nicknames.merge import merge
     from clickgen.commands.nicknames.programs import programs_around
     from clickgen.commands.nicknames.uses import ProgramsSay, places_in
 
     kinds = _kinds(options.accept)
-    target = _table_to_merge(options)
+    this = Run(options.config)
+    target = _table_to_merge(this, options)
     path = target.table
     if not options.dry_run:
-        settle(target.jobs, options.config)
-    table, before = _read(path, bool(options.nicknames) and target.workbook is None, target.workbook)
-    export, _ = _read(Path(options.export), must_exist=True)
-    around = programs_around(target.jobs, settings_of(options.config), Workspace(), [path])
+        this.settle(target.jobs)
+    table, before = _read(this.files, path, bool(options.nicknames) and target.workbook is None, target.workbook)
+    export, _ = _read(this.files, Path(options.export), must_exist=True)
+    around = programs_around(target.jobs, this.settings, this.files, [path])
     own = [program for program in around if program.table_key == os.path.realpath(path)]
     names = [_seen_from_here(file) for program in own for file in program.names]
     result = merge(table, export, places_in(names), ProgramsSay(names))
@@ -90,7 +91,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _seen_from_here(file: FileNames) -> FileNames:
-    """A file of a program whose messages name it as seen from the working folder."""
+    """A file of a program whose messages name it relative to the working folder."""
     path = str(near(Path(file.source.path)))
     declarations = tuple(replace(each, span=each.span._replace(path=path)) for each in file.declarations)
     return replace(file, source=SourceFile(path, file.source.text), declarations=declarations)
@@ -110,7 +111,7 @@ def _merged(merged: Merge, kinds: set[str], is_dry: bool) -> str:
 def _after_renames(
     options: argparse.Namespace, merged: Merge, kinds: set[str], programs: list[Program]
 ) -> Iterator[str]:
-    """What is to be done in programs, and what they would do, where names have changed their addresses."""
+    """What to do in programs, and what they would do, if names have changed their addresses."""
     for change in merged.of({RENAMED} & kinds):
         if change.before and change.after and change.used and not change.is_case_only:
             old, new = change.before.nickname, change.after.nickname
@@ -127,7 +128,7 @@ def _after_renames(
 
 
 def _program_with(name: str, programs: list[Program]) -> list[str]:
-    """A program that uses a name, or one that stands for the parts that do: a rename finds all others."""
+    """A program that uses a name, or one that represents the parts that do: a rename finds all others."""
     whole = [program for program in programs if not program.is_part]
     using = [program for program in whole if any(file.of(name) for file in program.names)]
     return [str(near(Path(program.path))) for program in (using or whole)[:1]]
@@ -140,7 +141,7 @@ def _table_words(options: argparse.Namespace) -> list[str]:
 
 def _kinds(accepted: Iterable[str]) -> set[str]:
     words = {word.strip() for words in accepted for word in words.split(",") if word.strip()}
-    # What programs do changes with swapped names: these are asked for by their own word alone.
+    # Swapped names change what programs do: these are taken only by their own word.
     everything = {*KINDS} - {SWAPPED} if "all" in words else set()
     kinds = {"added"} | everything | (words - {"all"})
     unknown = sorted(kinds - set(KINDS))
@@ -152,10 +153,9 @@ def _kinds(accepted: Iterable[str]) -> set[str]:
     return kinds
 
 
-def _table_to_merge(options: argparse.Namespace) -> _Merging:
-    """The table that takes the export in: the one that is named, else the one of the settings."""
-    config = settings_of(options.config)
-    found = jobs([], config=options.config) if config.programs else []
+def _table_to_merge(this: Run, options: argparse.Namespace) -> _Merging:
+    """The table that takes the export: the named one, else the one of the settings."""
+    found = this.jobs([]) if this.settings.programs else []
     named = Path(options.nicknames) if options.nicknames else None
     if named is not None and not is_workbook(named):
         own = [job for job in found if _same(job.settings.table_of(job.program), named)]
@@ -183,18 +183,20 @@ def _one_workbook(own: Iterable[Job]) -> Path | None:
     return books[0] if books else None
 
 
-def _read(path: Path, must_exist: bool, workbook: Path | None = None) -> tuple[AddressTable, bytes | None]:
+def _read(
+    files: Workspace, path: Path, must_exist: bool, workbook: Path | None = None
+) -> tuple[AddressTable, bytes | None]:
     """A table, with the rows of a workbook in front, and the bytes of its file."""
     from clickgen.table.layers import read_layers
     from clickgen.table.read import TableUnreadable
 
     problems = Diagnostics()
     try:
-        table, before = read_layers(path, workbook, must_exist, Workspace(), problems)
+        table, before = read_layers(path, workbook, must_exist, files, problems)
     except TableUnreadable as error:
         raise CouldNotRun(str(error)) from None
     if problems.has_errors:
-        write_problems(problems.in_order(), [], sys.stderr)
+        write_problems(problems.in_order(), [], sys.stderr, files)
         raise CouldNotRun(f"{path} has {summary(problem.severity for problem in problems.found)}; nothing was written")
     return table, before
 

@@ -1,1 +1,1 @@
-"""Do two ladders say the same: power through the drawing, outputs in one spelling, and what differs in words."""
+"""Decides whether two ladders do the same: power through the drawing, outputs in one spelling, differences in words."""

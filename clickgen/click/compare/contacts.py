@@ -1,4 +1,4 @@
-"""Contacts and comparisons as variables: one name for all that is certainly on and off together."""
+"""Contacts and comparisons as variables: one name for everything that is certainly on and off together."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from clickgen.ir.operands import Cell, CharCode, Hex, Integer, Operand, Real, Te
 
 
 class Literal(NamedTuple):
-    """A variable or its negation; without a name it is what is always on."""
+    """A variable or its negation; without a name it is always on."""
 
     name: str
     negated: bool = False
@@ -31,7 +31,7 @@ def literal_of(contact: Contact | Compare) -> Literal:
 
 
 def contact_name(contact: Contact | Compare) -> str:
-    """A contact as it stands in a square."""
+    """A contact as written in a square."""
     if isinstance(contact, Compare):
         return f"{operand_name(contact.left)}{contact.op}{operand_name(contact.right)}"
     return contact_token(contact)
@@ -42,19 +42,19 @@ def operand_name(operand: Operand) -> str:
     if not isinstance(operand, Real):
         return operand_token(operand)
     text = repr(operand.value)
-    # More digits than a double holds stay as they are written.
+    # A number with more digits than a double holds stays as written.
     return text if Decimal(text) == Decimal(operand.text.replace("_", "")) else operand.text
 
 
 def _compared(compare: Compare) -> Literal:
-    """Sides are exchanged only between values of one kind: how CLICK converts one for the other nobody knows
+    """Exchange sides only between values of one kind: nobody knows how CLICK converts one for the other
     (click-facts [compare.mixed])."""
     left, right, op = compare.left, compare.right, compare.op
     kind = _kind(left)
     if kind and kind == _kind(right):
         if _key(right) < _key(left):
             left, right, op = right, left, MIRRORED[op]
-        # A float may be no number, and then neither a comparison nor its opposite has to hold.
+        # A float may be no number; then neither a comparison nor its opposite need hold.
         is_total = kind in ("whole", "hexadecimal") or (kind == "text" and op in ("==", "!="))
         if is_total and op in ("!=", ">=", ">"):
             return Literal(f"{operand_name(left)}{OPPOSITE[op]}{operand_name(right)}", True)
@@ -62,7 +62,7 @@ def _compared(compare: Compare) -> Literal:
 
 
 def _kind(operand: Operand) -> str:
-    """What is compared with its own kind alone, without a conversion; "" for what is not known."""
+    """The class of values that is compared without a conversion; "" if it is unknown."""
     if isinstance(operand, Cell):
         kind = operand.address.kind
         if kind in (Kind.INT16, Kind.INT32):
@@ -78,5 +78,5 @@ def _kind(operand: Operand) -> str:
 
 
 def _key(operand: Operand) -> tuple[bool, str]:
-    """Registers stand before constants."""
+    """Registers come before constants."""
     return not isinstance(operand, Cell), operand_name(operand)

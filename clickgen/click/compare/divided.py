@@ -1,8 +1,8 @@
-"""A run of rungs as one: its outputs, when each has power, and whether that is what one rung would do.
+"""A run of rungs as one: its outputs, when each has power, and whether one rung would do the same.
 
-In one rung every condition is looked at before the first output runs. In a run a later rung looks again, behind the
+In one rung every condition is looked at before the first output runs. In a run a later rung looks again, after the
 outputs of the earlier ones. That is the same as long as a contact reads nothing that an earlier output may change, and
-nothing that must not be looked at twice. Splitting keeps every other condition on a scratch bit (``lower/split.py``).
+nothing that must not be looked at twice. Splitting puts every other condition on a scratch bit (``lower/split.py``).
 """
 
 from __future__ import annotations
@@ -28,7 +28,6 @@ from clickgen.click.compare.outputs import (
 from clickgen.click.compare.power import Logic, contacts_before, power_of
 from clickgen.click.read.grid import DrawnBox, DrawnRung
 from clickgen.device.banks import Address
-from clickgen.instructions.coils import OUT
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Immediate
 from clickgen.lower.effects import Cells, is_volatile, reads
@@ -36,7 +35,7 @@ from clickgen.lower.effects import Cells, is_volatile, reads
 
 @dataclass
 class _Part:
-    """One rung of a run: its outputs, those of them that define scratch bits, and the contacts that decide."""
+    """One rung of a run: its outputs, those that define scratch bits, and the contacts that decide."""
 
     rung: DrawnRung
     outputs: list[DrawnBox]
@@ -47,7 +46,7 @@ class _Part:
 
 @dataclass(frozen=True)
 class Run:
-    """Rungs that stand for one. ``scratch`` are the addresses that may serve this run alone."""
+    """Rungs that together represent one. ``scratch`` has the addresses that may serve this run alone."""
 
     rungs: tuple[DrawnRung, ...]
     scratch: frozenset[Address] = frozenset()
@@ -72,12 +71,12 @@ class Run:
 
     @cached_property
     def outputs(self) -> list[Said]:
-        """The outputs in order, definitions of scratch bits aside."""
+        """The outputs in order, except definitions of scratch bits."""
         return [said_by(box) for part in self._parts for box in part.outputs]
 
     @cached_property
     def literals(self) -> dict[Literal, None]:
-        """The contacts in the order of the drawing, those that decide over nothing at the end."""
+        """The contacts in the order of the drawing, with those that decide nothing at the end."""
         defined = {str(bit) for part in self._parts for bit in part.definitions}
         contacts = [contact for part in self._parts for contact in part.contacts]
         squares = (square for rung in self.rungs for row in rung.rows for square in row.squares)
@@ -87,9 +86,9 @@ class Run:
 
     @cached_property
     def looks(self) -> Counter[str]:
-        """How often the rungs look at what may change between two looks.
+        """How often the rungs look at something that may change between two looks.
 
-        A rung looks at its conditions before its outputs run, and at a terminal itself once for each contact.
+        A rung looks at its conditions before its outputs run, but at a terminal itself once for each contact.
         """
         looks: Counter[str] = Counter()
         for rung in self.rungs:
@@ -100,14 +99,14 @@ class Run:
         return looks
 
     def _arrives(self, contact: Contact | Compare) -> bool:
-        """True for what CLICK or another device changes in its own time; terminals aside.
+        """True for something that CLICK or another device changes in its own time, except terminals.
 
         click-facts [message.later, scan.system-points]
         """
         return not _is_immediate(contact) and is_volatile(contact, self.surroundings.received)
 
     def powers(self, logic: Logic) -> list[list[int]]:
-        """Of each output when it has power, and then when each of its inputs has, by what was on before the run."""
+        """For each output, when it and then each of its inputs has power, by what was on before the run."""
         known: dict[str, int] = {"": logic.always}
 
         def conducts(contact: Contact | Compare) -> int:
@@ -126,7 +125,7 @@ class Run:
 
     @cached_property
     def doubt(self) -> str:
-        """Why the rungs together may do something else than one rung; "" when they cannot."""
+        """The reason why the rungs together may not do the same as one rung; "" if they must."""
         return next(self._doubts(), "")
 
     def _doubts(self) -> Iterator[str]:
@@ -147,10 +146,10 @@ class Run:
             is_last = index + 1 == len(self._parts)
             for box in part.outputs:
                 if len(self._parts) > 1 and loops(box) and not (is_last and box is part.outputs[-1]):
-                    yield f"{said_by(box).token} stands between the rungs"
+                    yield f"{said_by(box).token} is between the rungs"
                 if leaves_early(box) and not is_last:
                     # Within one rung CLICK may run the outputs below it: click-facts [control.return-below]
-                    yield f"{said_by(box).token} stands above outputs of the same rung, and is drawn in a rung before"
+                    yield f"{said_by(box).token} is above outputs of the same rung, and is drawn in an earlier rung"
                 if touched_by(box).meets(dropped):
                     yield f"{said_by(box).token} may touch a scratch bit"
             past.add(part, self.surroundings)
@@ -171,7 +170,7 @@ class _Past:
         self.defined |= part.definitions.keys()
 
     def doubts(self, contact: Contact | Compare, index: int, surroundings: Surroundings) -> Iterator[str]:
-        """Why a contact may look otherwise in this rung than it did before the first one."""
+        """The reasons why a contact may look different in this rung than before the first one."""
         name = literal_of(contact).name
         if not name:
             return
@@ -198,7 +197,7 @@ def _bit(contact: Contact | Compare) -> Address | None:
 def _coil(box: DrawnBox) -> Address | None:
     """The bit that a plain coil drives."""
     action = action_in(box)
-    if action is None or action.spec is not OUT or action.args.keys() != {"address"}:
+    if action is None or not action.effects.follows_power or len(action.args) != 1:
         return None
-    target = action.args["address"]
+    target = action.driven
     return target.address if isinstance(target, Cell) else None

@@ -12,11 +12,11 @@ from clickgen.click.compare.contacts import operand_name
 from clickgen.click.draw.tokens import action_token, pin_token
 from clickgen.click.read.grid import DrawnBox, DrawnRung
 from clickgen.click.read.operands import ADDRESS
-from clickgen.click.read.tokens import NOP_TOKEN, action_of
+from clickgen.click.read.tokens import action_of, specs_of
 from clickgen.device.banks import Address, parse_address
-from clickgen.instructions.control import CALL
-from clickgen.instructions.raw import RAW
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import Always
+from clickgen.ir.made import NOP_TOKEN
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action
 from clickgen.ir.reach import touches
@@ -41,12 +41,12 @@ def outputs_of(rung: DrawnRung) -> list[DrawnBox]:
 
 
 def said_by(box: DrawnBox) -> Said:
-    """A box in the one spelling of what it means, numbers by their value; as it is written when it is not known."""
+    """A box in the one spelling of its meaning, numbers by their value; as written if it is unknown."""
     return _said(_written(box))
 
 
 def action_in(box: DrawnBox) -> Action | None:
-    """The instruction of a box, its inputs always on; None when it is not known."""
+    """The instruction of a box, its inputs always on; None if it is unknown."""
     return _action(_written(box))
 
 
@@ -56,7 +56,7 @@ def _written(box: DrawnBox) -> Said:
 
 def _action(written: Said) -> Action | None:
     action = _parsed(written)
-    return action if action is None or action.spec is not RAW else None
+    return action if action is None or not action.effects.is_unknown else None
 
 
 @lru_cache(maxsize=4096)
@@ -79,32 +79,32 @@ def _said(written: Said) -> Said:
 
 
 def _no_scratch(bank: str, purpose: str, span: Span) -> Cell:
-    """What CLICK holds is not lowered any more, so nobody asks."""
+    """Unused: what CLICK holds is not lowered any more."""
     raise NotImplementedError
 
 
 _EFFECTS = Effects((), OffDelays(_no_scratch))
-"""What CLICK's own instructions write; calls aside, whose subroutines are not known here."""
+"""What CLICK's own instructions write; except calls, whose subroutines are not known here."""
 
 
 @dataclass
 class Writes:
-    """What instructions may have changed; ``anything`` is the token of one that may have changed whatever it likes."""
+    """The addresses that instructions may have changed; ``anything`` is the token of one that may have changed any."""
 
     cells: Cells = field(default_factory=Cells)
     anything: str = ""
 
     @classmethod
     def unknown(cls, token: str) -> Writes:
-        """What an instruction may change of which nothing is known."""
+        """The writes of an unknown instruction."""
         return cls(Cells.anything(), token)
 
     def add(self, box: DrawnBox, calls: Mapping[str, Writes]) -> None:
         action = action_in(box)
         if action is None:
             self.update(Writes.unknown(box.token))
-        elif action.spec is CALL:
-            self.update(calls.get(action.word("subroutine")) or Writes.unknown(box.token))
+        elif action.effects.flow is Flow.CALL:
+            self.update(calls.get(action.called) or Writes.unknown(box.token))
         else:
             self.cells.update(_EFFECTS.writes(action))
 
@@ -115,9 +115,9 @@ class Writes:
 
 @dataclass(frozen=True)
 class Surroundings:
-    """What is known of the program around the rungs that are compared.
+    """The known facts of the program around the compared rungs.
 
-    ``calls`` says what each subroutine may change; a call of any other may change everything. ``received`` is what
+    ``calls`` has what each subroutine may change; a call of any other may change everything. ``received`` is what
     arrives from other devices in its own time.
     """
 
@@ -126,7 +126,7 @@ class Surroundings:
 
     @classmethod
     def of(cls, routines: Mapping[str, Sequence[DrawnRung]]) -> Surroundings:
-        """``routines`` are all of the program by CLICK's names, main among them."""
+        """``routines`` has all of the program's routines by CLICK's names, main among them."""
         received = Cells()
         for box in (box for rungs in routines.values() for rung in rungs for box in rung.boxes):
             received.update(_received_by(box))
@@ -134,11 +134,11 @@ class Surroundings:
 
 
 ALONE = Surroundings()
-"""The surroundings of rungs of whose program nothing is known."""
+"""The surroundings of rungs whose program is unknown."""
 
 
 def _writes_of(rungs: Iterable[DrawnRung]) -> Writes:
-    """What the rungs of a subroutine may change. CLICK has no calls in subroutines."""
+    """The addresses that the rungs of a subroutine may change. CLICK has no calls in subroutines."""
     found = Writes()
     for rung in rungs:
         for box in rung.boxes:
@@ -152,7 +152,7 @@ def _received_by(box: DrawnBox) -> Cells:
 
 
 def touched_by(box: DrawnBox) -> Cells:
-    """What an instruction looks at or changes; of one that is not known the whole banks that it names."""
+    """The cells that an instruction looks at or changes; for an unknown one, the whole banks that it names."""
     action = action_in(box)
     if action is None:
         texts = (box.token, *(token for token, _ in box.pins))
@@ -171,13 +171,13 @@ def _addresses(text: str) -> Iterator[Address]:
 
 
 def leaves_early(box: DrawnBox) -> bool:
-    """True for what keeps the rest of a routine from being looked at in this scan."""
-    return _name(box) in ("return", "end")
+    """True if an instruction keeps CLICK from looking at the rest of a routine in this scan."""
+    return any(spec.effects.leaves for spec in specs_of(_name(box)))
 
 
 def loops(box: DrawnBox) -> bool:
     """True for both ends of a loop."""
-    return _name(box) in ("for", "next")
+    return any(spec.effects.flow in (Flow.LOOP, Flow.NEXT) for spec in specs_of(_name(box)))
 
 
 def _name(box: DrawnBox) -> str:

@@ -1,7 +1,7 @@
 """Power through the squares of a drawn rung, in any logic: sets of situations, decision diagrams.
 
 Power goes to the right through contacts and wires; a downward wire ties the left edges of two squares (click-facts
-[grid.power, grid.wires]). Every square leads to the next column, so one sweep over the columns finds all there is.
+[grid.power, grid.wires]). Every square leads to the next column, so one sweep over the columns finds everything.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from clickgen.ir.conditions import Compare, Contact
 
 
 class Logic(Protocol):
-    """Truth values of a kind, each known by a number."""
+    """Truth values of one kind, each identified by a number."""
 
     @property
     def never(self) -> int: ...
@@ -29,7 +29,7 @@ class Logic(Protocol):
 
 
 def power_of(rung: DrawnRung, conducts: Callable[[Contact | Compare], int], logic: Logic) -> list[int]:
-    """When power comes to the output column, row by row."""
+    """When each row of the output column has power."""
     level = [logic.always] * len(rung.rows)
     for column in range(COLUMNS):
         for tied in _ties(rung, column):
@@ -48,9 +48,9 @@ def power_of(rung: DrawnRung, conducts: Callable[[Contact | Compare], int], logi
 
 
 def contacts_before(rung: DrawnRung, rows: Iterable[int]) -> Iterator[Contact | Compare]:
-    """The contacts that may decide over power in these rows of the output column.
+    """Yield the contacts that may decide over power in these rows of the output column.
 
-    What leads to a node comes before what follows it, and leg after leg: decision diagrams stay small in this order.
+    Contacts before a node come before those after it, leg by leg: decision diagrams stay small in this order.
     """
     seen: set[tuple[int, int]] = set()
 
@@ -72,7 +72,7 @@ def contacts_before(rung: DrawnRung, rows: Iterable[int]) -> Iterator[Contact | 
 
 
 def _ties(rung: DrawnRung, column: int) -> Iterator[range]:
-    """The rows whose left edges in this column are one node, from top to bottom."""
+    """Yield the rows whose left edges in this column are one node, from top to bottom."""
     start, last = 0, len(rung.rows) - 1
     for row, drawn in enumerate(rung.rows):
         if row == last or column == 0 or not drawn.squares[column].down:

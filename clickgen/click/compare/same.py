@@ -1,6 +1,6 @@
-"""Two runs of CLICK rungs compared: drawn alike, proven to do the same, or what differs, in words.
+"""Compares two runs of CLICK rungs: drawn alike, proven to do the same, or what differs, in words.
 
-Power is compared in every situation as long as these are few. Beyond, a sample of situations finds differences, and
+Power is compared in every situation while these are few. Beyond that, a sample of situations finds differences, and
 decision diagrams, which are exact, prove that there are none; a rung whose diagrams grow too large stays unknown.
 """
 
@@ -19,22 +19,22 @@ from clickgen.device.banks import Address
 from clickgen.logic.equality import Decisions, Situations, TooMany
 
 EXHAUSTIVE_MAX = 12
-"""Of more variables than this the situations are too many to look at all."""
+"""With more variables than this there are too many situations to look at all of them."""
 
 NAMES_MAX = 12
 """A person reads no more contacts than this."""
 
 _Cell = tuple[bool, bool, str]
-"""A square: does it carry power right, does it down, and its contact."""
+"""A square: whether it carries power right, whether down, and its contact."""
 
 
 class Likeness(Enum):
-    """What a comparison of two runs of rungs came to."""
+    """The result of comparing two runs of rungs."""
 
     IDENTICAL = "identical"
     """Drawn alike, square by square."""
     SAME = "same"
-    """Drawn otherwise, but proven to do the same."""
+    """Drawn differently, but proven to do the same."""
     DIFFERENT = "different"
     UNKNOWN = "unknown"
     """Could be proven neither way."""
@@ -42,14 +42,14 @@ class Likeness(Enum):
 
 @dataclass(frozen=True)
 class Comparison:
-    """``reason`` says what differs, or why nothing could be proven; "" when both are the same."""
+    """``reason`` says what differs, or why nothing could be proven; "" if both are the same."""
 
     likeness: Likeness
     reason: str = ""
 
     @property
     def is_same(self) -> bool:
-        """True when both do the same, however they are drawn."""
+        """True if both do the same, however they are drawn."""
         return self.likeness in (Likeness.IDENTICAL, Likeness.SAME)
 
 
@@ -60,12 +60,12 @@ def compare(
     surroundings: Surroundings = ALONE,
     scratch_of_other: Collection[Address] | None = None,
 ) -> Comparison:
-    """Compare two runs of rungs, each of which stands for one rung of a program. Comments are not compared.
+    """Compare two runs of rungs, each of which represents one rung of a program. Comments are not compared.
 
-    ``scratch`` are addresses that clickgen took for itself: a coil on such a bit that a later rung of its run reads is
+    ``scratch`` has addresses that clickgen took for itself: a coil on such a bit that a later rung of its run reads is
     no output of the program. Nothing outside the run may read the bit, unless the runs are the same rung by rung.
-    ``surroundings`` is what is known of the rest of the program; without it a call may change everything.
-    ``scratch`` holds for both runs, or for the first alone where ``scratch_of_other`` says what holds for the other.
+    ``surroundings`` has the known facts of the rest of the program; without it a call may change everything.
+    ``scratch`` holds for both runs, or only for the first if ``scratch_of_other`` is given for the other.
     """
     for rung in (*one, *other):
         if rung.problems:
@@ -85,7 +85,9 @@ def compare(
 
 
 def is_identical(one: DrawnRung, other: DrawnRung) -> bool:
-    """The same squares and outputs in the same rows; blank rows at the end and spelling do not count."""
+    """True for the same squares and outputs in the same rows; blank rows at the end and spelling do not count."""
+    if one.is_drawn_as(other):
+        return True
     outputs = [[(box.row, said_by(box), [row for _, row in box.pins]) for box in rung.boxes] for rung in (one, other)]
     return outputs[0] == outputs[1] and _squares(one) == _squares(other)
 
@@ -159,9 +161,9 @@ def _first_difference(one: Sequence[Sequence[int]], other: Sequence[Sequence[int
 
 
 def _other_outputs(one: Sequence[Said], other: Sequence[Said]) -> str:
-    """How two lists of outputs differ."""
+    """The difference between two lists of outputs."""
     if Counter(one) == Counter(other):
-        return f"the outputs stand in another order: {_listed(one)} in the first, {_listed(other)} in the second"
+        return f"the outputs are in another order: {_listed(one)} in the first, {_listed(other)} in the second"
     index = next((n for n, (mine, theirs) in enumerate(zip(one, other, strict=False)) if mine != theirs), None)
     if index is None:
         longer, which = (one, "first") if len(one) > len(other) else (other, "second")

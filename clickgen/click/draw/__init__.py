@@ -1,1 +1,1 @@
-"""Rungs drawn in CLICK's grid."""
+"""Draws rungs in CLICK's grid."""

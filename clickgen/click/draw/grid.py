@@ -1,6 +1,6 @@
-"""Drawing a CLICK rung: series and parallel contacts, branches and boxes placed in a grid of 31 columns.
+"""Draws a CLICK rung: series and parallel contacts, branches and boxes placed in a grid of 31 columns.
 
-A downward wire stands at the left edge of its cell and ties that edge to the left edge of the cell below (click-facts
+A downward wire is at the left edge of its cell and ties that edge to the left edge of the cell below (click-facts
 [grid.wires]). So the picture is made of *boundaries*: boundary c is the left edge of column c, boundary 0 the power
 rail, boundary 31 the edge of the output column. A contact joins two boundaries of one row; a tie joins rows at one
 boundary. Where parallel legs merge and outputs split at the same boundary they share one tie, as CLICK draws it
@@ -28,7 +28,7 @@ MAX_ROWS = 32
 class Grid:
     """A drawn rung, every row of tall boxes written out: 31 cells and the output cell of each row.
 
-    ``boxed`` tells of each row whether it continues the box above it, ``unused`` names the rows among them that are
+    ``boxed`` says for each row whether it continues the box above it, ``unused`` has those of these rows that are
     inputs which the program does not use.
     """
 
@@ -46,7 +46,7 @@ class DoesNotFit(Exception):
 
 
 def draw(condition: Condition, items: tuple[Item, ...]) -> Grid:
-    """The grid of one CLICK rung. Raises DoesNotFit when it is too wide or too tall.
+    """Return the grid of one CLICK rung. Raises DoesNotFit if it is too wide or too tall.
 
     An instruction with pins must be the only item, without branches (click-facts [grid.one-branch]).
     """
@@ -69,7 +69,7 @@ class _Canvas:
     # -- contacts -----------------------------------------------------------------------------------------------------
 
     def net(self, net: Net, row: int, col: int, step: int = 1) -> tuple[list[int], list[int]]:
-        """Draw contacts from boundary ``col`` of ``row``; further legs go down, or up when ``step`` is -1.
+        """Draw contacts from boundary ``col`` of ``row``; further legs go down, or up if ``step`` is -1.
 
         Returns the rows at which power enters (at ``col``) and leaves (at ``col + net.width``).
         """
@@ -104,7 +104,7 @@ class _Canvas:
     # -- outputs and branches -----------------------------------------------------------------------------------------
 
     def node(self, net: Net | None, items: tuple[Item, ...], row: int, col: int) -> tuple[list[int], int]:
-        """Draw a condition with what hangs on it. Returns the rows at which power enters and the rows used."""
+        """Draw a condition and what depends on it. Returns the rows at which power enters and the rows used."""
         entries: list[int] = []
         exits = [row]
         split = col
@@ -128,7 +128,7 @@ class _Canvas:
         return entries or starts, max(below - row, net.height if net is not None else 1)
 
     def pinned_box(self, net: Net | None, action: Action) -> None:
-        """A box whose inputs are rows of their own: legs of its enable stand above it, those of its last pin below
+        """Draw a box whose inputs are rows of their own: legs of its enable go above it, those of its last pin below
         (click-facts [grid.pin-legs, grid.pin-rows]).
 
         Every pin input needs a contact (click-facts [grid.pin-contact]): SC1 is always on, ~SC1 never. An enable gets
@@ -168,15 +168,15 @@ class _Canvas:
         self.row(row)[col] = text
 
     def wire(self, row: int, start: int, stop: int) -> None:
-        """A horizontal wire from boundary ``start`` to boundary ``stop``."""
+        """Draw a horizontal wire from boundary ``start`` to boundary ``stop``."""
         if stop > COLUMNS:
             raise DoesNotFit
         self.row(row)[start:stop] = ["-"] * (stop - start)
 
     def lead(self, row: int, start: int, action: Action) -> None:
-        """The wire from the last contact to an instruction. To a box of several rows it takes a column at least.
+        """Draw the wire from the last contact to an instruction; to a box of several rows it takes at least one column.
 
-        laddercodec 0.2.2 cannot decode what it encodes of a contact in the last column before such a box
+        laddercodec 0.2.2 cannot decode its own encoding of a contact in the last column before such a box
         (click-facts [grid.free-column]).
         """
         if start >= COLUMNS and action.height > 1:
@@ -184,7 +184,7 @@ class _Canvas:
         self.wire(row, start, COLUMNS)
 
     def tie(self, boundary: int, rows: Iterable[int]) -> None:
-        """A vertical wire at a boundary over all these rows. The power rail ties every row by itself."""
+        """Draw a vertical wire at a boundary over all these rows. The power rail ties every row by itself."""
         touched = set(rows)
         if boundary == 0 or len(touched) < 2:
             return
@@ -214,7 +214,7 @@ class _Canvas:
 
 
 def pin_network(action: Action, param: Param) -> Net:
-    """The contacts of a pin; a pin that is left out is never on, an unconditional one always."""
+    """Return the contacts of a pin; a pin that is left out is never on, an unconditional one always."""
     condition = action.pin(param.name)
     if condition is None:
         return Leaf(NEVER_CONTACT)

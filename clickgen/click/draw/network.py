@@ -1,4 +1,4 @@
-"""A condition as series and parallel contacts, and how much of the grid it takes."""
+"""A condition as series and parallel contacts, and its size in the grid."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def network(condition: Condition) -> Net | None:
         nets = [net for term in condition.terms if (net := network(term)) is not None]
         return series(nets) if nets else None
     if isinstance(condition, Any):
-        # A leg that is always on takes away every other: the reader lets none through.
+        # A leg that is always on makes the others useless: the reader lets none through.
         legs = [net for term in condition.terms if (net := network(term)) is not None]
         return parallel(legs) if len(legs) == len(condition.terms) else None
     assert isinstance(condition, Always)
@@ -54,13 +54,13 @@ def network(condition: Condition) -> Net | None:
 
 
 def is_range(contact: Contact) -> bool:
-    """True for a contact that stands for several bits."""
+    """True for a contact on several bits."""
     operand = contact.operand
     return isinstance(operand.target if isinstance(operand, Immediate) else operand, Range)
 
 
 def bits(contact: Contact) -> list[Contact]:
-    """A range contact as one contact for each of its bits: CLICK has no range contacts.
+    """Return one contact for each bit of a range contact: CLICK has no range contacts.
 
     click-facts [contact.ranges]
     """

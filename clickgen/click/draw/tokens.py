@@ -17,7 +17,7 @@ from clickgen.ir.program import Action, FormulaText, KeptToken, Operands, Option
 from clickgen.ir.reach import reached
 
 Namer = Callable[[Operand], str]
-"""How an operand is shown: as its token, or with its nickname beside it."""
+"""Returns the text of an operand: its token, or with its nickname beside it."""
 
 ALWAYS_CONTACT = str(ALWAYS_ON)
 NEVER_CONTACT = f"~{ALWAYS_ON}"
@@ -27,7 +27,7 @@ CONVERSION = "convert"
 
 
 def operand_token(operand: Operand) -> str:
-    """An operand as CLICK writes it: ``DS5``, ``C1..C8``, ``DS[DS1]``, ``00FFh``, ``"ABC"``, ``$0D``."""
+    """Return an operand as CLICK writes it: ``DS5``, ``C1..C8``, ``DS[DS1]``, ``00FFh``, ``"ABC"``, ``$0D``."""
     token = _TOKENS.get(operand.__class__)
     if token is None:
         raise TypeError(f"{type(operand).__name__} has no token")
@@ -48,7 +48,7 @@ _TOKENS: dict[type, Callable[[Any], str]] = {
 
 
 def real_token(real: Real) -> str:
-    """A floating-point constant in plain decimal, as the person wrote it where that is plain already."""
+    """Return a floating-point constant in plain decimal, as the person wrote it if that is plain already."""
     if real.value == 0:
         return "0.0"
     text = real.text.replace("_", "")
@@ -84,7 +84,7 @@ def formula_text(formula: FormulaText, name: Namer = operand_token) -> str:
 
 
 def action_token(action: Action, name: Namer = operand_token) -> str:
-    """The token of an instruction, its pins aside."""
+    """The token of an instruction, except its pins."""
     return action.variant.token.format_map(_texts(action, name))
 
 
@@ -94,12 +94,12 @@ def pin_token(action: Action, param: Param, name: Namer = operand_token) -> str:
 
 
 def _texts(action: Action, name: Namer) -> dict[str, str]:
-    """What each argument is in a token; nothing for what was left out."""
+    """The text of each argument in a token; none for arguments left out."""
     texts = {param.name: _argument(action, param, name) for param in action.spec.params}
-    for owner_name in ("timer", "counter"):
-        owner = action.args.get(owner_name)
+    for param in action.spec.owns:
+        owner = action.args.get(param.name)
         if isinstance(owner, Cell):
-            texts[f"{owner_name}_value"] = name(Cell(current_value(owner.address), owner.span))
+            texts[f"{param.name}_value"] = name(Cell(current_value(owner.address), owner.span))
     return texts
 
 
@@ -126,7 +126,7 @@ def _pattern(pattern: Pattern) -> str:
 
 
 def keyword_of(param: Param) -> str:
-    """The word before an argument that may be left out of a token, with its comma; "" for one that is always there."""
+    """The word before an argument that a token may omit, with its comma; "" for one that is always there."""
     if param.kind is ParamKind.OPTIONS:
         return CONVERSION
     is_left_out = param.kind is ParamKind.FLAG or (param.kind is ParamKind.OPERAND and param.default is None)
@@ -150,7 +150,7 @@ def _remote(remote: Remote) -> str:
 
 
 def _options(options: Options) -> str:
-    """All three settings of to_text are always written (click-facts [copy.to-text])."""
+    """The options of to_text: all three settings are always written (click-facts [copy.to-text])."""
     if options.name != "to_text":
         return f",{CONVERSION}={options.name}"
     code = "none" if options.termination_code is None else f"${options.termination_code:02X}"

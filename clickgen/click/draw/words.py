@@ -33,7 +33,7 @@ def condition_words(condition: Condition, name: Namer = operand_token) -> str:
 
 
 def term_words(term: Condition, whole: All | Any, name: Namer = operand_token) -> str:
-    """One term of a series or a parallel, in brackets where it mixes the two."""
+    """One term of a series or a parallel, in brackets if it mixes the two."""
     text = condition_words(term, name)
     if isinstance(term, Any if isinstance(whole, All) else All) and len(term.terms) > 1:
         return f"({text})"

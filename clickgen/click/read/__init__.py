@@ -1,1 +1,1 @@
-"""What CLICK holds, read back: ladder files to drawn rungs, and drawn rungs to rungs of a program."""
+"""Reads back what CLICK holds: ladder files to drawn rungs, and drawn rungs to rungs of a program."""

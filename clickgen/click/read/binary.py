@@ -1,7 +1,7 @@
-"""CLICK's own files to drawn rungs, by laddercodec: captures of the clipboard, and program files (``Scr*.tmp``).
+"""Reads CLICK's own files as drawn rungs, by laddercodec: captures of the clipboard, and program files (``Scr*.tmp``).
 
 laddercodec takes codes that it does not know for others: a port for ``cpu2`` (click-facts [message.ports]), a unit
-for milliseconds. So every rung is held against its bytes, and one that is read otherwise than they say is refused
+for milliseconds. So every rung is compared with its bytes, and one that was read differently is refused
 (capture.py, program_file.py).
 """
 
@@ -33,26 +33,26 @@ if TYPE_CHECKING:
 _T = TypeVar("_T")
 _INDEX_AT = 0x40
 _NAME_AT = 0x43
-"""Where a program file has its prog_idx and its name, the bytes of the name before it (laddercodec, decode_program)."""
+"""Where a program file has its prog_idx and its name, after the name's length (laddercodec, decode_program)."""
 _ROWS_AT = 0x0254
 _ROWS_UNIT = 32
 _BLOCK = 4096
-"""Where a capture has its number of rows, what each counts there, and what its size is a multiple of (encode)."""
+"""Where a capture has its number of rows, the count for each there, and the block that divides its size (encode)."""
 _RUNG = re.compile(r"\(rung (\d+)\)")
 
 
 @dataclass(frozen=True)
 class ProgramHeader:
-    """What a program file says of itself: CLICK's number of the routine, and its name."""
+    """The header of a program file: CLICK's number of the routine, and its name."""
 
     index: int
     name: str
 
 
 def program_header(data: bytes) -> ProgramHeader | None:
-    """The header of a program file; None when it is no such file, or cut off inside of it.
+    """Return the header of a program file; None if it is not such a file, or is cut off inside the header.
 
-    Readable without laddercodec, which gives nothing of a file that is damaged anywhere.
+    It needs no laddercodec, which returns nothing for a file that is damaged anywhere.
     """
     if not data.startswith(PROGRAM_MAGIC) or len(data) < _NAME_AT:
         return None
@@ -61,12 +61,12 @@ def program_header(data: bytes) -> ProgramHeader | None:
     name = data[_NAME_AT : _NAME_AT + length]
     if len(name) < length:
         return None
-    # The NUL behind the name has one byte.
+    # The NUL after the name has one byte.
     return ProgramHeader(index, name[: length // 2 * 2].decode("utf-16-le", "replace").rstrip("\0"))
 
 
 def read_program(data: bytes, file: str) -> Ladder:
-    """The rungs of a program file. Never raises."""
+    """Return the rungs of a program file. Never raises."""
     from laddercodec import decode_program
 
     from clickgen.click.read.program_file import ProgramFault, differences, read_rungs
@@ -89,7 +89,7 @@ def read_program(data: bytes, file: str) -> Ladder:
 
 
 def read_clipboard(data: bytes, file: str) -> Ladder:
-    """The rungs of a capture of the clipboard. Never raises."""
+    """Return the rungs of a capture of the clipboard. Never raises."""
     from laddercodec import decode
 
     from clickgen.click.read.capture import cut
@@ -117,9 +117,9 @@ def read_clipboard(data: bytes, file: str) -> Ladder:
 
 
 def _too_wide(said: Cut, file: str) -> LadderProblem | None:
-    """A rung that laddercodec 0.2.2 encodes and cannot decode (findings/laddercodec-31-contacts.sh).
+    """Find a rung that laddercodec 0.2.2 encodes but cannot decode (findings/laddercodec-31-contacts.sh).
 
-    It looks for another filler after a box of two rows or more that has a contact in the last column before it.
+    It expects another filler after a box of two rows or more that has a contact in the last column before it.
     """
     for number, rung in enumerate(said.rungs if not said.fault else (), 1):
         if any(row[-2].blob is not None and row[-1].header.height > 1 for row in rung.rows):
@@ -133,13 +133,13 @@ def _with_problem(ladder: Ladder, message: str, file: str) -> Ladder:
 
 
 def _difference(said: CutRung, rung: Rung) -> str:
-    """Where the bytes of a rung are not those that laddercodec writes of what it read; "" when they are."""
+    """The difference between the bytes of a rung and those that laddercodec writes for what it read; "" if none."""
     from laddercodec import encode
 
     from clickgen.click.read.capture import cut, differences
 
     try:
-        # Each alone: a file of them has limits, and laddercodec does not tell of all (click-facts [limit.rows]).
+        # Each alone: a file of them has limits, and laddercodec does not report all (click-facts [limit.rows]).
         written = cut(encode(replace(rung, comment=None, comment_rtf=None)))
     except Exception as error:
         return _unproven(_words(error))
@@ -155,10 +155,10 @@ def _unproven(why: str) -> str:
 
 
 def _is_whole(data: bytes, rungs: list[Rung]) -> bool:
-    """laddercodec takes a capture that is cut off for a shorter one, and one that goes on with NULs for empty cells.
+    """True for a complete capture: laddercodec takes a cut one for a shorter one, and trailing NULs for empty cells.
 
-    So look at its size, at the number of rows in its header (those of the rungs and one more for each), and at the
-    column that its last cell says it stands in. All native captures pass.
+    So check its size, the number of rows in its header (those of the rungs and one more for each), and the
+    column that its last cell gives as its own. All native captures pass.
     """
     from laddercodec.decode import inspect_cells
 
@@ -170,7 +170,7 @@ def _is_whole(data: bytes, rungs: list[Rung]) -> bool:
 
 
 def _guarded(call: Callable[[bytes], _T], data: bytes, file: str) -> _T:
-    """What laddercodec makes of a file. Raises LadderProblem for whatever it raises: damage shows in many ways."""
+    """Return laddercodec's reading of a file. Raises LadderProblem for any exception: damage shows in many ways."""
     try:
         return call(data)
     except Exception as error:
@@ -181,7 +181,7 @@ def _guarded(call: Callable[[bytes], _T], data: bytes, file: str) -> _T:
 
 
 def _ladder(rungs: list[Rung], file: str, proof: Callable[[int, Rung], str], comments: Sequence[bytes]) -> Ladder:
-    """The rungs as they are drawn; ``proof`` says, by the number from 0, what the bytes say otherwise than the rung."""
+    """Return the rungs as drawn; ``proof`` gives, by the number from 0, what differs between the bytes and the rung."""
     drawn = []
     for number, rung in enumerate(rungs):
         rung.instructions = [_named(token) for token in rung.instructions]
@@ -189,7 +189,7 @@ def _ladder(rungs: list[Rung], file: str, proof: Callable[[int, Rung], str], com
         if not one.problems:
             what = _guarded_proof(proof, number, rung)
             problems = (LadderProblem(what, file, 0, number + 1, "CG708"),) if what else ()
-            # What is read is not what the rung is, so nothing of it is shown.
+            # The reading is not what the rung is, so nothing of it is shown.
             one = replace(one, rows=(), boxes=(), problems=problems) if problems else one
         marks = left_out(comments[number])
         note = f"its comment has marks that are left out: {' '.join(marks)}"
@@ -205,9 +205,9 @@ def _guarded_proof(proof: Callable[[int, Rung], str], number: int, rung: Rung) -
 
 
 def _named(token: AfToken) -> AfToken:
-    """A pack or unpack by the word that its banks have.
+    """Rename a pack or unpack according to its banks.
 
-    The bytes do not say bits or words; laddercodec goes by the letter C, and takes X001 to X016 for words
+    The bytes do not distinguish bits from words; laddercodec goes by the letter C, and takes X001 to X016 for words
     (click-facts [copy.pack-names]).
     """
     from laddercodec.instructions import Pack, Unpack
@@ -225,7 +225,7 @@ def _kind_of_pack(address: str, otherwise: str) -> str:
 
 
 def _drawn(rung: Rung, number: int, file: str) -> DrawnRung:
-    """A decoded rung, by way of the rows that laddercodec would write of it. The comment is kept as it is."""
+    """Return a decoded rung, through the rows that laddercodec would write for it. The comment is unchanged."""
     from laddercodec.csv.writer import decoded_rung_to_rows
 
     comment = rung.comment or ""
@@ -244,15 +244,9 @@ def _drawn(rung: Rung, number: int, file: str) -> DrawnRung:
     problems = [LadderProblem(problem.message, file, 0, number) for problem in drawn.problems]
     if rung.comment is None and rung.comment_rtf:
         problems.append(LadderProblem("the comment cannot be read", file, 0, number))
-    return DrawnRung(
-        number,
-        file,
-        0,
-        comment,
-        tuple(replace(row, line=0) for row in drawn.rows),
-        drawn.boxes,
-        tuple(problems),
-    )
+    rows = tuple(replace(row, line=0) for row in drawn.rows)
+    written = drawn.written._replace(rows=rows) if drawn.written is not None else None
+    return DrawnRung(number, file, 0, comment, rows, drawn.boxes, tuple(problems), written=written)
 
 
 def _words(error: Exception) -> str:

@@ -1,4 +1,4 @@
-"""Instructions as CLICK's own files hold them: a class, a type and numbered fields; and as laddercodec writes them.
+"""Instructions in the form of CLICK's own files: a class, a type and numbered fields; and as laddercodec writes them.
 
 A blob of the clipboard is read here without laddercodec, every byte of it, so that two of them are equal exactly when
 their bytes are (the form: laddercodec 0.2.2, instructions/raw.py).
@@ -12,11 +12,11 @@ from functools import cached_property
 from typing import NamedTuple
 
 UNINDEXED = 0xFFFFFFFF
-"""What stands in the place of a slot at a field that is no part of an array."""
+"""The slot of a field that is not part of an array."""
 
 
 class BlobFault(Exception):
-    """Bytes that are no blob."""
+    """Bytes that are not a blob."""
 
 
 class Field(NamedTuple):
@@ -28,12 +28,12 @@ class Field(NamedTuple):
 
     @property
     def name(self) -> str:
-        """As laddercodec's ``raw(...)`` names it: ``3a05``, ``3a05[2]``."""
+        """The name in laddercodec's ``raw(...)``: ``3a05``, ``3a05[2]``."""
         return f"{self.tag:04x}" if self.slot == UNINDEXED else f"{self.tag:04x}[{self.slot}]"
 
 
 class Head(NamedTuple):
-    """What an instruction is: CLICK's class, its type, and how many parts it has with which numbers."""
+    """The kind of an instruction: CLICK's class, its type, and the number and numbers of its parts."""
 
     name: str
     type: int
@@ -60,7 +60,7 @@ class Blob(_Blob):
 
 
 def read_blob(data: bytes, start: int) -> tuple[Blob, int]:
-    """The instruction at a place, and the place behind it. Raises BlobFault."""
+    """Return the instruction at a place, and the place after it. Raises BlobFault."""
     try:
         name, at = _text(data, start)
         type_, parts = struct.unpack_from("<IH", data, at)

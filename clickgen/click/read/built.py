@@ -1,4 +1,4 @@
-"""The ladder files of a build, read back: what CLICK gets."""
+"""The ladder files of a build, read back as CLICK gets them."""
 
 from __future__ import annotations
 
@@ -12,9 +12,10 @@ _SUBROUTINE = re.compile(r"subroutines/(.+)\.csv")
 
 
 def built_ladders(files: Mapping[str, str], shown: str = "") -> dict[str, Ladder]:
-    """The ladder of each routine out of the outputs of a build, by CLICK's names. ``shown`` stands before their files.
+    """Return the ladder of each routine from the outputs of a build, by CLICK's names. ``shown`` goes before their
+    files.
 
-    The parts of a long main are one ladder, its rungs numbered through.
+    The parts of a long main are one ladder, with its rungs numbered consecutively.
     """
     found: dict[str, Ladder] = {}
     for file in sorted(files, key=_number):

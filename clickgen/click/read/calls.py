@@ -1,4 +1,4 @@
-"""An output token taken apart: ``copy(DS1,DS2,oneshot=1)`` is a name, arguments, and arguments by name."""
+"""Splits an output token: ``copy(DS1,DS2,oneshot=1)`` is a name, arguments, and arguments by name."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Call:
 
 
 def call_of(token: str) -> Call | None:
-    """The parts of a token; None when it is no call, or its quotes or brackets do not fit."""
+    """Return the parts of a token; None if it is not a call, or its quotes or brackets do not match."""
     match = _CALL.fullmatch(token.strip())
     parts = split(match[2]) if match else None
     if match is None or parts is None:
@@ -40,13 +40,13 @@ def call_of(token: str) -> Call | None:
 
 
 def unquoted(text: str) -> str | None:
-    """What stands in quotes, where a quote is doubled; None when the text is not in quotes."""
+    """Return the text inside quotes, where a quote is doubled; None if the text is not in quotes."""
     is_quoted = len(text) > 1 and text[0] == text[-1] == '"'
     return text[1:-1].replace('""', '"') if is_quoted else None
 
 
 def split(text: str) -> list[str] | None:
-    """The parts between commas, those inside quotes and brackets left alone; None when these do not fit."""
+    """Return the parts between commas, except those inside quotes and brackets; None if these do not match."""
     if not text.strip():
         return []
     parts, depth = [""], 0

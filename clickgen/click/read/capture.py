@@ -1,8 +1,8 @@
-"""A capture of the clipboard, cut into its cells byte by byte, and each rung held against what laddercodec writes.
+"""A capture of the clipboard, cut into its cells byte by byte, and each rung compared with what laddercodec writes.
 
 The form is that of laddercodec 0.2.2 (click-facts [click-file.captures]): a head, then rows of 32 cells. Each rung
-begins with a row of its own, whose first cell holds the comment. Every cell says which row and column it is, and its
-end says where the next one belongs, so that a cut is right or fails.
+begins with a row of its own, whose first cell holds the comment. Every cell gives its row and column, and its
+end says where the next one belongs, so a cut is right or fails.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from clickgen.click.read.harmless import DRAWN_TALLER, WIRED_LATER
 
 _ROWS_AT, _ROWS_UNIT = 0x0254, 32
 _FIRST_AT = 0x0260
-"""Where the first rung's row begins. Before it stand the state of CLICK's window and the number of rows."""
+"""Where the first rung's row begins, after the state of CLICK's window and the number of rows."""
 _COLUMNS = 32
 _OUTPUT = _COLUMNS - 1
 _HEADER = struct.Struct("<BIIBBBBiIIIII")
@@ -29,11 +29,11 @@ _HEIGHT_MAX = 8
 
 
 class CaptureFault(Exception):
-    """Bytes that are no capture, from the rung on that is being cut."""
+    """Bytes that are not a capture, from the current rung on."""
 
 
 class _Header(NamedTuple):
-    """The head of a cell. ``unused`` are two bytes in which CLICK leaves what was there before."""
+    """The head of a cell. ``unused`` is two bytes in which CLICK leaves old contents."""
 
     pad: int
     column: int
@@ -75,7 +75,7 @@ class Cut:
 
 
 def cut(data: bytes) -> Cut:
-    """A capture in its cells. Never raises."""
+    """Cut a capture into its cells. Never raises."""
     found = Cut()
     cutter = _Cutter(data, found.rungs)
     try:
@@ -125,7 +125,7 @@ class _Cutter:
                 raise CaptureFault(f"the row of the comment holds something in column {column + 1}")
 
     def _cell(self, number: int, column: int, row: int, is_last: bool) -> tuple[Cell, bytes]:
-        """The next cell, and the comment in it. ``number`` counts all rows, ``row`` those of the rung from 1."""
+        """Return the next cell, and the comment in it. ``number`` counts all rows, ``row`` those of the rung from 1."""
         header = _Header(*_HEADER.unpack_from(self.data, self.at))
         # laddercodec writes one byte of the numbers of a comment's row and of a rung.
         numbers = (number, number & 0xFF) if row == 0 else (number,)
@@ -146,7 +146,7 @@ class _Cutter:
         self.at += 8 + length
         rung = len(self.rungs) - 1
         if is_last and column == _OUTPUT:
-            self.at += 8  # how many nicknames follow, and what was there before
+            self.at += 8  # the number of nicknames that follow, and old contents
         elif column < _OUTPUT:
             self._goes_on_in((rung, row))
         else:
@@ -154,7 +154,7 @@ class _Cutter:
         return Cell(header, blob), comment
 
     def _goes_on_in(self, *places: tuple[int, int]) -> None:
-        """The end of a cell says in which rung and row the next one is."""
+        """Check that the end of a cell gives the rung and row of the next one."""
         one, rung, row = struct.unpack_from("<BII", self.data, self.at)
         self.at += 8
         # The last byte of the row is the first of the next cell.
@@ -167,7 +167,7 @@ class _Cutter:
 
 
 def differences(rung: CutRung, made: CutRung) -> Iterator[str]:
-    """What the bytes of a rung say otherwise than laddercodec's of what was read of it."""
+    """Yield the differences between the bytes of a rung and laddercodec's bytes for what was read."""
     if len(rung.rows) != len(made.rows):
         yield f"it has {len(rung.rows)} rows, and {len(made.rows)} are read"
         return
@@ -191,10 +191,10 @@ def _covered_by(rows: Sequence[Sequence[Cell]], number: int) -> bool:
 
 
 def _difference(cell: Cell, made: Cell, column: int, is_covered: bool) -> str:
-    """What two cells differ in; "" when they do not, or only in what does not count.
+    """The difference between two cells; "" if there is none, or only one that does not count.
 
-    ``segment``, and ``start`` in the first column, say in which order somebody drew the rung (laddercodec, encode.py);
-    ``height`` is how tall CLICK draws a box.
+    ``segment``, and ``start`` in the first column, give the order in which somebody drew the rung (laddercodec,
+    encode.py); ``height`` is how tall CLICK draws a box.
     """
     if (cell.blob is None) != (made.blob is None):
         return "an instruction is on one side only"

@@ -1,4 +1,4 @@
-"""Whether an instruction of a file is the one that laddercodec writes of what it read; else the first difference."""
+"""Compares an instruction of a file with what laddercodec writes for it, and finds the first difference."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from clickgen.click.read.harmless import MEANINGS, reason_for
 
 
 def first_difference(said: Blob, made: Blob) -> str:
-    """The first field of a clipboard's instruction that counts and differs; "" when none does."""
+    """The first field of a clipboard's instruction that counts and differs; "" if there is none."""
     if said.head != made.head:
         return f"{said.head.name} is read as {made.head.name}, or is of another type"
     if len(said.fields) != len(made.fields):
@@ -19,7 +19,7 @@ def first_difference(said: Blob, made: Blob) -> str:
 
 
 def _unnumbered(said: Blob, made: Blob) -> str:
-    """An array that CLICK numbers and laddercodec does not is numbered through."""
+    """An array that CLICK numbers and laddercodec does not must be numbered consecutively."""
     counts: dict[int, int] = {}
     for one, other in zip(said.fields, made.fields, strict=True):
         if one.slot != other.slot and other.slot == UNINDEXED:

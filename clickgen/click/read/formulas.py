@@ -1,4 +1,4 @@
-"""A formula as CLICK shows it, ``SUM ( DS1 : DS10 ) + DS100 * 2``, to the formula of a program."""
+"""Turns a formula as CLICK shows it, ``SUM ( DS1 : DS10 ) + DS100 * 2``, into the formula of a program."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from clickgen.click.draw.tokens import formula_text
 from clickgen.click.read.operands import ADDRESS, embedded
 from clickgen.device.banks import parse_address
 from clickgen.formula import Mode, parse_formula
-from clickgen.formula.printer import source_reference
+from clickgen.formula.spelling import SPELL
 from clickgen.ir.operands import Cell, Range
 from clickgen.ir.program import FormulaText
 from clickgen.problems.diagnostics import Diagnostics
@@ -26,7 +26,7 @@ _WORDS = re.compile(
 
 
 def formula_of(text: str, mode: Mode, span: Span) -> FormulaText | None:
-    """The formula that CLICK would show so again, token by token; None where a program cannot write that."""
+    """Return the formula that CLICK would show the same, token by token; None if a program cannot write it."""
     written: list[str] = []
     shown: list[str] = []
     for match in _WORDS.finditer(text):
@@ -50,8 +50,8 @@ def _source(match: re.Match[str], span: Span) -> str | None:
         first, last = parse_address(match["first"]), parse_address(match["last"])
         if first is None or last is None or first.bank != last.bank or first.number > last.number:
             return None
-        return source_reference(Range(first.bank, first.number, last.number, span))
+        return SPELL.reference(Range(first.bank, first.number, last.number, span))
     if match["cell"]:
         address = parse_address(match["cell"])
-        return source_reference(Cell(address, span)) if address else None
+        return SPELL.reference(Cell(address, span)) if address else None
     return None if match["unknown"] else match[0]

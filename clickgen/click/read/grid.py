@@ -1,7 +1,7 @@
-"""A ladder CSV to rungs: rows of squares, the boxes of the output column with their pins, comments.
+"""Reads a ladder CSV as rungs: rows of squares, the boxes of the output column with their pins, comments.
 
-What laddercodec reads is read the same way, a wire through blank squares included (click-facts [grid.blank-wires]).
-What is damaged becomes a problem of its rung, or of the file where it belongs to none.
+It reads everything as laddercodec does, a wire through blank squares included (click-facts [grid.blank-wires]).
+Damage becomes a problem of its rung, or of the file if it belongs to none.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import io
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 from clickgen.click.draw.grid import COLUMNS, MAX_ROWS
 from clickgen.click.ladder_csv import HEADER
@@ -27,7 +28,7 @@ _WIRES = {"": (False, False), "-": (True, False), "T": (True, True), "|": (False
 
 @dataclass(frozen=True, slots=True)
 class Square:
-    """One cell of the grid: does it carry power right, through which contact, and down at its left edge."""
+    """One cell of the grid: whether it carries power right, through which contact, and down at its left edge."""
 
     right: bool = False
     down: bool = False
@@ -52,11 +53,19 @@ class DrawnBox:
     pins: tuple[tuple[str, int], ...] = ()
 
 
+class AsWritten(NamedTuple):
+    """The text of each row of a rung, with the rows and boxes that the reader made of it."""
+
+    text: tuple[tuple[str, ...], ...]
+    rows: tuple[DrawnRow, ...]
+    boxes: tuple[DrawnBox, ...]
+
+
 @dataclass(frozen=True)
 class DrawnRung:
     """One rung. ``number`` counts from 1 in its routine; ``line`` is 0 in a binary file.
 
-    Of a rung with problems, ``rows`` and ``boxes`` are what could be read.
+    For a rung with problems, ``rows`` and ``boxes`` have what could be read.
     """
 
     number: int
@@ -67,23 +76,39 @@ class DrawnRung:
     boxes: tuple[DrawnBox, ...]
     problems: tuple[LadderProblem, ...] = ()
     notes: tuple[str, ...] = ()
-    """What a person should know of how the rung was read."""
+    """Notes for a person on how the rung was read."""
+    written: AsWritten | None = field(default=None, compare=False, repr=False)
+    """The text in the file, if the rung was read from text and has no problems."""
 
     @property
     def span(self) -> Span:
-        """The place of the rung. In a binary file its number stands for the line: no two rungs have one place."""
+        """The place of the rung. In a binary file its number replaces the line: no two rungs have one place."""
         line = self.line or self.number
         return Span(self.file, line, 1, line, 2)
 
+    def is_drawn_as(self, other: DrawnRung) -> bool:
+        """True if both were read from the same text, so that they are drawn alike; False proves nothing."""
+        return self is other or (self.text is not None and self.text == other.text)
+
+    @property
+    def text(self) -> tuple[tuple[str, ...], ...] | None:
+        """The text of each row; None if it is not known, as after a change of the rung."""
+        written = self.written
+        if written is None or self.problems or written.rows is not self.rows or written.boxes is not self.boxes:
+            return None
+        return written.text
+
     def numbered(self, number: int) -> DrawnRung:
-        """The same rung at another place of its routine."""
+        """Return the same rung at another place of its routine."""
+        if number == self.number:
+            return self
         problems = tuple(problem.in_rung(number) for problem in self.problems)
         return replace(self, number=number, problems=problems)
 
 
 @dataclass(frozen=True)
 class Ladder:
-    """What a file holds; ``problems`` are those that belong to no rung."""
+    """The contents of a file; ``problems`` has those that belong to no rung."""
 
     rungs: tuple[DrawnRung, ...]
     problems: tuple[LadderProblem, ...]
@@ -98,7 +123,7 @@ _PLAIN = {text: Square(*wires) for text, wires in _WIRES.items() if not wires[1]
 
 
 def decode_ladder(data: bytes, file: str) -> str:
-    """The text of a ladder file (UTF-8, with or without a byte order mark). Raises LadderProblem."""
+    """Return the text of a ladder file (UTF-8, with or without a byte order mark). Raises LadderProblem."""
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -107,7 +132,7 @@ def decode_ladder(data: bytes, file: str) -> str:
 
 
 def read_ladder(text: str, file: str) -> Ladder:
-    """The rungs of a ladder CSV. Never raises."""
+    """Return the rungs of a ladder CSV. Never raises."""
     reader = _Reader(file)
     for row, fields in reader.records(text):
         reader.record(row, fields)
@@ -127,12 +152,13 @@ class _Reader:
     comment: list[str] = field(default_factory=list)
     comment_row: int = 0
     rung_row: int = 0
-    """The line of the open rung; 0 when none is open."""
+    """The line of the open rung; 0 if none is open."""
     rows: list[DrawnRow] = field(default_factory=list)
+    cells: list[tuple[str, ...]] = field(default_factory=list)
     faults: list[LadderProblem] = field(default_factory=list)
 
     def records(self, text: str) -> Iterator[tuple[int, list[str]]]:
-        """The lines below the header that are not empty, each with the number of its first one."""
+        """Yield the lines below the header that are not empty, each with the number of its first one."""
         reader = csv.reader(io.StringIO(text.removeprefix("\ufeff"), newline=""), strict=True)
         is_open, row = False, 1
         try:
@@ -178,12 +204,12 @@ class _Reader:
         if "\n" in text or "\r" in text:
             self._fault("a cell holds a line break: is a quote missing?", row)
             return
+        plain = _PLAIN.get  # Most squares are blank or a wire.
         squares = tuple(
-            # Most squares are blank or a wire.
-            _PLAIN.get(cell) or self._square(cell.strip(), column, row)
-            for column, cell in enumerate(fields[1:-1])
+            [plain(cell) or self._square(cell.strip(), column, row) for column, cell in enumerate(fields[1:-1])]
         )
         self.rows.append(DrawnRow(squares, fields[-1].strip(), row))
+        self.cells.append(tuple(fields[1:]))
 
     def _square(self, text: str, column: int, row: int) -> Square:
         wires = _WIRES.get(text)
@@ -203,7 +229,7 @@ class _Reader:
         self.faults.append(LadderProblem(message, self.file, row))
 
     def close(self) -> None:
-        """The open rung is complete."""
+        """Complete the open rung."""
         if not self.rung_row:
             return
         boxes = self._boxes()
@@ -214,18 +240,20 @@ class _Reader:
         if height > MAX_ROWS:
             self._fault(f"the rung has {height} rows with its boxes at their full height, and CLICK {MAX_ROWS}", 0)
         number = len(self.rungs) + 1
+        rows = _joined(self.rows)
         problems = tuple(LadderProblem(p.message, p.file, p.row or self.rung_row, number) for p in self.faults)
         rung = DrawnRung(
             number,
             self.file,
             self.rung_row,
             "\n".join(self.comment),
-            _joined(self.rows),
+            rows,
             boxes,
             problems,
+            written=None if problems else AsWritten(tuple(self.cells), rows, boxes),
         )
         self.rungs.append(rung)
-        self.comment, self.rows, self.faults, self.rung_row = [], [], [], 0
+        self.comment, self.rows, self.cells, self.faults, self.rung_row = [], [], [], [], 0
 
     def _boxes(self) -> tuple[DrawnBox, ...]:
         """The instructions of the open rung, with each pin at the one directly above it."""
@@ -242,7 +270,7 @@ class _Reader:
             elif not PIN.fullmatch(token):
                 self._fault(f"{token!r} is no pin", row.line)
             elif not is_near:
-                self._fault(f"{token} does not stand directly below its instruction", row.line)
+                self._fault(f"{token} is not directly below its instruction", row.line)
             else:
                 box = boxes[-1]
                 if pin_row_of(box.token, token) <= max([0, *(pin_row_of(box.token, pin) for pin, _ in box.pins)]):
@@ -256,9 +284,9 @@ def _lines(text: str) -> list[str]:
 
 
 def _joined(rows: Sequence[DrawnRow]) -> tuple[DrawnRow, ...]:
-    """The rows with each downward wire led on through blank squares, up to a row that meets it from the left.
+    """Return the rows with each downward wire continued through blank squares, up to a row that meets it from the left.
 
-    So laddercodec reads a file; the last row is left alone.
+    laddercodec reads a file the same way; the last row is left alone.
     """
     joined = list(rows)
     for index in range(len(joined) - 2):
@@ -272,7 +300,7 @@ def _joined(rows: Sequence[DrawnRow]) -> tuple[DrawnRow, ...]:
 
 
 def _height(rows: Sequence[DrawnRow]) -> tuple[int, int]:
-    """The rows of a rung with every box at its full height, and how many of them follow the last one written."""
+    """Return the rows of a rung with every box at full height, and how many of them follow the last one written."""
     total = free = 0
     is_loose = False
     for row in rows:

@@ -1,8 +1,8 @@
-"""Where CLICK's bytes and laddercodec's differ and the instruction is the same all the same, each with the reason
+"""Differences between CLICK's bytes and laddercodec's that do not change the instruction, each with the reason
 (click-facts [click-file.harmless]).
 
 Found in the captures and program files that laddercodec 0.2.2 carries as fixtures: 192 captures and 41 program files
-of CLICK, 1889 and 1558 instructions. A difference that is not here is told, and its rung refused.
+of CLICK, 1889 and 1558 instructions. Any other difference is reported, and its rung refused.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Harmless(NamedTuple):
 
 
 def reason_for(said: Field, made: Field, file: Blob, written: Blob) -> str:
-    """Why a field may differ from what laddercodec writes; "" when it may not."""
+    """The reason why a field may differ from what laddercodec writes; "" if it may not."""
     if said.tag != made.tag:
         return ""
     if said.slot == made.slot and said.tag >> 8 in SWITCHES and {said.value, made.value} == {"1", "-1"}:
@@ -93,11 +93,11 @@ HARMLESS = (
 )
 
 DRAWN_TALLER = ("Email", "Home", "Position", "Velocity")
-"""Boxes that CLICK draws three rows tall and laddercodec writes as one; nothing else stands in their rows
+"""Boxes that CLICK draws three rows tall and laddercodec writes as one; their rows hold nothing else
 (click-facts [grid.heights])."""
 
 WIRED_LATER = ("Cnt", "Drum", "SR")
-"""Boxes whose wire into the first row CLICK keeps apart: it is off where a row was put in above the wired one."""
+"""Boxes whose wire into the first row CLICK keeps apart: it is off if a row was inserted above the wired one."""
 
 MEANINGS = {
     0x11F5: "immediate",
@@ -115,4 +115,4 @@ MEANINGS = {
     0x3218: "CLICK's code of the instruction",
     0x3A05: "CLICK's code of an input",
 }
-"""What some fields hold, for a message."""
+"""The meanings of some fields, for a message."""

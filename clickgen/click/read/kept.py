@@ -1,4 +1,4 @@
-"""Instructions that are kept as their ladder tokens: which these are, and that laddercodec leaves them as they are."""
+"""Instructions that are kept as their ladder tokens: which these are, and that laddercodec leaves them unchanged."""
 
 from __future__ import annotations
 
@@ -6,68 +6,65 @@ import re
 import struct
 import unicodedata
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from clickgen.click.draw.grid import COLUMNS, MAX_ROWS
 from clickgen.click.draw.tokens import action_token
 from clickgen.click.read.calls import call_of
 from clickgen.click.read.operands import embedded, operand_of
-from clickgen.click.read.tokens import NOP_TOKEN, action_of, specs_of
+from clickgen.click.read.tokens import action_of, specs_of
 from clickgen.device.system import WRITABLE_SD
-from clickgen.instructions import INSTRUCTIONS
-from clickgen.instructions.control import NOP
-from clickgen.instructions.maths import CALC, MATH_HEX
-from clickgen.instructions.raw import RAW, rows_of
-from clickgen.instructions.timers import RTOF
+from clickgen.dialects.base import Spelling
+from clickgen.instructions.offered import KEPT
+from clickgen.instructions.raw import WORD, rows_of
+from clickgen.instructions.spec import ParamKind, Spec
 from clickgen.ir.kept import kept_token
+from clickgen.ir.made import NOP_TOKEN, kept, nothing
 from clickgen.ir.operands import Cell
-from clickgen.ir.program import Action, KeptToken
-from clickgen.problems.diagnostics import Diagnostics
+from clickgen.ir.program import Action
 from clickgen.text.source import Span
 
-if TYPE_CHECKING:
-    from clickgen.facts.facts import Facts
-
 _FORMULA = "math"
-_MODES = {"decimal": CALC, "hex": MATH_HEX}
 _FIELDS = re.compile(r"raw\([A-Za-z]\w*,0x[0-9a-f]{4,8},[1-9]\d{0,2}(?:,.*)?\)")
 """``raw(Email,0x2737,1,60a5=1)``. The older form, a number of many digits, would hide the addresses in it."""
 _LONG_RUN = re.compile(r"\[\d{4,}\]=")
-"""So many empty fields no instruction has (the longest that is known, 250)."""
+"""No instruction has this many empty fields (the most that are known: 250)."""
 _LENGTH_MAX = 16_384
-"""Far more than any instruction has. laddercodec looks at every blank of a formula as often as there are blanks."""
+"""Far more than any instruction has. laddercodec's work on a formula grows with the square of its blanks."""
 _UNPRINTED = ("Cc", "Cs", "Zl", "Zp")
 _NOWHERE = Span("", 1, 1, 1, 2)
 
 
 class Fault(NamedTuple):
-    """Why a token cannot be kept, and the way out."""
+    """The reason why a token cannot be kept, and the way out."""
 
     message: str
     help: str
+    instead: tuple[Spec, ...] = ()
+    """The instructions that the language has for it: how they are written completes the help."""
+    is_example: bool = False
+    """True where they are only an example."""
+
+    def way_out(self, spell: Spelling) -> str:
+        """The help, with instructions as a dialect writes them."""
+        write = spell.example if self.is_example else spell.signature
+        words = " or ".join(map(write, self.instead))
+        return f"{self.help} {words}" if words else self.help
 
 
 def raw_of(token: str, span: Span) -> Action | None:
-    """An instruction to keep as it is; None when its token cannot be kept."""
+    """Return an instruction to keep unchanged; None if its token cannot be kept."""
     if fault_of(token) is not None:
         return None
-    return Action(RAW, {"token": kept_token(embedded(token, span), span)}, span)
-
-
-def check(facts: Facts, problems: Diagnostics) -> None:
-    """Every token that the program keeps is one that can be kept."""
-    for placed in facts.actions:
-        token = placed.action.args.get("token")
-        fault = fault_of(token.text) if isinstance(token, KeptToken) else None
-        if token is not None and fault is not None:
-            problems.add("CG317", token.span, f"the ladder token cannot be kept: {fault.message}", fault.help)
+    return kept(kept_token(embedded(token, span), span))
 
 
 @lru_cache(maxsize=4096)
 def fault_of(token: str) -> Fault | None:
-    """Why a token cannot be kept; None for one that can.
+    """The reason why a token cannot be kept; None for one that can.
 
-    Kept is what the language has no word for: ``raw(...)``, and formulas that clickgen would print otherwise.
+    Tokens are kept if the language has no word for them: ``raw(...)``, and formulas that clickgen would print
+    otherwise.
     """
     if len(token) > _LENGTH_MAX:
         return Fault(f"it has {len(token)} characters, and no instruction has so many", "draw the rung again in CLICK")
@@ -78,39 +75,47 @@ def fault_of(token: str) -> Fault | None:
         return _fault_of_formula(token) or _fault_in_codec(token)
     words = _words(token)
     if words:
-        return Fault("the language has a word for it", f"write {words}")
-    if name != RAW.name:
-        return Fault(f"it is no {RAW.name}(...) and no {_FORMULA}(...)", f"for example: {RAW.example}")
+        return Fault("the language has a word for it", "write", words)
+    if name != WORD:
+        return Fault(f"it is no {WORD}(...) and no {_FORMULA}(...)", "for example:", (KEPT,), True)
     if not _FIELDS.fullmatch(token) or _LONG_RUN.search(token):
-        return Fault("laddercodec does not write such a token", f"for example: {RAW.example}")
+        return Fault("laddercodec does not write such a token", "for example:", (KEPT,), True)
     if rows_of(token) > MAX_ROWS:
         return Fault(f"it is {rows_of(token)} rows tall, and a rung has {MAX_ROWS}", "correct its third part")
     return _fault_in_codec(token)
 
 
-def _words(token: str) -> str:
-    """How the language writes instructions with the name of this token; "" when it has none."""
+def _words(token: str) -> tuple[Spec, ...]:
+    """The instructions of the language with the name of this token."""
     if token == NOP_TOKEN:
-        return NOP.example
-    specs = (spec for spec in specs_of(token) if spec is not RTOF)
-    return " or ".join(spec.signature if spec.name in INSTRUCTIONS else spec.example for spec in specs)
+        return (nothing(_NOWHERE).spec,)
+    return tuple(spec for spec in specs_of(token) if spec.built_from is None)
+
+
+def _formulas() -> dict[str, Spec]:
+    """The instructions that a formula is kept from, by the mode that its token names."""
+    return {
+        "hex" if param.is_hex else "decimal": spec
+        for spec in specs_of(_FORMULA)
+        for param in spec.params
+        if param.kind is ParamKind.FORMULA
+    }
 
 
 def _fault_of_formula(token: str) -> Fault | None:
-    """A formula is kept when it goes to a register that can be written, and clickgen would print it otherwise."""
+    """A formula can be kept if it goes to a writable register and clickgen would print it otherwise."""
     call = call_of(token)
-    mode = call.keywords.get("mode", "") if call else ""
-    spec = _MODES.get(mode)
+    spec = _formulas().get(call.keywords.get("mode", "")) if call else None
     if call is None or spec is None or len(call.arguments) != 2 or not call.keywords.keys() <= {"mode", "oneshot"}:
-        return Fault(f"it is no {_FORMULA}(formula,destination,mode=decimal) or mode=hex", f"write {_words(token)}")
+        return Fault(f"it is no {_FORMULA}(formula,destination,mode=decimal) or mode=hex", "write", _words(token))
     destination = operand_of(call.arguments[1], _NOWHERE)
     banks = next(param.slot.cells for param in spec.params if param.name == "destination")
     is_written = isinstance(destination, Cell) and destination.bank in banks and _is_writable(destination)
     if not is_written:
-        return Fault(f"{spec.name} does not write {call.arguments[1]}", f"write {spec.signature}")
+        return Fault(f"{spec.name} does not write {call.arguments[1]}", "write", (spec,))
     action = action_of(token, {}, _NOWHERE)
     if action is not None and action_token(action) == token:
-        return Fault("the language has a word for it", f"write {spec.signature}")
+        return Fault("the language has a word for it", "write", (spec,))
     return None
 
 
@@ -122,20 +127,20 @@ def _is_writable(destination: Cell) -> bool:
 
 
 def _fault_in_codec(token: str) -> Fault | None:
-    """The token goes through laddercodec as a ladder file does, into the binary form and back."""
+    """Pass the token through laddercodec as a ladder file does, into the binary form and back."""
     try:
         written = _written_back(token)
     except (ValueError, TypeError, KeyError, IndexError, AttributeError, OverflowError, struct.error) as error:
         return Fault(f"laddercodec does not read it: {error}", "copy it once more out of the ladder file")
     if written == token:
         return None
-    if written.partition("(")[0] in (RAW.name, _FORMULA):
+    if written.partition("(")[0] in (WORD, _FORMULA):
         return Fault("laddercodec would write it otherwise", f"write {written}")
-    return Fault("the language has a word for it", f"write {_words(written)}")
+    return Fault("the language has a word for it", "write", _words(written))
 
 
 def _written_back(token: str) -> str:
-    """What becomes of a token; of two forms, the one that differs."""
+    """The token after the round trip; of two forms, the one that differs."""
     from laddercodec import Rung, decode, encode
     from laddercodec.csv.converter import af_node_to_token
     from laddercodec.csv.token_parser import parse_af_token

@@ -1,4 +1,4 @@
-"""What stands in a file: its content says it, whatever the file is called."""
+"""The kind of a file, by its content, whatever the file is called."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from clickgen.table.form import without_marks
 from clickgen.table.rows import COLUMNS as NICKNAME_COLUMNS
 
 HEAD_BYTES = 4096
-"""The beginning of a file that says of which kind it is: the first line ends in it."""
+"""The beginning of a file that shows its kind: the first line ends in it."""
 
 
 class Kind(Enum):
-    """What read_project can read, and the rest."""
+    """The kinds that read_project can read, and the rest."""
 
     LADDER = auto()
     CLIPBOARD = auto()
@@ -24,7 +24,7 @@ class Kind(Enum):
 
 
 def kind_of(data: bytes) -> Kind:
-    """A ladder file is known by its first line; one whose first line is damaged still counts as one."""
+    """The kind of a file. A ladder file has its own first line; one whose first line is damaged still counts as one."""
     if data.startswith(PROGRAM_MAGIC):
         return Kind.PROGRAM
     if data.startswith(CLIPBOARD_MAGIC):
@@ -34,14 +34,14 @@ def kind_of(data: bytes) -> Kind:
 
 
 def other_kind(data: bytes, name: str = "") -> str:
-    """What a file of this name is that is no ladder, after ``the file is``."""
+    """The description of a file of this name that is not ladder, after ``the file is``."""
     first = _first_line(data)
     if is_click_project(data, name):
         return f"{ONLY_CLICK}: open it there, and give {CLICKS_LADDER}"
     if not data.strip(b"\x00\xef\xbb\xbf \t\r\n"):
         return "empty"
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return "UTF-16 text, and a ladder file UTF-8: save it anew as CSV UTF-8"
+        return "UTF-16 text, and a ladder file UTF-8: save it again as CSV UTF-8"
     if data.startswith((b"PK\x03\x04", b"\xd0\xcf\x11\xe0")):
         return "a workbook or an archive, not ladder"
     if tuple(map(without_marks, first[:2])) == NICKNAME_COLUMNS[:2]:

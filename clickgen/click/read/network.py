@@ -1,19 +1,19 @@
 """A drawn rung as a graph: nodes are edges of squares that wires join, arcs the contacts between them.
 
 A downward wire ties the left edges of two squares. A contact and a wire carry power to the right (click-facts
-[grid.power, grid.wires]), so a wire joins its two ends only where power could not come back through it to something
-else; a wire where it could stays an arc of its own.
+[grid.power, grid.wires]), so a wire joins its two ends only if power could not come back through it to something
+else; otherwise the wire stays an arc of its own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from clickgen.click.draw.grid import COLUMNS
 from clickgen.click.draw.tokens import compare_token, contact_token
 from clickgen.click.ladder_csv import HEADER
-from clickgen.click.read.grid import DrawnRung, Square
+from clickgen.click.read.grid import DrawnRung
 from clickgen.click.read.problem import LadderProblem
 from clickgen.ir.conditions import Always, Compare, Condition, Contact
 
@@ -21,16 +21,16 @@ Place = tuple[int, int]
 """Row and column: of a square, or of the left edge of one."""
 RAIL: Place = (0, 0)
 ONE_WAY_WIRE = (
-    "a wire could carry power back to another output; it is taken to carry it to the right alone, and what stands "
+    "a wire could carry power back to another output; it is assumed to carry it only to the right, and the part "
     "before it is written several times"
 )
 
 
 @dataclass(eq=False)
 class Arc:
-    """What carries power from one node to another; ``place`` is where its first contact stands.
+    """A path for power from one node to another; ``place`` is that of its first contact.
 
-    ``legs`` are those of several that became one, each with its place.
+    ``legs`` has those of several that became one, each with its place.
     """
 
     start: Place
@@ -42,7 +42,7 @@ class Arc:
 
 @dataclass
 class Network:
-    """Arcs from the rail, and the node of each row at the output column; ``notes`` say what is not as drawn."""
+    """Arcs from the rail, and the node of each row at the output column; ``notes`` are on changes to the drawing."""
 
     arcs: list[Arc]
     ends: dict[int, Place]
@@ -50,25 +50,37 @@ class Network:
 
 
 def network_of(rung: DrawnRung) -> Network:
-    """The graph of a rung. Raises LadderProblem for a contact that leads from or to nothing."""
+    """Return the graph of a rung. Raises LadderProblem for a contact that leads from or to nothing."""
     nodes = _Joined()
     for row, drawn in enumerate(rung.rows):
         nodes.join(RAIL, (row, 0))
-        for column, square in enumerate(drawn.squares):
-            if square.down and column and row + 1 < len(rung.rows):
-                nodes.join((row, column), (row + 1, column))
+        if row + 1 < len(rung.rows):
+            for column, square in enumerate(drawn.squares):
+                if square.down and column:
+                    nodes.join((row, column), (row + 1, column))
     wire = Always(rung.span)
     arcs: list[Arc] = []
     for row, drawn in enumerate(rung.rows):
-        above = rung.rows[row - 1].squares if row else ()
+        squares = drawn.squares
+        above = rung.rows[row - 1].squares if row else squares
+        # A wire ends at a contact, at a gap, and at a square where another wire meets it from above or below.
+        stops = [
+            column
+            for column, square in enumerate(squares)
+            if square.contact is not None or square.down or not square.right or (row and above[column].down)
+        ]
+        stops.append(COLUMNS)
+        following = iter(stops)
+        stop = next(following)
         column = 0
         while column < COLUMNS:
-            place, square = (row, column), drawn.squares[column]
+            place, square = (row, column), squares[column]
             column += 1
-            if square.contact is None:
+            if square.contact is None and square.right:
                 # A wire is one arc up to the next square that is more than a piece of it.
-                while column < COLUMNS and square.right and _goes_on(drawn.squares[column], above, column):
-                    column += 1
+                while stop < column:
+                    stop = next(following)
+                column = stop
             if square.right:
                 arcs.append(Arc(nodes.of(place), nodes.of((row, column)), square.contact or wire, place))
     rows = {row for box in rung.boxes for row in (box.row, *(row for _, row in box.pins))}
@@ -81,14 +93,8 @@ def network_of(rung: DrawnRung) -> Network:
     return found
 
 
-def _goes_on(square: Square, above: Sequence[Square], column: int) -> bool:
-    """True for a piece of wire that no vertical wire meets at its left edge."""
-    is_wire = square.right and square.contact is None and not square.down
-    return is_wire and not (above and above[column].down)
-
-
 def leading(arcs: list[Arc], ends: Iterable[Place]) -> list[Arc]:
-    """The arcs on a way from the rail to one of the ends."""
+    """Return the arcs on a way from the rail to one of the ends."""
     fed = reached(arcs, [RAIL])
     useful = reached(arcs, ends, backwards=True)
     return [arc for arc in arcs if arc.start in fed and arc.stop in useful]
@@ -97,7 +103,7 @@ def leading(arcs: list[Arc], ends: Iterable[Place]) -> list[Arc]:
 def reached(
     arcs: Iterable[Arc], starts: Iterable[Place], backwards: bool = False, without: Place | None = None
 ) -> set[Place]:
-    """The nodes that power comes to from these, or from which it comes to these; ``without`` a node that blocks it."""
+    """The nodes that power reaches from these, or that reach these; ``without`` names a node that blocks it."""
     following: dict[Place, list[Place]] = {}
     for arc in arcs:
         one, other = (arc.stop, arc.start) if backwards else (arc.start, arc.stop)
@@ -132,7 +138,7 @@ def _shown(arc: Arc) -> str:
 
 
 class _Joined:
-    """Nodes that are one; each class is known by its first place in reading order."""
+    """Nodes that are one; each class is identified by its first place in reading order."""
 
     def __init__(self) -> None:
         self._above: dict[Place, Place] = {}
@@ -170,13 +176,13 @@ def _join_wires(network: Network) -> None:
 
 
 def _left_out(gone: Iterable[Arc]) -> list[str]:
-    """What is to be said of arcs that are no longer there: nothing of wires."""
+    """The notes on arcs that were removed; none for wires."""
     contacts = (arc for arc in gone if not isinstance(arc.condition, Always))
     return [f"{_shown(arc)} is left out: a wire leads around it" for arc in contacts]
 
 
 def _from_one(arcs: list[Arc], _: set[Place]) -> Iterator[tuple[Place, Place]]:
-    """Wires to nodes that get their power from the wire's other end alone."""
+    """Wires to nodes that get their power only from the wire's other end."""
     sources: dict[Place, set[Place]] = {}
     for arc in arcs:
         sources.setdefault(arc.stop, set()).add(arc.start)
@@ -197,7 +203,7 @@ def _to_one(arcs: list[Arc], ends: set[Place]) -> Iterator[tuple[Place, Place]]:
 
 
 def _always_through(arcs: list[Arc], ends: set[Place]) -> Iterator[tuple[Place, Place]]:
-    """The first wire with an end that every way to, or from, its other end goes through."""
+    """The first wire with an end on every way to, or from, its other end."""
     for arc in arcs:
         if isinstance(arc.condition, Always):
             is_before = arc.stop not in reached(arcs, [RAIL], without=arc.start)
@@ -208,7 +214,7 @@ def _always_through(arcs: list[Arc], ends: set[Place]) -> Iterator[tuple[Place, 
 
 
 def _has_circle(arcs: list[Arc]) -> bool:
-    """True where power could come back to where it was."""
+    """True if power could come back to where it was."""
     waiting: dict[Place, int] = {}
     following: dict[Place, list[Place]] = {}
     for arc in arcs:
@@ -227,7 +233,7 @@ _RULES = (_from_one, _to_one, _always_through)
 
 
 def _leave_out_useless(network: Network) -> None:
-    """Arcs that only lead back to where power is already, and what then leads nowhere."""
+    """Remove arcs that only lead back to where power is already, and those that then lead nowhere."""
     ends = set(network.ends.values())
     if not _has_circle(network.arcs):
         return

@@ -1,4 +1,4 @@
-"""Operands and contacts out of CLICK's ladder tokens: the way back from ``lower/tokens.py``."""
+"""Reads operands and contacts from CLICK's ladder tokens: the way back from ``lower/tokens.py``."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _CODE = re.compile(r"\$([0-9A-Fa-f]{2})")
 _CONTACT = re.compile(rf"(~?)\s*(?:({ADDRESS})(\.immediate)?|immediate\(\s*({ADDRESS})\s*\))")
 _LIKE_ADDRESS = re.compile(r"\b([A-Z]{1,3})[0-9]{1,9}u?\b")
 _LARGEST_WORD = 0xFFFFFFFF
-"""What laddercodec takes for a hexadecimal constant; which of them an instruction takes, a build knows."""
+"""The largest hexadecimal constant for laddercodec; a build knows which of them an instruction takes."""
 
 
 def operand_of(text: str, span: Span) -> Operand | None:
@@ -35,7 +35,7 @@ def operand_of(text: str, span: Span) -> Operand | None:
 
 
 def condition_of(text: str, span: Span) -> Contact | Compare | None:
-    """``X001``, ``~X001``, ``X001.immediate``, ``rise(C1)``, ``DS1==5``; or None."""
+    """Read ``X001``, ``~X001``, ``X001.immediate``, ``rise(C1)``, ``DS1==5``; or None."""
     edge = _EDGE.fullmatch(text)
     if edge:
         cell = _cell(edge[2], span)
@@ -57,7 +57,7 @@ def condition_of(text: str, span: Span) -> Contact | Compare | None:
 
 
 def missing_address(text: str) -> str:
-    """The first address in a token that its bank does not have, such as X017; "" when all are there."""
+    """The first address in a token that its bank does not have, such as X017; "" if all exist."""
     for match in _LIKE_ADDRESS.finditer(re.sub(_TEXT, "", text)):
         if match[1] in BANKS and parse_address(match[0]) is None:
             return match[0]
@@ -65,7 +65,7 @@ def missing_address(text: str) -> str:
 
 
 def embedded(text: str, span: Span) -> EmbeddedText:
-    """A text that stands in no source yet."""
+    """A text that is in no source yet."""
     positions = tuple((span.line, span.col + index) for index in range(len(text) + 1))
     return EmbeddedText(SourceFile(span.path, text), text, positions)
 

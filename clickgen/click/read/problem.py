@@ -1,4 +1,4 @@
-"""What stops an import, with its place."""
+"""The problem that stops an import, with its place."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from __future__ import annotations
 class LadderProblem(Exception):
     """Something that cannot be kept: the file as shown, the place in it, and why.
 
-    ``row`` is the line (from 1; 0 where a file has none, or it is about all of it), ``rung`` the number of the rung in
-    its routine (from 1; 0 when it belongs to none). ``code`` is that of the problem which an import makes of it.
+    ``row`` is the line (from 1; 0 if the file has none, or the problem is about all of it), ``rung`` the number of the
+    rung in its routine (from 1; 0 if it belongs to none). ``code`` is that of the import's problem.
     """
 
     def __init__(self, message: str, file: str, row: int = 0, rung: int = 0, code: str = "CG701") -> None:
@@ -19,7 +19,7 @@ class LadderProblem(Exception):
         self.rung = rung
 
     def in_rung(self, rung: int) -> LadderProblem:
-        """The same problem, of the rung with this number."""
+        """Return the same problem, for the rung with this number."""
         return LadderProblem(self.message, self.file, self.row, rung, self.code)
 
     @property

@@ -1,7 +1,7 @@
-"""CLICK's program files (``Scr*.tmp``) read byte by byte, and each rung held against what laddercodec read of it.
+"""CLICK's program files (``Scr*.tmp``) read byte by byte, and each rung compared with laddercodec's reading.
 
-laddercodec 0.2.2 reads these files and writes none, so what it read is compared with the file instruction by
-instruction, in the fields of the clipboard's form. CLICK leaves fields out that have their usual value
+laddercodec 0.2.2 reads these files but does not write them, so its reading is compared with the file instruction by
+instruction, in the fields of the clipboard's form. CLICK leaves out fields with their usual value
 (click-facts [click-file.program]).
 """
 
@@ -25,17 +25,17 @@ if TYPE_CHECKING:
 _ENTRY = struct.Struct("<BBBBI")
 _NAME_AT = 0x42
 _MAIN = 1
-"""The prog_idx of a main program, whose file has two bytes more at its end."""
+"""The prog_idx of a main program, whose file has two more bytes at its end."""
 _INDEXED_END = 0xFFFF
 
 
 class ProgramFault(Exception):
-    """Bytes that are no program file of the form that is known."""
+    """Bytes that are not a program file of the known form."""
 
 
 @dataclass(frozen=True)
 class Placed:
-    """An instruction and where it stands, both from 0."""
+    """An instruction and its place, from 0."""
 
     row: int
     column: int
@@ -54,12 +54,12 @@ class FileRung:
 
     @property
     def is_empty(self) -> bool:
-        """True for one of those that CLICK keeps below the last rung; some have a wire."""
+        """True for one of the rungs that CLICK keeps below the last one; some have a wire."""
         return not self.placed and not self.comment
 
 
 def read_rungs(data: bytes) -> list[FileRung]:
-    """Every rung of a program file. Raises ProgramFault."""
+    """Return every rung of a program file. Raises ProgramFault."""
     try:
         return _Reader(data).rungs()
     except (struct.error, IndexError, UnicodeDecodeError) as error:
@@ -75,11 +75,11 @@ class _Reader:
         [index] = struct.unpack_from("<H", self.data, 0x40)
         self.at = _NAME_AT
         self._take(self._byte())
-        self._take(2 * self._word())  # how wide the columns are shown
-        self._byte()  # what CLICK shows
+        self._take(2 * self._word())  # the width of the columns on the screen
+        self._byte()  # CLICK's view
         found = [self._rung(number) for number in range(self._word())]
         if self.at != len(self.data) - (2 if index == _MAIN else 0):
-            raise ProgramFault("the file goes on behind its last rung")
+            raise ProgramFault("the file goes on after its last rung")
         return found
 
     def _rung(self, number: int) -> FileRung:
@@ -98,7 +98,7 @@ class _Reader:
         return FileRung(comment, tuple(rights), wires, placed)
 
     def _row(self) -> frozenset[int]:
-        """Which columns have a wire to the right; in which order they were drawn does not count."""
+        """The columns that have a wire to the right; the order in which they were drawn does not count."""
         self._byte()
         pairs = [self._take(2) for _ in range(self._word())]
         if any(segment > 1 for segment, _ in pairs):
@@ -132,7 +132,7 @@ class _Reader:
             yield from self._values(tag)
 
     def _values(self, tag: int) -> Iterator[Field]:
-        """The upper byte of a tag says of which kind its values are."""
+        """Read the values of a tag, whose upper byte gives their kind."""
         kind = tag >> 8
         if kind in SWITCHES:
             yield Field(tag, UNINDEXED, "")
@@ -147,14 +147,14 @@ class _Reader:
             yield Field(tag, UNINDEXED, self._text())
 
     def _switches(self) -> int:
-        """The values of the switches, a bit for each in the order of the fields, behind them."""
+        """The values of the switches, a bit for each in the order of the fields, after them."""
         count, zero = self._take(2)
         if zero or count > 8:
             raise ProgramFault("the switches of an instruction are not of the form that is known")
         return int.from_bytes(self._take(count), "little")
 
     def _text(self) -> str:
-        """A text with its length before it and one byte for the NUL behind it."""
+        """A text with its length before it and a NUL of one byte after it."""
         data = self._take(self._byte())
         if data and (len(data) % 2 == 0 or data[-1]):
             raise ProgramFault("a text has no end")
@@ -208,14 +208,14 @@ _USUAL: Mapping[tuple[str, int], str | tuple[str, ...]] = {
     ("RD", 0x608E): "SD60",
     **{(name, tag): value for name in ("RD", "SD") for tag, value in ((0x221C, "1"), (0x3210, "1"), (0x322C, "502"))},
 }
-"""What a field holds that CLICK leaves out, where that is neither 0 nor empty, by class and tag."""
+"""The contents of fields that CLICK leaves out, if neither 0 nor empty, by class and tag."""
 
 _DERIVED = 0x3218
-"""CLICK's code of an instruction: program files have it of coils alone, as it follows from the other fields."""
+"""CLICK's code of an instruction: program files have it only for coils, as it follows from the other fields."""
 
 
 def differences(rung: FileRung, read: Rung) -> Iterator[str]:
-    """What a rung of the file says otherwise than the rung that laddercodec read of it."""
+    """Yield the differences between a rung of the file and laddercodec's reading of it."""
     if len(rung.rights) != read.logical_rows:
         yield f"it has {len(rung.rights)} rows, and {read.logical_rows} are read"
         return
@@ -278,7 +278,7 @@ def _difference(placed: Placed, token: ConditionInstruction | AfInstruction) -> 
 
 
 def _filled_in(said: Blob, made: Blob) -> Iterator[Field]:
-    """The fields of the file, and those that CLICK leaves out with what they then hold."""
+    """Yield the fields of the file, and those that CLICK leaves out, with their usual contents."""
     for field in said.fields:
         is_signed = field.tag >> 8 == 0x3A and made.values.get((field.tag, field.slot), "").startswith("-")
         yield field._replace(value=str(int(field.value) - 0x10000)) if is_signed else field

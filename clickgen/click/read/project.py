@@ -1,4 +1,4 @@
-"""What SOURCE of an import holds, as drawn rungs: a bundle, a ladder file, a capture, or CLICK's program files."""
+"""The SOURCE of an import as drawn rungs: a bundle, a ladder file, a capture, or CLICK's program files."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from clickgen.click.read.kinds import HEAD_BYTES, Kind, kind_of, other_kind
 from clickgen.click.read.problem import LadderProblem
 from clickgen.device.limits import SUBROUTINE_NAME_MAX
 from clickgen.device.project_file import PROGRAM_MAGIC, is_click_project
-from clickgen.workspace import CouldNotRun, read_file, read_start
+from clickgen.workspace import CouldNotRun, Workspace
 
 MAIN = "main"
 _PART = re.compile(r"main_0*([2-9]|[1-9][0-9]+)")
@@ -27,8 +27,8 @@ _PROGRAM_ENDINGS = (".tmp", ".scr")
 _CAPTURE = ".clipboard"
 """The ending of a copy that laddercodec's tools make of a routine: ``Heat.clipboard.csv``, ``Heat.clipboard.bin``."""
 _MAIN_INDEX = 1
-"""The highest prog_idx of main: 1 in every native program file (click-facts [click-file.program]); laddercodec's manual
-says 0."""
+"""The highest prog_idx of main: 1 in every native program file (click-facts [click-file.program]), but 0 in
+laddercodec's manual."""
 _BYTES_MAX = 1 << 27
 """128 MiB: far more than the ladder of any project, and little enough to read at once."""
 _READS = "a folder with main.csv, or with the Scr*.tmp files of a project"
@@ -48,7 +48,7 @@ class DrawnRoutine:
 class Project:
     """Main first, then the subroutines in CLICK's order.
 
-    ``problems`` are those of files that belong to no rung; a rung has its own. ``nicknames`` is the nickname table of
+    ``problems`` has those of files that belong to no rung; a rung has its own. ``nicknames`` is the nickname table of
     a folder. ``texts`` has every ladder file that is text, by its shown name.
     """
 
@@ -59,18 +59,19 @@ class Project:
     texts: Mapping[str, str]
 
 
-def read_project(path: Path) -> Project:
-    """What a file or folder holds. Raises CouldNotRun when there is nothing to read; damage becomes problems.
+def read_project(path: Path, files: Workspace | None = None) -> Project:
+    """Return the contents of a file or folder. Raises CouldNotRun if there is nothing to read; damage becomes problems.
 
-    A folder with main.csv is a bundle: main_2.csv, main_3.csv, … go on with main, each file in subroutines/ is a
-    routine. Such a folder has no order of its own. It is that of the build that made it, where its source map has
-    exactly these routines; else that in which main calls them, those it does not call by name behind. Without
-    main.csv the folder's program files of CLICK are read, which know their order.
+    A folder with main.csv is a bundle: main_2.csv, main_3.csv, … continue main, each file in subroutines/ is a
+    routine. Such a folder has no order of its own. It takes that of the build that made it, if its source map has
+    exactly these routines; else the order in which main calls them, with those that it does not call by name last.
+    Without main.csv the folder's program files of CLICK are read, which know their order.
 
-    A file alone is main, or a subroutine when it says so, stands in subroutines/, or returns and does not end.
+    A single file is main, or a subroutine if it says so, is in subroutines/, or returns and does not end.
     """
     try:
-        return _folder(path) if path.is_dir() else _single(path)
+        reading = _Reading(files or Workspace())
+        return _folder(path, reading) if path.is_dir() else _single(path, reading)
     except OSError as error:
         raise CouldNotRun(f"{error.filename or path} cannot be read: {error.strerror or error}") from None
 
@@ -79,20 +80,21 @@ def read_project(path: Path) -> Project:
 class _Reading:
     """The files so far."""
 
+    files: Workspace
     problems: list[LadderProblem] = field(default_factory=list)
     texts: dict[str, str] = field(default_factory=dict)
 
     def routine(self, name: str, paths: Sequence[Path], is_main: bool = False) -> DrawnRoutine:
-        """A routine of one file or several, its rungs numbered through."""
+        """Read a routine of one file or several, with its rungs numbered consecutively."""
         rungs: list[DrawnRung] = []
         for path in paths:
-            ladder = self.ladder(_bytes(path), _shown(path))
+            ladder = self.ladder(self.whole(path), _shown(path))
             before = len(rungs)
             rungs += (rung.numbered(before + rung.number) for rung in ladder.rungs)
         return DrawnRoutine(name, is_main, tuple(rungs), _shown(paths[0]))
 
     def ladder(self, data: bytes, file: str) -> Ladder:
-        """The rungs of a file; problems that belong to none are noted."""
+        """Read the rungs of a file; problems that belong to none are noted."""
         ladder = self._ladder(data, file)
         self.problems += ladder.problems
         return ladder
@@ -111,6 +113,21 @@ class _Reading:
         except LadderProblem as problem:
             return Ladder((), (problem,))
 
+    def whole(self, path: Path) -> bytes:
+        """Read all of a file. Raises CouldNotRun if it is not a file, or far too large for ladder."""
+        if not path.exists():
+            raise CouldNotRun(f"there is no file or folder {_shown(path)}")
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise CouldNotRun(f"{_shown(path)} is no file")
+        if status.st_size > _BYTES_MAX:
+            raise CouldNotRun(f"{_shown(path)} is too large for ladder ({status.st_size} bytes)")
+        return self.files.read(path, _BYTES_MAX)
+
+    def head(self, path: Path) -> bytes:
+        """Return as much of a file as shows its kind. This reads all of it, since most such files are read later."""
+        return self.files.start(path, _BYTES_MAX + 1)[:HEAD_BYTES]
+
     def project(self, source: Path, routines: Iterable[DrawnRoutine], nicknames: Path | None = None) -> Project:
         return Project(source, tuple(routines), tuple(self.problems), nicknames, self.texts)
 
@@ -118,8 +135,8 @@ class _Reading:
 # -- one file ---------------------------------------------------------------------------------------------------------
 
 
-def _single(path: Path) -> Project:
-    data, file, reading = _bytes(path), _shown(path), _Reading()
+def _single(path: Path, reading: _Reading) -> Project:
+    data, file = reading.whole(path), _shown(path)
     if kind_of(data) is Kind.OTHER:
         raise CouldNotRun(f"{file} is {other_kind(data, file)}; import reads a ladder file, or {_READS}")
     ladder = reading.ladder(data, file)
@@ -148,32 +165,33 @@ def _usable(stem: str) -> str:
 # -- a folder ---------------------------------------------------------------------------------------------------------
 
 
-def _folder(path: Path) -> Project:
+def _folder(path: Path, reading: _Reading) -> Project:
     entries = sorted(entry for entry in path.iterdir() if not entry.name.startswith("."))
     _refuse_devices(entries)
     tables = [entry for entry in entries if entry.suffix.casefold() == ".csv" and entry.is_file()]
     nicknames = next((table for table in tables if table.name.casefold() == "nicknames.csv"), None)
     if any(table.stem.casefold() == MAIN for table in tables):
-        return _bundle(path, entries, [table for table in tables if table != nicknames], nicknames)
-    programs = [entry for entry in entries if _is_program(entry)]
+        return _bundle(path, entries, [table for table in tables if table != nicknames], nicknames, reading)
+    programs = [entry for entry in entries if _is_program(entry, reading)]
     if programs:
-        return _programs(path, entries, programs, nicknames)
+        return _programs(path, entries, programs, nicknames, reading)
     project = next((entry for entry in entries if is_click_project(b"", entry.name)), None)
     which = f" (and {project.name} is a project, which only CLICK opens)" if project else ""
     raise CouldNotRun(f"{path} holds neither main.csv nor a program file of CLICK{which}; import reads {_READS}")
 
 
 def _refuse_devices(entries: Iterable[Path]) -> None:
-    """What is named like ladder or a table and is neither file nor folder is not passed over."""
+    """Refuse entries that are named like ladder or a table but are neither file nor folder."""
     for entry in entries:
         is_asked = entry.suffix.casefold() in (".csv", *_PROGRAM_ENDINGS)
         if is_asked and entry.exists() and not (entry.is_file() or entry.is_dir()):
             raise CouldNotRun(f"{_shown(entry)} is a pipe or a device, not a file")
 
 
-def _bundle(path: Path, entries: Sequence[Path], tables: Sequence[Path], nicknames: Path | None) -> Project:
-    reading = _Reading()
-    main = reading.routine(MAIN, _parts(tables, reading.problems), is_main=True)
+def _bundle(
+    path: Path, entries: Sequence[Path], tables: Sequence[Path], nicknames: Path | None, reading: _Reading
+) -> Project:
+    main = reading.routine(MAIN, _parts(tables, reading), is_main=True)
     subroutines: dict[str, DrawnRoutine] = {}
     for file in _subroutine_files(entries):
         name = _shown(Path(file.stem))
@@ -181,7 +199,7 @@ def _bundle(path: Path, entries: Sequence[Path], tables: Sequence[Path], nicknam
             reading.problems.append(LadderProblem(f"{subroutines[name].file} has the same name", _shown(file)))
         else:
             subroutines[name] = reading.routine(name, [file])
-    order = _order_of_build(path / "sources.json", subroutines) or _order_of_calls(main, subroutines)
+    order = _order_of_build(path / "sources.json", subroutines, reading.files) or _order_of_calls(main, subroutines)
     return reading.project(path, [main, *(subroutines[name] for name in order)], nicknames)
 
 
@@ -193,7 +211,7 @@ def _subroutine_files(entries: Sequence[Path]) -> list[Path]:
     return [file for file in tables if not _is_copy(file, tables)]
 
 
-def _parts(tables: Sequence[Path], problems: list[LadderProblem]) -> list[Path]:
+def _parts(tables: Sequence[Path], reading: _Reading) -> list[Path]:
     """The files of main in their order. Other ladder files are noted: ClickNick would paste them into main, too."""
     parts: dict[int, Path] = {}
     for table in tables:
@@ -203,18 +221,18 @@ def _parts(tables: Sequence[Path], problems: list[LadderProblem]) -> list[Path]:
         if number and number not in parts:
             parts[number] = table
         elif number:
-            problems.append(LadderProblem(f"{parts[number].name} is the same part of main", _shown(table)))
-        elif not _is_copy(table, tables) and kind_of(_head(table)) is not Kind.OTHER:
+            reading.problems.append(LadderProblem(f"{parts[number].name} is the same part of main", _shown(table)))
+        elif not _is_copy(table, tables) and kind_of(reading.head(table)) is not Kind.OTHER:
             message = "the file is ladder and belongs to no routine: subroutines are read from subroutines/"
-            problems.append(LadderProblem(message, _shown(table)))
+            reading.problems.append(LadderProblem(message, _shown(table)))
     missing = next((number for number in range(2, max(parts)) if number not in parts), None)
     if missing:
-        problems.append(LadderProblem(f"part {missing} of main is missing", _shown(parts[max(parts)])))
+        reading.problems.append(LadderProblem(f"part {missing} of main is missing", _shown(parts[max(parts)])))
     return [parts[number] for number in sorted(parts)]
 
 
 def _is_copy(file: Path, files: Sequence[Path]) -> bool:
-    """True for ``Heat.clipboard.csv`` beside ``Heat.csv``: the same rungs once more."""
+    """True for ``Heat.clipboard.csv`` beside ``Heat.csv``: a copy of the same rungs."""
     return _stem(file) != file.stem and any(other.stem == _stem(file) for other in files)
 
 
@@ -222,10 +240,10 @@ def _stem(path: Path) -> str:
     return path.stem[: -len(_CAPTURE)] if path.stem.casefold().endswith(_CAPTURE) else path.stem
 
 
-def _order_of_build(path: Path, names: Iterable[str]) -> list[str] | None:
-    """The subroutines as the source map has them; None without one, and where it is that of another program."""
+def _order_of_build(path: Path, names: Iterable[str], files: Workspace) -> list[str] | None:
+    """The subroutines in the order of the source map; None without one, or if it is that of another program."""
     try:
-        noted = json.loads(read_file(path))
+        noted = json.loads(files.read(path))
     except (OSError, ValueError, RecursionError):
         return None
     routines = noted.get("routines") if isinstance(noted, dict) and noted.get("generator") == "clickgen" else None
@@ -235,19 +253,20 @@ def _order_of_build(path: Path, names: Iterable[str]) -> list[str] | None:
 
 
 def _order_of_calls(main: DrawnRoutine, names: Iterable[str]) -> list[str]:
-    """Case does not count: Windows does not tell such files apart."""
+    """The subroutines in the order of main's calls, whatever their case: Windows does not distinguish such files."""
     known = {name.casefold(): name for name in sorted(names)}
     calls = (call_of(box.token) for rung in main.rungs for box in rung.boxes)
     called = [call.arguments[0][1:-1].casefold() for call in calls if call and call.name == "call" and call.arguments]
     return list(dict.fromkeys([*(known[name] for name in called if name in known), *sorted(names)]))
 
 
-def _programs(path: Path, entries: Sequence[Path], programs: Sequence[Path], nicknames: Path | None) -> Project:
+def _programs(
+    path: Path, entries: Sequence[Path], programs: Sequence[Path], nicknames: Path | None, reading: _Reading
+) -> Project:
     """Main has the index 1, the subroutines follow with theirs."""
-    reading = _Reading()
     found: list[tuple[int, DrawnRoutine]] = []
     for program in programs:
-        data = _bytes(program)
+        data = reading.whole(program)
         header = program_header(data)
         ladder = reading.ladder(data, _shown(program))
         if header:
@@ -271,30 +290,12 @@ def _programs(path: Path, entries: Sequence[Path], programs: Sequence[Path], nic
     return reading.project(path, routines, nicknames)
 
 
-def _is_program(path: Path) -> bool:
-    return path.suffix.casefold() in _PROGRAM_ENDINGS and path.is_file() and _head(path).startswith(PROGRAM_MAGIC)
-
-
-# -- bytes ------------------------------------------------------------------------------------------------------------
-
-
-def _bytes(path: Path) -> bytes:
-    """All of a file. Raises CouldNotRun for what is no file, or far too large for ladder."""
-    if not path.exists():
-        raise CouldNotRun(f"there is no file or folder {_shown(path)}")
-    status = path.stat()
-    if not stat.S_ISREG(status.st_mode):
-        raise CouldNotRun(f"{_shown(path)} is no file")
-    if status.st_size > _BYTES_MAX:
-        raise CouldNotRun(f"{_shown(path)} is too large for ladder ({status.st_size} bytes)")
-    return read_file(path, _BYTES_MAX)
-
-
-def _head(path: Path) -> bytes:
-    """As much of a file as says of which kind it is."""
-    return read_start(path, HEAD_BYTES)
+def _is_program(path: Path, reading: _Reading) -> bool:
+    return (
+        path.suffix.casefold() in _PROGRAM_ENDINGS and path.is_file() and reading.head(path).startswith(PROGRAM_MAGIC)
+    )
 
 
 def _shown(path: Path) -> str:
-    """The name as the person gave it; bytes of it that are no text are marked."""
+    """The name as the person gave it; bytes of it that are not text are marked."""
     return str(path).encode("utf-8", "surrogateescape").decode("utf-8", "replace")

@@ -1,6 +1,6 @@
-"""A graph of contacts to conditions: series and parallel arcs become one, until a tree of branches is left.
+"""Turns a graph of contacts into conditions: series and parallel arcs are merged until a tree of branches is left.
 
-Where legs do not come together like that (a bridge, or an output in the middle of a leg), the contacts before the place
+If legs do not come together like that (a bridge, or an output in the middle of a leg), the contacts before the place
 where they part are written for each of them.
 """
 
@@ -20,7 +20,7 @@ BRIDGE = (
     "alone, and some contacts are written several times"
 )
 LEAVES_MAX = 200
-"""A condition of more contacts is nothing that a person could read."""
+"""No person could read a condition of more contacts."""
 
 
 class TooEntangled(Exception):
@@ -44,7 +44,7 @@ class Tree:
 
 
 def tree_of(arcs: Iterable[Arc], ends: set[Place]) -> Tree:
-    """The arcs as a tree with these nodes kept. Every end must be reachable. Raises TooEntangled."""
+    """Return the arcs as a tree with these nodes kept. Every end must be reachable. Raises TooEntangled."""
     left = leading(list(arcs), ends)
     notes: list[str] = []
     while True:
@@ -56,7 +56,7 @@ def tree_of(arcs: Iterable[Arc], ends: set[Place]) -> Tree:
 
 
 def series(conditions: Iterable[Condition], span: Span) -> Condition:
-    """All of these, laid flat."""
+    """All of these, flattened."""
     terms: list[Condition] = []
     for condition in conditions:
         terms += condition.terms if isinstance(condition, All) else () if _is_wire(condition) else (condition,)
@@ -66,7 +66,7 @@ def series(conditions: Iterable[Condition], span: Span) -> Condition:
 
 
 def parallel(conditions: Iterable[Condition], span: Span) -> Condition:
-    """Any of these, laid flat. A wire among them is always on."""
+    """Any of these, flattened. A wire among them is always on."""
     terms: list[Condition] = []
     for condition in conditions:
         if _is_wire(condition):
@@ -80,7 +80,7 @@ def _is_wire(condition: Condition) -> bool:
 
 
 def _reduced(arcs: list[Arc], kept: set[Place]) -> list[Arc]:
-    """The same with fewer arcs: those between the same nodes are one, and those with nothing between them."""
+    """Merge arcs: those between the same nodes, and those with nothing between them."""
     while True:
         before = len(arcs)
         arcs = _without_joints(_without_legs(arcs), kept)
@@ -89,7 +89,7 @@ def _reduced(arcs: list[Arc], kept: set[Place]) -> list[Arc]:
 
 
 def _without_legs(arcs: list[Arc]) -> list[Arc]:
-    """Arcs between the same two nodes as one, its legs from top to bottom."""
+    """Merge arcs between the same two nodes, with their legs from top to bottom."""
     found: list[Arc] = []
     in_order = sorted(arcs, key=lambda arc: (arc.start, arc.stop))
     for (start, stop), group in groupby(in_order, key=lambda arc: (arc.start, arc.stop)):
@@ -105,7 +105,7 @@ def _without_legs(arcs: list[Arc]) -> list[Arc]:
 
 
 def _without_joints(arcs: list[Arc], kept: set[Place]) -> list[Arc]:
-    """Two arcs as one where the node between them has no others."""
+    """Merge two arcs if the node between them has no others."""
     before: dict[Place, list[Arc]] = {}
     behind: dict[Place, list[Arc]] = {}
     for arc in arcs:
@@ -127,7 +127,7 @@ def _without_joints(arcs: list[Arc], kept: set[Place]) -> list[Arc]:
 
 
 def _first_meeting(arcs: list[Arc]) -> Place | None:
-    """A node with several arcs to it, and before it none such; None in a tree."""
+    """A node to which several arcs lead, with no such node before it; None in a tree."""
     counts: dict[Place, int] = {}
     for arc in arcs:
         counts[arc.stop] = counts.get(arc.stop, 0) + 1
@@ -140,7 +140,7 @@ def _first_meeting(arcs: list[Arc]) -> Place | None:
 
 
 def _written_out(arcs: list[Arc], meeting: Place, ends: set[Place], notes: list[str]) -> list[Arc]:
-    """The arcs with one arc to the meeting, from the last node that every way to it goes through."""
+    """Return the arcs with one arc to the meeting, from the last node on every way to it."""
     origin = _last_common(arcs, meeting)
     inside = reached(arcs, [origin]) & reached(arcs, [meeting], backwards=True)
     region = [arc for arc in arcs if arc.start in inside - {meeting} and arc.stop in inside - {origin}]
@@ -155,7 +155,7 @@ def _written_out(arcs: list[Arc], meeting: Place, ends: set[Place], notes: list[
 
 
 def _last_common(arcs: list[Arc], meeting: Place) -> Place:
-    """The node closest to the meeting that every way from the rail to it goes through."""
+    """The node closest to the meeting that is on every way from the rail to it."""
     before = reached(arcs, [meeting], backwards=True) & reached(arcs, [RAIL])
     common = [node for node in before - {meeting} if meeting not in reached(arcs, [RAIL], without=node)]
     return max(common, key=lambda node: len(reached(arcs, [node], backwards=True) & before))

@@ -1,4 +1,4 @@
-"""What laddercodec leaves out of a comment, which CLICK keeps as RTF (click-facts [click-file.comments])."""
+"""Parts of a comment that laddercodec leaves out; CLICK keeps it as RTF (click-facts [click-file.comments])."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Iterator
 _KEPT = frozenset(("par", "line", "tab", "b", "i", "ul", "ulnone", "plain", "u", "uc"))
 """Control words that laddercodec 0.2.2 turns into text and styles (decode.py, _decode_rtf)."""
 _USUAL = frozenset(("pard", "f0", "fs20", "lang1033"))
-"""The form that every comment of CLICK has from its beginning."""
+"""The form of every comment of CLICK at its beginning."""
 _SYMBOLS = frozenset("\\{}~_-")
 _HEAD = re.compile(r"\\fs-?[0-9]+ ")
 _CONTROL = re.compile(r"\\(?:(?P<word>[A-Za-z]+)(?P<number>-?[0-9]+)?|'(?P<code>..)|(?P<symbol>.))", re.DOTALL)
@@ -16,7 +16,7 @@ _CODE = re.compile(r"[0-9A-Fa-f]{2}")
 
 
 def left_out(comment: bytes) -> list[str]:
-    """The marks in a comment that laddercodec reads past, such as a colour; each once."""
+    """The marks in a comment that laddercodec ignores, such as a colour; each once."""
     text = comment.decode("cp1252", "replace")
     head = _HEAD.search(text)
     return list(dict.fromkeys(_unknown(text[head.end() :] if head else text)))

@@ -1,4 +1,4 @@
-"""Drawn rungs to rungs of a program: outputs with their conditions, branches, the inputs of boxes, loops."""
+"""Turns drawn rungs into rungs of a program: outputs with their conditions, branches, the inputs of boxes, loops."""
 
 from __future__ import annotations
 
@@ -13,15 +13,16 @@ from clickgen.click.read.network import RAIL, Arc, Network, Place, network_of
 from clickgen.click.read.operands import missing_address
 from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.reduce import TooEntangled, series, tree_of
-from clickgen.click.read.tokens import NOP_TOKEN, action_of, specs_of
+from clickgen.click.read.tokens import action_of, specs_of
 from clickgen.device.system import ALWAYS_ON
-from clickgen.dialects.if_rungs.read.comments import DIRECTIVE
-from clickgen.instructions.control import FOR, NEXT, NOP
-from clickgen.instructions.raw import RAW
-from clickgen.instructions.spec import Spec
+from clickgen.dialects.registry import default
+from clickgen.instructions.effects import Flow
+from clickgen.instructions.raw import WORD
 from clickgen.ir.conditions import Always, Condition, Contact
+from clickgen.ir.made import NOP_TOKEN, nothing
 from clickgen.ir.operands import Cell
-from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
+from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung, actions_in
+from clickgen.problems.silence import DIRECTIVE
 from clickgen.text.source import Span
 
 ENTANGLED = "the contacts are wired in too many ways to be written as a condition"
@@ -29,12 +30,12 @@ ENTANGLED = "the contacts are wired in too many ways to be written as a conditio
 
 @dataclass(frozen=True)
 class ImportedRung:
-    """A rung of the program, and what a person should know of it."""
+    """A rung of the program, and notes on it for a person."""
 
     rung: Rung
     notes: tuple[str, ...] = ()
     remarks: tuple[str, ...] = ()
-    """What is left out that does nothing."""
+    """The parts left out because they do nothing."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ class _Output:
 
 
 def import_rung(drawn: DrawnRung) -> ImportedRung:
-    """A drawn rung as a program has it. Raises LadderProblem when it cannot be kept."""
+    """Return a drawn rung as a program has it. Raises LadderProblem if it cannot be kept."""
     if drawn.problems:
         raise drawn.problems[0]
     network = network_of(drawn)
@@ -59,16 +60,17 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
         boxes = [box for box in boxes if box.token != NOP_TOKEN]
     if not boxes:
         remarks.append("the rung has no output: it becomes NOP")
-        nop = _rung(drawn, Always(span), (Action(NOP, {}, span),))
+        nop = _rung(drawn, Always(span), (nothing(span),))
         return ImportedRung(nop, tuple(notes), tuple(remarks))
     fed = {RAIL, *(arc.stop for arc in network.arcs)}
     for box in boxes:
         if network.ends[box.row] not in fed and box.token != NOP_TOKEN:
             raise _problem(drawn, box.row, f"{_shortened(box.token)} is not connected to the power rail")
     try:
-        tree = tree_of(network.arcs, {network.ends[box.row] for box in boxes} & fed)
-        # A pin taps what it shares with an output, too.
-        notes += dict.fromkeys(tree_of(network.arcs, {*network.ends.values()} & fed).notes)
+        ends, taps = {network.ends[box.row] for box in boxes} & fed, {*network.ends.values()} & fed
+        tree = tree_of(network.arcs, ends)
+        # A pin taps the part that it shares with an output, too.
+        notes += dict.fromkeys((tree if taps == ends else tree_of(network.arcs, taps)).notes)
         actions = [_action(drawn, network, box, fed) for box in boxes]
     except TooEntangled:
         raise LadderProblem(ENTANGLED, drawn.file, drawn.line) from None
@@ -81,7 +83,7 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
 
 
 def _comment_remarks(drawn: DrawnRung) -> list[str]:
-    """What is to be said of the comment. Raises LadderProblem for one that would not come back."""
+    """The remarks on the comment. Raises LadderProblem for one that would not come back."""
     if not is_comment_kept(drawn.comment):
         message = f"a line of the comment begins with {DIRECTIVE!r}, which speaks to clickgen, or no file can hold it"
         raise LadderProblem(message, drawn.file, drawn.line)
@@ -90,7 +92,7 @@ def _comment_remarks(drawn: DrawnRung) -> list[str]:
 
 
 def is_comment_kept(comment: str) -> bool:
-    """False when a line of a comment would be read as something else, or stands in no UTF-8 file."""
+    """False if a line of a comment would be read as something else, or is not possible in a UTF-8 file."""
     if "\0" in comment or any("\ud800" <= character <= "\udfff" for character in comment):
         return False
     return not any(line.strip().startswith(DIRECTIVE) for line in comment.split("\n"))
@@ -125,13 +127,15 @@ def _action(drawn: DrawnRung, network: Network, box: DrawnBox, fed: set[Place]) 
 
 
 def _why_unknown(token: str) -> str:
-    """What keeps a token from being an instruction, behind the token."""
+    """The reason why a token is not an instruction, to follow the token."""
     missing = missing_address(token)
     if missing:
         return f"names {missing}, which CLICK does not have"
-    if token.startswith((f"{RAW.name}(", "math(")):
+    if token.startswith((f"{WORD}(", "math(")):
         fault = fault_of(token)
-        return f"cannot be kept: {fault.message}; {fault.help}" if fault else "stands with inputs that it cannot have"
+        if fault is None:
+            return "has inputs that it cannot have"
+        return f"cannot be kept: {fault.message}; {fault.way_out(default().spell)}"
     if specs_of(token):
         return "is not written as CLICK writes it: look at its arguments and its inputs"
     return "is no instruction that CLICK is known for"
@@ -166,7 +170,7 @@ def _items(outputs: Sequence[_Output]) -> tuple[Item, ...]:
 
 
 def routine_of(name: str, rungs: Sequence[Rung], is_main: bool, function: str = "") -> Routine:
-    """The rungs of a file as a routine, loops closed around their rungs.
+    """Return the rungs of a file as a routine, with loops closed around their rungs.
 
     ``name`` is CLICK's, ``function`` the source's; without one it is the same name. Raises LadderProblem for a name
     that a function cannot have.
@@ -180,7 +184,7 @@ def routine_of(name: str, rungs: Sequence[Rung], is_main: bool, function: str = 
 
 
 def with_loops(rungs: Sequence[Rung]) -> tuple[Rung, ...]:
-    """The rungs between ``for`` and ``next()`` as the body of a loop, where that says the same."""
+    """Return the rungs between ``for`` and ``next()`` as the body of a loop, if that means the same."""
     found: list[Rung] = []
     index = 0
     while index < len(rungs):
@@ -197,40 +201,34 @@ def with_loops(rungs: Sequence[Rung]) -> tuple[Rung, ...]:
 
 
 def _end_of_loop(rungs: Sequence[Rung], start: int) -> int | None:
-    """The rung of the ``next()`` that closes the loop of this rung; None when it is no loop or does not close so."""
-    if not _is_alone(rungs[start], FOR):
+    """The rung of the ``next()`` that closes the loop of this rung; None if it is not a loop or does not close so."""
+    if not _is_alone(rungs[start], Flow.LOOP):
         return None
     for index in range(start + 1, len(rungs)):
         rung = rungs[index]
-        if _is_alone(rung, NEXT):
+        if _is_alone(rung, Flow.NEXT):
             is_plain = isinstance(rung.condition, Always) and not rung.comment
             return index if is_plain and index > start + 1 else None
-        if _uses(rung.items, FOR) or _uses(rung.items, NEXT):
+        if any(action.effects.flow in (Flow.LOOP, Flow.NEXT) for action in actions_in(rung.items)):
             return None
     return None
 
 
-def _is_alone(rung: Rung, spec: Spec) -> bool:
-    return len(rung.items) == 1 and isinstance(rung.items[0], Action) and rung.items[0].spec is spec
-
-
-def _uses(items: Sequence[Item], spec: Spec) -> bool:
-    return any(
-        _uses(item.items, spec) if isinstance(item, Branch) else isinstance(item, Action) and item.spec is spec
-        for item in items
-    )
+def _is_alone(rung: Rung, flow: Flow) -> bool:
+    return len(rung.items) == 1 and isinstance(rung.items[0], Action) and rung.items[0].effects.flow is flow
 
 
 def _with_open_loop(rung: Rung) -> Rung:
-    return replace(rung, items=_opened(rung.items))
+    is_open = any(action.effects.flow is Flow.LOOP for action in actions_in(rung.items))
+    return replace(rung, items=_opened(rung.items)) if is_open else rung
 
 
 def _opened(items: Sequence[Item]) -> tuple[Item, ...]:
-    """The items with every ``for`` as a loop that ``next_loop()`` closes."""
+    """Return the items with every ``for`` as a loop that ``next_loop()`` closes."""
     found: list[Item] = []
     for item in items:
         if isinstance(item, Branch):
             found.append(replace(item, items=_opened(item.items)))
         else:
-            found.append(Loop(item, None) if isinstance(item, Action) and item.spec is FOR else item)
+            found.append(Loop(item, None) if isinstance(item, Action) and item.effects.flow is Flow.LOOP else item)
     return tuple(found)

@@ -1,6 +1,6 @@
-"""Output tokens to actions, by the templates that the instructions' Specs write them with.
+"""Turns output tokens into actions, by the templates with which the instructions' Specs write them.
 
-A template is taken apart like a token. What it names stands in the token at the same place, and is read by the kind of
+A template is split like a token. What it names is at the same place in the token, and is read by the kind of
 its parameter.
 """
 
@@ -9,26 +9,21 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
 
 from clickgen.click.draw.tokens import keyword_of, pin_row
 from clickgen.click.read.calls import Call, call_of
 from clickgen.click.read.values import value_of
 from clickgen.device.banks import current_value, parse_address
-from clickgen.instructions import FAMILIES, raw
-from clickgen.instructions.control import FOR, NOP, RETURN
-from clickgen.instructions.counters import CTD
-from clickgen.instructions.maths import MATH_HEX
+from clickgen.instructions import every, of_instructions
 from clickgen.instructions.raw import rows_of
 from clickgen.instructions.spec import REQUIRED, ParamKind, Spec, Variant
 from clickgen.ir.conditions import Condition
+from clickgen.ir.made import NOP_TOKEN, nothing
 from clickgen.ir.operands import Cell, Integer, Range
 from clickgen.ir.program import Action, Value
 from clickgen.text.source import Span
 
 PIN = re.compile(r"\.[a-z_]+\(.*\)")
-NOP_TOKEN = NOP.variants[0].token
-"""The one token that is no call."""
 
 _PLACE = re.compile(r"\{(\w+)\}")
 _PATTERNS = {ParamKind.COMPARISON: "==|!=|<=|>=|<|>"}
@@ -44,7 +39,7 @@ class _Template:
     optional: frozenset[str]
 
     def match(self, call: Call) -> dict[str, str] | None:
-        """The texts of the parameters; None when the token is another's."""
+        """Return the texts of the parameters; None if the token is another's."""
         is_known = call.keywords.keys() <= self.keywords.keys()
         is_whole = self.keywords.keys() - self.optional <= call.keywords.keys()
         if len(call.arguments) != len(self.arguments) or not is_known or not is_whole:
@@ -60,14 +55,15 @@ class _Template:
         return texts
 
 
-@cache
+@of_instructions
 def _templates() -> dict[str, tuple[_Template, ...]]:
-    """Every template by the name of its token. What is kept as it is has none."""
+    """Every template by the name of its token. What is kept as it is has none, nor has what is no call."""
     found: dict[str, tuple[_Template, ...]] = {}
-    for spec in (*(spec for family in FAMILIES if family is not raw for spec in family.SPECS), FOR, RETURN):
-        for variant in spec.variants:
-            name, template = _template(spec, variant)
-            found[name] = (*found.get(name, ()), template)
+    for spec in every():
+        for variant in () if spec.effects.is_unknown else spec.variants:
+            if variant.token != NOP_TOKEN:
+                name, template = _template(spec, variant)
+                found[name] = (*found.get(name, ()), template)
     return found
 
 
@@ -87,7 +83,7 @@ def _template(spec: Spec, variant: Variant) -> tuple[str, _Template]:
 
 
 def _pattern(text: str, kinds: Mapping[str, ParamKind]) -> re.Pattern[str]:
-    """A part of a template as an expression: its places are groups, and it is generous with spaces."""
+    """A part of a template as an expression: its places are groups, and extra spaces are allowed."""
     pieces = _PLACE.split(text)
     for index, piece in enumerate(pieces):
         if index % 2:
@@ -103,17 +99,17 @@ def specs_of(token: str) -> list[Spec]:
     return [*dict.fromkeys(template.spec for template in _templates().get(token.partition("(")[0], ()))]
 
 
-# -- what a box is ----------------------------------------------------------------------------------------------------
+# -- boxes ------------------------------------------------------------------------------------------------------------
 
 
 def height_of(token: str) -> int:
-    """The rows of an instruction (click-facts [grid.heights]); 1 for what nobody knows."""
+    """The rows of an instruction (click-facts [grid.heights]); 1 for an unknown one."""
     heights = [spec.height for spec in specs_of(token)]
     return max(heights, default=rows_of(token))
 
 
 def pin_row_of(token: str, pin: str) -> int:
-    """The row of a pin below its instruction's; 0 when it has no such pin."""
+    """The row of a pin below its instruction's; 0 if it has no such pin."""
     name = pin.partition("(")[0]
     for template in _templates().get(token.partition("(")[0], ()):
         for param in template.spec.pins:
@@ -123,17 +119,17 @@ def pin_row_of(token: str, pin: str) -> int:
 
 
 def is_own_input_below(token: str) -> bool:
-    """True for a down counter: its own input is the middle one of three (click-facts [grid.down-counter])."""
-    return any(template.spec is CTD for template in _templates().get(token.partition("(")[0], ()))
+    """True for a box whose own input has a row below its first one."""
+    return any(template.spec.own_row for template in _templates().get(token.partition("(")[0], ()))
 
 
 # -- actions ----------------------------------------------------------------------------------------------------------
 
 
 def action_of(token: str, pins: Mapping[str, Condition], span: Span) -> Action | None:
-    """The action that would write this token and these pins; None when no Spec writes it."""
+    """Return the action that would write this token and these pins; None if no Spec writes it."""
     if token == NOP_TOKEN:
-        return None if pins else Action(NOP, {}, span)
+        return None if pins else nothing(span)
     call = call_of(token)
     if call is None:
         return None
@@ -147,7 +143,7 @@ def action_of(token: str, pins: Mapping[str, Condition], span: Span) -> Action |
 
 
 def _with_pins(spec: Spec, texts: dict[str, str], pins: Mapping[str, Condition]) -> dict[str, str | Condition] | None:
-    """The texts with the conditions of the pins; None when the instruction has others."""
+    """The texts with the conditions of the pins; None if the instruction has others."""
     found: dict[str, str | Condition] = dict(texts)
     for token, condition in pins.items():
         for param in spec.pins:
@@ -170,8 +166,8 @@ def _action(spec: Spec, given: Mapping[str, str | Condition], span: Span) -> Act
         text = given.get(param.name)
         if text is None or (param.kind is ParamKind.FLAG and text == "0"):
             continue
-        value = value_of(param, text, span, "hex" if spec is MATH_HEX else "decimal") if isinstance(text, str) else text
-        # A constant step of a jump is the language's alone: CLICK jumps to the one that a register holds
+        value = value_of(param, text, span) if isinstance(text, str) else text
+        # Only the language has a constant step of a jump: CLICK jumps to the one that a register holds
         # (click-facts [drum.inputs]).
         if value is None or (param.of_pin and isinstance(value, Integer)):
             return None
@@ -180,7 +176,7 @@ def _action(spec: Spec, given: Mapping[str, str | Condition], span: Span) -> Act
 
 
 def _shortened(action: Action, given: Mapping[str, str | Condition]) -> Action | None:
-    """Without what follows from the rest: a current value from its timer, the end of a block from its source."""
+    """Leave out what follows from the rest: a current value from its timer, the end of a block from its source."""
     args = dict(action.args)
     for param in action.spec.params:
         value = args.get(param.name)
@@ -200,7 +196,7 @@ def _shortened(action: Action, given: Mapping[str, str | Condition]) -> Action |
 
 
 def _has_form(action: Action) -> bool:
-    """False when the instruction has no token for these banks."""
+    """False if the instruction has no token for these banks."""
     try:
         return action.variant is not None
     except ValueError:

@@ -9,7 +9,6 @@ from clickgen.click.read.calls import call_of, split, unquoted
 from clickgen.click.read.formulas import formula_of
 from clickgen.click.read.operands import operand_of
 from clickgen.device.banks import parse_address
-from clickgen.formula import Mode
 from clickgen.instructions.communication import COM_PORTS
 from clickgen.instructions.copies import CONVERSIONS
 from clickgen.instructions.spec import Param, ParamKind
@@ -23,10 +22,10 @@ _HEX = re.compile(r"([0-9A-Fa-f]{1,4})h")
 _NUMBER = re.compile(r"[0-9]{1,9}")
 
 
-def value_of(param: Param, text: str, span: Span, mode: Mode) -> Value | None:
-    """What an argument says; None when it is nothing that the parameter takes. ``mode`` is that of a formula."""
+def value_of(param: Param, text: str, span: Span) -> Value | None:
+    """What an argument says; None when it is nothing that the parameter takes."""
     if param.kind is ParamKind.FORMULA:
-        return formula_of(text, mode, span)
+        return formula_of(text, "hex" if param.is_hex else "decimal", span)
     return _READERS[param.kind](param, text, span)
 
 

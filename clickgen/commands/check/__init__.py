@@ -1,1 +1,1 @@
-"""Checking a repository: which files are programs, what each has, what of it is wanted, what can be mended."""
+"""Checking a repository: finds its programs, judges each, selects among the findings, and fixes what can be fixed."""

@@ -1,6 +1,6 @@
 """The findings of several programs as one list: a file that several share has each of its findings once.
 
-A fix that rests on what names stand for is safe only where every program that its file belongs to says so: what is one
+A fix that rests on the meaning of names is safe only if every program that its file belongs to agrees: one
 bit by the table of one program is a block by that of another.
 """
 
@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 
 from clickgen.commands.check.cache import Cached
-from clickgen.dialects.if_rungs.discover import Target
+from clickgen.dialects.discover import Target
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.edits import Fix
 
@@ -20,7 +20,7 @@ def agreed(
 ) -> list[Diagnostic]:
     """Every finding once, with the most careful fix that a program gives it.
 
-    ``partly`` tells of some files which belong to a program that was not judged; ``real`` gives a file its one path.
+    ``partly`` returns which of some files belong to a program that was not judged; ``real`` gives a file its one path.
     """
     findings: dict[object, Diagnostic] = {}
     votes: Counter[object] = Counter()
@@ -48,11 +48,11 @@ def agreed(
 
 
 _Real = Callable[[str], str]
-"""The one path of a file, by whatever way it is written."""
+"""The one path of a file, however it is written."""
 
 
 def _key(finding: Diagnostic, real: _Real) -> object:
-    """The same for what two programs say of one place; their hints and fixes may differ."""
+    """The same key for findings of two programs about one place; their hints and fixes may differ."""
     spans = [
         span and span._replace(path=real(span.path))
         for span in (finding.span, *(label.span for label in finding.labels))
@@ -69,7 +69,7 @@ def _boldness(fix: Fix | None) -> int:
 
 
 def _is_doubtful(fix: Fix) -> bool:
-    """True when another program may see it otherwise."""
+    """True if another program may judge it differently."""
     return fix.is_safe and fix.rests_on_names
 
 

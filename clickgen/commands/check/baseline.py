@@ -1,4 +1,4 @@
-"""Findings that were there when a repository began to check: they are not shown again until they change."""
+"""Findings that existed when a repository began to check: they are not shown again until they change."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from typing import NamedTuple
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.problems.finding_keys import Key, keys_of
 from clickgen.text.wording import json_text
-from clickgen.workspace import CouldNotRun, read_file
+from clickgen.workspace import CouldNotRun, Workspace
 
 _FORMAT = 1
 
 
-def read_baseline(path: Path) -> Counter[Key] | None:
-    """How often each finding was there; None when there is no such file. Raises CouldNotRun."""
+def read_baseline(path: Path, files: Workspace) -> Counter[Key] | None:
+    """Return how often each finding was there; None if there is no such file. Raises CouldNotRun."""
     try:
-        tree = json.loads(read_file(path).decode("utf-8"))
+        tree = json.loads(files.read(path).decode("utf-8"))
         if tree["format"] != _FORMAT:
             raise CouldNotRun(f"{path} is a baseline of another clickgen; delete it and make it anew")
         return Counter({(row["file"], row["code"], row["line"]): int(row["count"]) for row in tree["findings"]})
@@ -43,13 +43,13 @@ def baseline_text(keys: Iterable[Key]) -> str:
 
 
 class Baseline(NamedTuple):
-    """What was found when a repository began: how often each key, with ``name`` as ``keys_of`` takes it."""
+    """The findings from when a repository began: how often each key, with ``name`` as ``keys_of`` takes it."""
 
     known: Counter[Key]
     name: Callable[[str], str]
 
     def news(self, findings: list[Diagnostic], line_of: Callable[[str, int], str]) -> list[Diagnostic]:
-        """The findings that the baseline does not know; errors always."""
+        """Return the findings that the baseline does not know; errors always."""
         left = Counter(self.known)
         new = []
         for finding, key in zip(findings, keys_of(findings, self.name, line_of), strict=True):

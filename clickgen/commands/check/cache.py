@@ -1,4 +1,4 @@
-"""What a check found, kept by the contents that it was found in: an unchanged program is not judged again."""
+"""The findings of checks, kept by the contents that they were found in: an unchanged program is not judged again."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ _KEPT_MAX = 5000
 
 
 class Cached(NamedTuple):
-    """The findings of one program before anything is selected or silenced, and the files that it was made of."""
+    """The findings of one program before anything is selected or silenced, and the files in it."""
 
     findings: tuple[Diagnostic, ...]
     sources: tuple[str, ...]
 
 
 class Cache:
-    """The findings of every program, in one file of the memory. A cache that cannot be used is no cache."""
+    """The findings of every program, in one file of the memory. An unusable cache is treated as missing."""
 
     def __init__(self, workspace: Workspace) -> None:
         self._workspace = workspace
@@ -35,7 +35,7 @@ class Cache:
         self._entries: dict[str, Any] = found if isinstance(found, dict) else {}
 
     def get(self, key: str) -> Cached | None:
-        """What is known of a program, when every file that it was made of is as it was."""
+        """Return the findings of a program, if every file in it is unchanged."""
         try:
             entry = self._entries[key]
             if not self._is_as_it_was(entry["reads"]):
@@ -64,12 +64,12 @@ class Cache:
 
 
 def key_of(*parts: object) -> str:
-    """What a program's findings depend on beside its files and clickgen itself: the settings, and where it is run."""
+    """The key of everything that a program's findings depend on besides its files and clickgen: settings, and place."""
     return digest_of(json.dumps([os.getcwd(), *map(str, parts)]).encode())
 
 
 def _sources(entry: Mapping[str, Mapping[str, object]]) -> tuple[str, ...]:
-    """The files of the program, each of which was read."""
+    """The files of the program, all of which were read."""
     sources, reads = entry["sources"], entry["reads"]
     if not isinstance(sources, list) or any(reads[path] is None for path in sources):
         raise ValueError("a source was not read")

@@ -1,4 +1,4 @@
-"""Judging programs: each by the pipeline, several on all cores, an unchanged one out of the cache."""
+"""Judges programs: each by the pipeline, several on all cores, an unchanged one from the cache."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from clickgen.commands.check.cache import Cache, Cached, key_of
-from clickgen.dialects.if_rungs.discover import Target
+from clickgen.dialects.discover import Target
 from clickgen.problems.diagnostics import TRACEBACK, Diagnostic
 from clickgen.rules.select import Selection
 from clickgen.text.source import Span
@@ -20,13 +20,13 @@ _MANY = 4
 """Fewer programs than this are judged one after the other: starting processes costs more."""
 
 Judged = tuple[Cached, Mapping[str, bytes | None]]
-"""The findings of a program, and what was read for them."""
+"""The findings of a program, and the files read for them."""
 
 
 class Judge(NamedTuple):
-    """``workspace`` has the files; where it has contents that count instead of those on disk, nothing is cached.
+    """``workspace`` has the files; if it has contents that replace those on disk, nothing is cached.
 
-    ``progress`` is told after each program how many are done.
+    ``progress`` is called after each program with the number of finished ones.
     """
 
     cache: Cache
@@ -36,7 +36,7 @@ class Judge(NamedTuple):
     progress: Callable[[int], None] = lambda _: None
 
     def __call__(self, targets: Sequence[Target]) -> dict[Target, Cached]:
-        """The findings of each target. Raises CouldNotRun when one cannot be read."""
+        """Return the findings of each target. Raises CouldNotRun if one cannot be read."""
         found: dict[Target, Cached] = {}
         keys = {target: self._key(target) for target in targets} if not self.workspace.overlay else {}
         for target, key in keys.items():
@@ -53,7 +53,7 @@ class Judge(NamedTuple):
         return found
 
     def again(self, target: Target, named_elsewhere: frozenset[str]) -> Cached:
-        """The findings of a target, with the knowledge of what other programs name: kept in no cache."""
+        """Return the findings of a target, given the names that other programs use: they are not cached."""
         return judge(target, self.selection, self.reserved, self.workspace, named_elsewhere)[0]
 
     def _key(self, target: Target) -> str:
@@ -67,7 +67,7 @@ class Judge(NamedTuple):
             return
         from clickgen.commands.check.pool import in_processes
 
-        # What this process has read stays here: to send it would cost more than to read it again.
+        # What this process has read stays here: sending it would cost more than reading it again.
         workspace = Workspace(self.workspace.overlay, self.workspace.memory)
         tasks = [(target, self.selection, self.reserved, workspace) for target in targets]
         yield from zip(targets, in_processes(judged, tasks, cores), strict=True)
@@ -76,9 +76,9 @@ class Judge(NamedTuple):
 def judged_at_any_rate(
     target: Target, selection: Selection, reserved: tuple[Address, ...], workspace: Workspace
 ) -> Judged:
-    """``judge`` of one program of several: what keeps this one from being judged is its problem, and not the others'.
+    """``judge`` for one program of several: if it cannot be judged, that is its problem and does not stop the others.
 
-    Such a problem is not remembered: nothing says what it depends on.
+    Such a problem is not cached: nothing shows what it depends on.
     """
     try:
         return judge(target, selection, reserved, workspace)
@@ -100,7 +100,7 @@ def judge(
     workspace: Workspace,
     named_elsewhere: frozenset[str] = frozenset(),
 ) -> Judged:
-    """What is to be said about one program, of what is wanted. Raises CouldNotRun."""
+    """Return the wanted findings about one program. Raises CouldNotRun."""
     from clickgen.api import check
     from clickgen.config import Settings
 

@@ -1,4 +1,4 @@
-"""Work on all cores: processes that run nothing of the working folder, and that never outlive who started them."""
+"""Work on all cores: processes that run nothing of the working folder, and never outlive the one that started them."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ _SAFE_PATH = "PYTHONSAFEPATH"
 
 
 def in_processes(work: Callable[..., T], tasks: Iterable[tuple[object, ...]], cores: int) -> Iterator[T]:
-    """The results of the tasks in their order.
+    """Return the results of the tasks in their order.
 
-    Raises CouldNotRun where a process is killed, and what the work raises.
+    Raises CouldNotRun if a process is killed, and whatever the work raises.
     """
     with _safe_path():
         pool = ProcessPoolExecutor(cores, initializer=_begin)
@@ -34,7 +34,7 @@ def in_processes(work: Callable[..., T], tasks: Iterable[tuple[object, ...]], co
                 "a process of the check was killed, perhaps for want of memory; check fewer programs at once"
             ) from None
         except BaseException:
-            # Nobody waits for what is left of it.
+            # Nobody waits for the rest of it.
             pool.shutdown(wait=False, cancel_futures=True)
             raise
         pool.shutdown()
@@ -55,7 +55,7 @@ def _safe_path() -> Iterator[None]:
 
 
 def _begin() -> None:
-    """A new process: Ctrl-C is for the one that started it, and when that one ends, so does this."""
+    """Set up a new process: Ctrl-C is for the one that started it, and when that one ends, so does this one."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     threading.Thread(target=_end_with_parent, daemon=True).start()

@@ -1,4 +1,4 @@
-"""One check of a repository: judge, select, silence, mend."""
+"""One check of a repository: judge, select, silence, fix."""
 
 from __future__ import annotations
 
@@ -12,11 +12,13 @@ from clickgen.commands.check.agree import agreed
 from clickgen.commands.check.cache import Cache, Cached
 from clickgen.commands.check.judging import Judge
 from clickgen.config import Config
-from clickgen.dialects.if_rungs.discover import Target, discover, matches, partly_judged, wholly_judged
+from clickgen.dialects.discover import Target, discover, partly_judged, wholly_judged
+from clickgen.dialects.registry import dialect_of
 from clickgen.problems.codes import CODES, LEFT
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.rules.select import Selection
 from clickgen.text.edits import Fix
+from clickgen.text.patterns import matches
 from clickgen.workspace import Workspace
 from clickgen.workspace.memory import Memory
 
@@ -25,11 +27,11 @@ if TYPE_CHECKING:
     from clickgen.text.source import SourceFile
 
 _ROUNDS_MAX = 10
-"""Fixes may make room for others; so often, and a fix that undoes another ends."""
+"""Fixes may make room for others; this many rounds, also in case one fix undoes another."""
 
 
 class Request(NamedTuple):
-    """What to check and how. ``stdin`` is the text of the only path, which need not exist then."""
+    """The files to check and the settings. ``stdin`` is the text of the only path, which need not exist then."""
 
     config: Config
     selection: Selection = Selection()
@@ -40,13 +42,15 @@ class Request(NamedTuple):
     stdin: bytes | None = None
     progress: Callable[[int, int], None] = lambda *_: None
     baseline: Baseline | None = None
-    """What is known already: neither told nor mended nor silenced."""
+    """Known findings: neither reported nor fixed nor silenced."""
     elsewhere: Callable[[Target], frozenset[str]] | None = None
-    """What the other programs around the table of one name: asked where a name seems to have left."""
+    """The names that the other programs around the table of one use: called if a name seems to have left."""
+    files: Workspace | None = None
+    """The files that this run has read already."""
 
 
 class Outcome(NamedTuple):
-    """What was found in the files that were ``checked``, read in ``workspace``, with the changes of fixes in it."""
+    """The findings in the files that were ``checked``, read in ``workspace``, with the changes of fixes in it."""
 
     findings: tuple[Diagnostic, ...]
     checked: tuple[str, ...]
@@ -62,7 +66,7 @@ class Outcome(NamedTuple):
 
     @property
     def line_of(self) -> Callable[[str, int], str]:
-        """The text of a line of a file as it was judged; "" where there is none."""
+        """The text of a line of a file as it was judged; "" if there is none."""
 
         @cache
         def lines(path: str) -> list[str]:
@@ -88,9 +92,12 @@ class Outcome(NamedTuple):
 
 
 def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
-    """Check, and with ``fix`` mend in memory what can be mended. Raises CouldNotRun."""
+    """Check, and with ``fix`` apply fixes in memory. Raises CouldNotRun."""
     given = {os.path.realpath(request.paths[0]): request.stdin} if request.stdin is not None else {}
-    workspace = Workspace(given, Memory(request.config.root if request.use_cache else None))
+    files = request.files or Workspace()
+    if request.use_cache:
+        files.memory = Memory(request.config.root)
+    workspace = files.apart(given)
     found, empty = discover(request.paths, request.config, request.exclude, request.force_exclude, workspace)
     outcome = _look(request, found, workspace)
     if not fix:
@@ -113,7 +120,7 @@ def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
 
 def add_ignores(outcome: Outcome) -> Outcome:
     """The outcome with a comment in the source for each finding that a comment can silence."""
-    from clickgen.dialects.if_rungs.suppress import ignoring, silenceable
+    from clickgen.problems.silence import silenceable
 
     before: dict[str, bytes] = {}
     after: dict[str, bytes] = {}
@@ -121,14 +128,14 @@ def add_ignores(outcome: Outcome) -> Outcome:
     for path in outcome.checked:
         data = outcome.workspace.read(path)
         source = _decoded(path, data)
-        fix = ignoring(source, outcome.findings) if source else None
+        fix = dialect_of(path, data).ignoring(source, outcome.findings) if source else None
         if source is not None and fix is not None:
             before[path], after[path] = data, _fixed(data, [fix])[0]
             count += len(silenceable(source, outcome.findings))
     return outcome._replace(fixed=count, before=before, after=after)
 
 
-# -- looking ----------------------------------------------------------------------------------------------------------
+# -- checking ---------------------------------------------------------------------------------------------------------
 
 
 def _look(request: Request, found: Sequence[Target], workspace: Workspace) -> Outcome:
@@ -167,11 +174,11 @@ def _heard(
     judged: Mapping[Target, Cached],
     workspace: Workspace,
 ) -> tuple[list[Diagnostic], list[Diagnostic]]:
-    """The findings that no comment silences, and what is wrong with such comments."""
+    """The findings that no comment silences, and the problems of such comments."""
     speaking = {path: data for path in checked if b"clickgen" in (data := workspace.read(path)).lower()}
     if not speaking:
         return findings, []
-    from clickgen.dialects.if_rungs.suppress import Directive, read_directives, report_unused, silenced
+    from clickgen.problems.silence import Directive, report_unused, silenced
 
     problems = Diagnostics()
     directives: list[Directive] = []
@@ -180,26 +187,25 @@ def _heard(
         source = _decoded(path, data)
         if source is not None:
             sources.append(source)
-            directives += read_directives(source, problems)
-    # What the settings silence needs no comment either.
+            directives += dialect_of(path, data).directives(source, problems)
+    # A finding that the settings silence needs no comment either.
     ignored = _Ignored(request.config)
     waiting = [finding for finding in findings if not ignored(finding)]
     left, _ = silenced(waiting, directives)
     whole = wholly_judged([source.path for source in sources], judged, request.config, workspace)
     for source in sources:
         if source.path in whole:
-            report_unused(source, directives, _judged_codes(request, source.path, judged), problems)
+            without = dialect_of(source.path, source.text).without
+            report_unused(source, directives, _judged_codes(request, source.path, judged), without, problems)
     return left, [finding for finding in problems.found if request.selection.wants(finding.code)]
 
 
 def _decoded(path: str, data: bytes) -> SourceFile | None:
-    from clickgen.dialects.if_rungs.read.parse import decode
-
-    return decode(path, data, Diagnostics())
+    return dialect_of(path, data).decode(path, data, Diagnostics())
 
 
 class _Ignored:
-    """Which warnings the settings silence in their files; each file meets each pattern once."""
+    """The warnings that the settings silence in their files; each file meets each pattern once."""
 
     def __init__(self, config: Config) -> None:
         self._root = config.root
@@ -224,11 +230,11 @@ def _judged_codes(request: Request, path: str, judged: Mapping[Target, Cached]) 
     return [code for code in CODES if request.selection.wants(code) and (whole or not code.startswith("CG5"))]
 
 
-# -- mending ----------------------------------------------------------------------------------------------------------
+# -- fixing -----------------------------------------------------------------------------------------------------------
 
 
 def _mended(outcome: Outcome, workspace: Workspace, unsafe: bool) -> dict[str, tuple[bytes, bytes, int]]:
-    """The source files that the fixes change: each before and after, and how many fixes went in.
+    """The source files that the fixes change: each before and after, and how many fixes were applied.
 
     A fix changes one file, which is one of those that were checked.
     """

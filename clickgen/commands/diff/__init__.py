@@ -1,1 +1,1 @@
-"""What ``clickgen diff`` does: two programs, bundles or revisions, rung by rung, in the words of the listing."""
+"""The work of ``clickgen diff``: two programs, bundles or revisions, rung by rung, in the words of the listing."""

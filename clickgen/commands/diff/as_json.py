@@ -1,4 +1,4 @@
-"""A difference as JSON: its form is that of ``docs/diff.md`` and stays, or ``version`` rises."""
+"""A difference as JSON: its form is that of ``docs/diff.md``; ``version`` rises when it changes."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ VERSION = 1
 
 
 def render(compared: Sequence[tuple[Pair, Difference | None]]) -> str:
-    """One object for a difference; for several, one that has them all in ``programs``.
+    """Return one object for a difference; for several, one that has them all in ``programs``.
 
-    Of a program with errors there is no difference, and of one alone nothing to write.
+    A program with errors has no difference, and one on its own gives nothing to write.
     """
     if len(compared) == 1:
         [(pair, difference)] = compared
@@ -31,12 +31,12 @@ def render(compared: Sequence[tuple[Pair, Difference | None]]) -> str:
 
 
 def _broken(pair: Pair) -> dict[str, object]:
-    """A program that could not be compared: whether it differs, nobody knows."""
+    """A program that could not be compared: nobody knows whether it differs."""
     return {"version": VERSION, "old": pair.one, "new": pair.other, "differs": None}
 
 
 def _difference(pair: Pair, difference: Difference) -> dict[str, object]:
-    """The whole difference of two sides; null for a side that is not there."""
+    """The whole difference of two sides; null for a side that does not exist."""
     names = name_changes(difference.one, difference.other)
     return {
         "version": VERSION,

@@ -1,4 +1,4 @@
-"""A difference as a person reads it: routines and rungs, ``-`` as it was and ``+`` as it is."""
+"""A difference for a person: routines and rungs, ``-`` as it was and ``+`` as it is."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from clickgen.emit.rung_words import Names
 from clickgen.text.wording import counted
 
 _RUNGS_SHOWN = 20
-"""Of a larger routine that came or went only the number of its rungs is told."""
+"""For a larger routine that came or went, only the number of its rungs is given."""
 
 
 class Line(NamedTuple):
-    """A line with its mark: ``-``, ``+``, or a space for what stays."""
+    """A line with its mark: ``-``, ``+``, or a space for a line that stays."""
 
     mark: str
     text: str
@@ -55,7 +55,7 @@ def _plain(*texts: str) -> Iterator[Line]:
 
 
 def summary(difference: Difference, names: NameChanges) -> list[str]:
-    """What there is of everything, and what could not be judged."""
+    """How many there are of everything, and what could not be judged."""
     if difference.differs:
         said = _counts(difference)
     else:
@@ -105,7 +105,7 @@ def _routine(routine: RoutineChange, difference: Difference) -> Iterator[Line]:
 
 
 def headline(change: RungChange, routine: RoutineChange) -> str:
-    """``rung 4, now rung 5, changed``; a rung that moved is told from the routine that it is shown in."""
+    """``rung 4, now rung 5, changed``; a rung that moved is described from the routine that it is shown in."""
     one, other = change.one, change.other
     if one is None or other is None:
         rung = one or other
@@ -149,7 +149,7 @@ def change_lines(change: RungChange, difference: Difference) -> Iterator[Line]:
 
 
 def _comment_lines(one: WordedRung, other: WordedRung) -> Iterator[Line]:
-    """The comments where they differ; else the first line, which says what the rung is for."""
+    """The comments if they differ; else the first line, which says what the rung is for."""
     if one.comment != other.comment:
         before, after = ([f"| {line}".rstrip() for line in rung.comment] for rung in (one, other))
         yield from _compared(before, after, (Names({}), Names({})))

@@ -1,4 +1,4 @@
-"""What a difference consists of: changes of rungs, of routines, and of what addresses begin with."""
+"""The parts of a difference: changes of rungs, of routines, and of initial values of addresses."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from clickgen.device.banks import Address
 from clickgen.emit.rung_words import Names
 
 CHANGED, ADDED, REMOVED, MOVED, COMMENTED = KINDS = ("changed", "added", "removed", "moved", "commented")
-"""What can happen to a rung; a comment is no logic."""
+"""The kinds of change of a rung; a comment is not logic."""
 RENAMED, SAME = "renamed", "same"
 
 
 @dataclass(frozen=True)
 class RungChange:
-    """What happened to a rung: as it was, as it is, and how that differs.
+    """The change of a rung: as it was, as it is, and the difference.
 
-    ``is_unknown`` when nobody knows whether both do the same; ``is_drawn`` when words do not show the difference, so
+    ``is_unknown`` if nobody knows whether both do the same; ``is_drawn`` if words do not show the difference, so
     that the cells must.
     """
 
@@ -31,15 +31,15 @@ class RungChange:
 
     @property
     def is_logic(self) -> bool:
-        """False where only a comment differs."""
+        """False if only a comment differs."""
         return self.kind != COMMENTED
 
 
 @dataclass(frozen=True)
 class RoutineChange:
-    """A routine: ``same``, ``renamed``, ``added`` or ``removed`` by its name, and what happened to its rungs.
+    """A routine: ``same``, ``renamed``, ``added`` or ``removed`` by its name, and the changes of its rungs.
 
-    A rung that moved to another routine stands in both of them. ``rungs`` counts those of the newer side, of a
+    A rung that moved to another routine is in both of them. ``rungs`` counts those of the newer side, for a
     removed routine those of the older.
     """
 
@@ -51,18 +51,18 @@ class RoutineChange:
 
     @property
     def differs(self) -> bool:
-        """True when the routine does something else."""
+        """True if the routine does something else."""
         return self.kind != SAME or any(change.is_logic for change in self.changes)
 
     @property
     def counted(self) -> tuple[RungChange, ...]:
-        """The changes that count: with a routine that came or went its rungs did, too."""
+        """The changes that count: if a routine came or went, so did its rungs."""
         return tuple(change for change in self.changes if change.kind != self.kind)
 
 
 @dataclass(frozen=True)
 class ValueChange:
-    """An address that begins with another value, or keeps it otherwise when the power goes."""
+    """An address with another initial value, or another retention."""
 
     address: Address
     what: str
@@ -72,7 +72,7 @@ class ValueChange:
 
 @dataclass(frozen=True)
 class Difference:
-    """Everything that two sides differ in. ``drawn_otherwise`` counts rungs that only look different."""
+    """All the differences of two sides. ``drawn_otherwise`` counts rungs that only look different."""
 
     one: Side
     other: Side
@@ -85,15 +85,15 @@ class Difference:
 
     @property
     def differs(self) -> bool:
-        """True when the two do not do the same, as far as is known."""
+        """True if the two do not do the same, as far as is known."""
         return bool(self.values) or any(routine.differs for routine in self.routines)
 
     def count(self, kind: str) -> int:
-        """The rungs to which this happened; one that moved counts once, those of a routine that came or went do not."""
+        """The rungs with this change; one that moved counts once, those of a routine that came or went do not."""
         found = [change for routine in self.routines for change in routine.counted if change.kind == kind]
         return len({id(change) for change in found})
 
     @property
     def rungs(self) -> int:
-        """How many were compared."""
+        """How many rungs were compared."""
         return sum(routine.rungs for routine in self.routines)

@@ -1,8 +1,8 @@
 """The one place that runs git. It reads objects and the index, and starts nothing that a repository names.
 
-The configuration of a repository is part of what somebody else may have laid out, and git would start programs that it
+The configuration of a repository may come from somebody else, and git would start programs that it
 names: a file-system monitor when it reads the index, helpers and a remote shell when an object is missing. All of it is
-switched off, in the environment and on the command line, which go before the repository's configuration.
+switched off, in the environment and on the command line, which override the repository's configuration.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _ENVIRONMENT = {
     "GIT_OPTIONAL_LOCKS": "0",
     "GIT_LITERAL_PATHSPECS": "0",
     "GIT_NO_LAZY_FETCH": "1",
-    # Of the protocols only those that stand here, whatever the configuration allows: none has this name.
+    # Only the protocols in this list, whatever the configuration allows: none has this name.
     "GIT_ALLOW_PROTOCOL": "none",
     "GIT_TERMINAL_PROMPT": "0",
     "GIT_SSH_COMMAND": "false",
@@ -42,7 +42,7 @@ _LEFT_OUT = ("GIT_ASKPASS", "SSH_ASKPASS", "GIT_EXTERNAL_DIFF", "GIT_PROXY_COMMA
 
 
 def run_git(*words: str, given: bytes | None = None) -> subprocess.CompletedProcess[bytes]:
-    """Run a command of git that only reads. Raises FileNotFoundError without git, and TimeoutExpired."""
+    """Run a git command that only reads. Raises FileNotFoundError without git, and TimeoutExpired."""
     program = _program()
     if program is None:
         raise FileNotFoundError("git")
@@ -50,7 +50,7 @@ def run_git(*words: str, given: bytes | None = None) -> subprocess.CompletedProc
     environment = {name: value for name, value in os.environ.items() if name not in _LEFT_OUT} | _ENVIRONMENT
     return subprocess.run(
         [program, "--no-pager", *settings, *words],
-        # A pipe without anything in it, so that nothing can ask the terminal.
+        # An empty pipe, so that nothing can ask the terminal.
         input=given or b"",
         capture_output=True,
         env=environment,

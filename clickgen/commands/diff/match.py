@@ -1,4 +1,4 @@
-"""Two sequences side by side: what they have in common, what lies between, and what resembles each other there."""
+"""Two sequences side by side: what they have in common, what is between, and which places there resemble each other."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ Pair = tuple[int, int]
 """A place in the one sequence and a place in the other."""
 
 LIKE_ENOUGH = 0.3
-"""From this on two sets of features resemble each other; 1 is equal."""
+"""From this value on two sets of features resemble each other; 1 is equal."""
 _ALL_PAIRS = 10_000
-"""In a gap with at most so many pairs each is looked at; in a larger one only those that share something rare."""
+"""In a gap with at most this many pairs each is looked at; in a larger one only those that share something rare."""
 
 
 class Block(NamedTuple):
@@ -25,7 +25,7 @@ class Block(NamedTuple):
 def longest_common(one: Sequence[Hashable], other: Sequence[Hashable]) -> list[Pair]:
     """The pairs of a longest common subsequence; equal beginnings and ends are paired first.
 
-    The rows of the usual table are numbers with a bit for each place (Crochemore et al., 2001), so that thousands of
+    Each row of the usual table is a number with one bit per place (Crochemore et al., 2001), so that thousands of
     rungs take no time.
     """
     start, stop = _shared_ends(one, other)
@@ -73,7 +73,7 @@ def single(pair: Pair) -> Block:
 
 
 def steps(shared: Iterable[Block], within: Block) -> Iterator[tuple[bool, Block]]:
-    """All places in order: the blocks that are shared, with True, and what lies between them."""
+    """Yield all places in order: the shared blocks, with True, and those between them."""
     i, j = within.one.start, within.other.start
     for block in (*shared, Block(range(within.one.stop, within.one.stop), range(within.other.stop, within.other.stop))):
         if block.one.start > i or block.other.start > j:
@@ -84,7 +84,7 @@ def steps(shared: Iterable[Block], within: Block) -> Iterator[tuple[bool, Block]
 
 
 def same_together(one: Sequence[Sequence[Hashable]], other: Sequence[Sequence[Hashable]]) -> Iterator[Block]:
-    """Blocks as short as can be in which both sequences hold the same, one behind the other, however it is divided."""
+    """Yield the shortest blocks in which both sequences hold the same, in order, however it is divided."""
     mine, theirs = ([n for n, held in enumerate(side) for _ in held] for side in (one, other))
     common = longest_common([key for held in one for key in held], [key for held in other for key in held])
     found: list[tuple[int, int, int, int, int]] = []
@@ -100,18 +100,18 @@ def same_together(one: Sequence[Sequence[Hashable]], other: Sequence[Sequence[Ha
 
 
 def most_like(one: Sequence[frozenset[str]], other: Sequence[frozenset[str]]) -> list[Pair]:
-    """Pairs in order on both sides, so that what they have in common is the most."""
+    """Return pairs in order on both sides that have the most in common."""
     scored = ((i, j, likeness(one[i], other[j])) for i, j in _candidates(one, other))
     return _best_chain([each for each in scored if each[2] >= LIKE_ENOUGH], len(other))
 
 
 def likeness(one: frozenset[str], other: frozenset[str]) -> float:
-    """How much two sets have in common: 0 nothing, 1 everything."""
+    """The common share of two sets: 0 nothing, 1 everything."""
     return 2 * len(one & other) / (len(one) + len(other)) if one or other else 1.0
 
 
 def _candidates(one: Sequence[frozenset[str]], other: Sequence[frozenset[str]]) -> list[Pair]:
-    """Pairs worth a look, by the first and, where that is the same, by the second from the last on."""
+    """Pairs worth a look, by the first place and, if that is the same, by the second from the last on."""
     if len(one) * len(other) <= _ALL_PAIRS:
         return [(i, j) for i in range(len(one)) for j in reversed(range(len(other)))]
     places: defaultdict[str, list[int]] = defaultdict(list)
@@ -119,7 +119,7 @@ def _candidates(one: Sequence[frozenset[str]], other: Sequence[frozenset[str]]) 
         for feature in features:
             places[feature].append(j)
     counts = Counter(feature for features in one for feature in features)
-    # Where everything changed alike nothing is rare, but what stands at the same place may belong together.
+    # If everything changed alike nothing is rare, but what is at the same place may belong together.
     found: set[Pair] = {(n, n) for n in range(len(one))} if len(one) == len(other) else set()
     for i, features in enumerate(one):
         rare = (feature for feature in features if counts[feature] * len(places.get(feature, ())) <= _ALL_PAIRS)

@@ -1,4 +1,4 @@
-"""How the nicknames of two sides differ, in the words of ``clickgen nicknames merge``. A PLC does not know them."""
+"""The nicknames that differ, in the words of ``clickgen nicknames merge``. A PLC does not know them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class NameChanges:
 
 
 def name_changes(one: Side, other: Side) -> NameChanges:
-    """What the tables of both sides say otherwise about names and comments; nothing where a side has none."""
+    """The differences of names and comments between the tables of both sides; none if a side has no table."""
     if one.table is None or other.table is None:
         return NameChanges()
     found = merge(one.table, other.table)
@@ -37,7 +37,7 @@ def name_changes(one: Side, other: Side) -> NameChanges:
 
 
 def _is_about_names(change: Change) -> bool:
-    """False for initial values and retention alone, which are no matter of names, and for clickgen's own cells."""
+    """False if only initial values or retention differ, which do not concern names, and for clickgen's own cells."""
     if change.kind == CHANGED and change.before and change.after:
         return differing(change.before, change.after) == ["comment"]
     rows = [row for row in (change.before, change.after) if row is not None]

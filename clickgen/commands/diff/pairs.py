@@ -1,4 +1,4 @@
-"""What is compared with what: a revision that is named without a path stands for the programs of the working folder."""
+"""Chooses the sides to compare: a revision named without a path means the programs of the working folder."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from typing import NamedTuple
 from clickgen.commands.diff.revision import is_in_revision, is_revision, named_revision
 from clickgen.commands.diff.sides import is_program
 from clickgen.config import Config
-from clickgen.dialects.if_rungs.discover import targets
-from clickgen.workspace import CouldNotRun
+from clickgen.dialects.discover import targets
+from clickgen.workspace import CouldNotRun, Workspace
 
 
 class Pair(NamedTuple):
-    """Two sides. Of a program that one of two revisions does not have, that side is absent."""
+    """Two sides. If one of two revisions does not have the program, that side is absent."""
 
     one: str
     other: str
@@ -23,33 +23,37 @@ class Pair(NamedTuple):
     is_gone: bool = False
 
 
-def pairs_of(one: str, other: str, config: Config, configured_in: Callable[[str], list[str]]) -> list[Pair]:
-    """The sides to compare, pair by pair.
+def pairs_of(
+    one: str, other: str, config: Config, configured_in: Callable[[str], list[str]], files: Workspace
+) -> list[Pair]:
+    """Return the sides to compare, pair by pair.
 
-    ``HEAD~1 HEAD`` are every program that the settings name, or the only one of the working folder, in both revisions;
-    ``HEAD~1 prog.py`` is that program in both. ``configured_in`` says what the settings of a revision name: a program
-    may have come or gone with them. Raises CouldNotRun where nobody can tell which program is meant.
+    ``HEAD~1 HEAD`` means every program that the settings name, or the only one of the working folder, in both
+    revisions; ``HEAD~1 prog.py`` is that program in both. ``configured_in`` returns what the settings of a revision
+    name: a program may have come or gone with them. Raises CouldNotRun if nobody can tell which program is meant.
     """
     first, second = is_revision(one), is_revision(other)
     if not first and not second:
         return [Pair(one, other)]
     if first and second:
-        return _in_both(one, other, config, configured_in)
+        return _in_both(one, other, config, configured_in, files)
     revision, named = (one, other) if first else (other, one)
     if not os.path.lexists(named) and named_revision(named) is None:
         raise CouldNotRun(f"there is no file, folder or revision {named!r}")
     path = _program_of(named)
     if path is None:
-        path, *more = _programs(revision, config)
+        path, *more = _programs(revision, config, files)
         if more:
             raise CouldNotRun(_which(revision, [path, *more]))
     return [Pair(f"{one}:{path}", other) if first else Pair(one, f"{other}:{path}")]
 
 
-def _in_both(one: str, other: str, config: Config, configured_in: Callable[[str], list[str]]) -> list[Pair]:
+def _in_both(
+    one: str, other: str, config: Config, configured_in: Callable[[str], list[str]], files: Workspace
+) -> list[Pair]:
     """The programs in both revisions, and those that only one of them has."""
     paths = dict.fromkeys([*configured_in(one), *configured_in(other)])
-    paths = dict.fromkeys([*(_programs(one, config) if config.programs or not paths else ()), *paths])
+    paths = dict.fromkeys([*(_programs(one, config, files) if config.programs or not paths else ()), *paths])
     pairs: list[Pair] = []
     for path in paths:
         older, newer = f"{one}:{path}", f"{other}:{path}"
@@ -62,7 +66,7 @@ def _in_both(one: str, other: str, config: Config, configured_in: Callable[[str]
 
 
 def _program_of(side: str) -> str | None:
-    """The program that a side names, as a revision names it; None for another side."""
+    """The program that a side names, in a revision's form; None for another side."""
     if os.path.lexists(side):
         return _from_here(side) if is_program(side) and not os.path.isdir(side) else None
     named = named_revision(side)
@@ -70,15 +74,15 @@ def _program_of(side: str) -> str | None:
 
 
 def _from_here(path: str | Path) -> str:
-    """A path on disk as git takes it, from the working folder."""
+    """A path on disk in git's form, from the working folder."""
     return "./" + os.path.relpath(path).replace(os.sep, "/")
 
 
-def _programs(revision: str, config: Config) -> list[str]:
+def _programs(revision: str, config: Config, files: Workspace) -> list[str]:
     """The programs that the settings name, else the only one below the working folder."""
     if config.programs:
         return [_from_here(program.path) for program in config.programs]
-    found = [_from_here(target.path) for target in targets(["."], config) if not target.is_part]
+    found = [_from_here(target.path) for target in targets(["."], config, workspace=files) if not target.is_part]
     if len(found) == 1:
         return found
     if not found:

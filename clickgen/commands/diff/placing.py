@@ -1,4 +1,4 @@
-"""Names that have no address on either side get the same one on both: such names are compared as names."""
+"""Gives names without an address on either side the same one on both: such names are compared as names."""
 
 from __future__ import annotations
 
@@ -21,23 +21,25 @@ from clickgen.workspace import CouldNotRun, Workspace
 
 
 def name_key(row: Row) -> tuple[str, str]:
-    """What tells a name from others: its bank, and its letters without regard to capitals."""
+    """The key of a name: its bank, and its letters without regard to capitals."""
     return row.address.bank, row.nickname.lower()
 
 
-def placed_alike(result: BuildResult, settings: Settings, shared: Sequence[Row], theirs: Sequence[Row]) -> BuildResult:
-    """The build again, with these shared names where the other side has them, as far as nothing else is there.
+def placed_alike(
+    result: BuildResult, settings: Settings, shared: Sequence[Row], theirs: Sequence[Row], files: Workspace
+) -> BuildResult:
+    """Build again, with these shared names where the other side has them, as far as nothing else is there.
 
-    ``theirs`` are all the names that got their addresses on the other side alone; no other name gets one of these.
-    Raises CouldNotRun where a bank has no room to keep the names of both sides apart: at one address they would look
+    ``theirs`` has all names that got their addresses only on the other side; no other name gets one of these.
+    Raises CouldNotRun if a bank has no room to keep the names of both sides apart: at one address they would look
     like one name.
     """
     taken = {*_taken(result), *settings.reserved}
     rows = [row for row in shared if _with_twin(row.address).isdisjoint(taken)]
     table = _with_rows(result, rows)
     alike = settings._replace(reserved=(*settings.reserved, *(row.address for row in theirs)))
-    files = Workspace({os.path.realpath(result.table_path): table.to_bytes()})
-    found = build(str(result.program), settings=alike, workspace=files)
+    with_table = files.apart({os.path.realpath(result.table_path): table.to_bytes()})
+    found = build(str(result.program), settings=alike, workspace=with_table)
     full = next((problem for problem in found.diagnostics if problem.code == "CG208"), None)
     if full is not None:
         raise CouldNotRun(
@@ -55,7 +57,7 @@ def _with_rows(result: BuildResult, rows: Iterable[Row]) -> AddressTable:
 
 
 def _taken(result: BuildResult) -> set[Address]:
-    """What the program itself or its table says of addresses; not what the build chose for names."""
+    """The addresses that the program itself or its table uses, without the build's choices for names."""
     chosen = {twin for row in result.placed_rows for twin in _with_twin(row.address)}
     found = Cells({row.address for row in result.rows if row.address not in chosen} | result.needed)
     for name, text in result.files.items():
@@ -66,7 +68,7 @@ def _taken(result: BuildResult) -> set[Address]:
 
 
 def _touched(rung: DrawnRung) -> Cells:
-    """What the contacts and outputs of a rung look at or change."""
+    """The cells that the contacts and outputs of a rung look at or change."""
     found = Cells()
     for row in rung.rows:
         for square in row.squares:

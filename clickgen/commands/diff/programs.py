@@ -1,4 +1,4 @@
-"""The difference of two sides: routines by their names, rungs by what they do, and what else a PLC does otherwise."""
+"""The difference of two sides: routines by their names, rungs by what they do, and everything else that a PLC feels."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def _rung(routine: str, number: int, rung: DrawnRung, wording: Wording, numbers:
 def _values(
     one: Side, other: Side, first: Mapping[Address, Row], second: Mapping[Address, Row]
 ) -> Iterator[ValueChange]:
-    """What addresses begin with, and whether they keep it; without a row as CLICK has it by default."""
+    """The initial values and retention of addresses that differ; without a row, CLICK's defaults."""
     for address in sorted({*first, *second, *one.unread, *other.unread}, key=lambda address: address.sort_key):
         if BANKS[address.bank].settings_fixed:
             continue
@@ -95,13 +95,13 @@ def _values(
         found = differing(before, after)
         if "initial" in found:
             yield ValueChange(address, "initial value", before.initial or "nothing", after.initial or "nothing")
-        # A current value is kept as its timer or counter is (click-facts [bank.current-values]).
+        # A current value is retentive if its timer or counter is (click-facts [bank.current-values]).
         if "retentive" in found and address.bank not in CURRENT_VALUE_OF:
             yield ValueChange(address, "retentive", *("Yes" if row.retentive else "No" for row in (before, after)))
 
 
 def _unjudged(one: Side, other: Side, address: Address, first: Row | None, second: Row | None) -> Iterator[ValueChange]:
-    """A row that cannot be read, where the other side has another one: nobody knows whether they say the same."""
+    """A row that cannot be read, if the other side has a different one: nobody knows whether they mean the same."""
     if one.unread.get(address) == other.unread.get(address):
         return
     if (address in one.unread or first) and (address in other.unread or second):

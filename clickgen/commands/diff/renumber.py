@@ -1,7 +1,7 @@
-"""Scratch cells of one side under the numbers of the other: what they are for says which of them correspond.
+"""Scratch cells of one side under the numbers of the other: they correspond if they have the same purpose.
 
 Whichever cells are exchanged, a program does the same as before as long as all of them are clickgen's own and every
-place that names one is changed. So a wrong choice may show a difference that is none, but never hides one.
+place that names one is changed. So a wrong choice may show a false difference, but never hides one.
 """
 
 from __future__ import annotations
@@ -27,11 +27,13 @@ from clickgen.lower.scratch import purpose_of, rung_of
 _ADDRESS = re.compile(rf"(?<!\w){ADDRESS}(?!\w)")
 
 Numbers = Mapping[Address, Address]
-"""The scratch cells of the newer side, each with the address that it is compared under; none has that of another."""
+"""The scratch cells of the newer side, each with the address under which it is compared; no two share one."""
 
 
 def numbers_of(one: Side, other: Side) -> Numbers:
-    """Under which addresses the scratch cells of the other side are compared; those that keep their own left out."""
+    """Return the addresses for comparing the scratch cells of the other side; unchanged ones are left out."""
+    if not other.scratch:
+        return {}
     used = _Used(other)
     own = {address for address in other.scratch if used.is_alone(address)}
     waiting: defaultdict[tuple[str, str], list[Address]] = defaultdict(list)
@@ -43,7 +45,7 @@ def numbers_of(one: Side, other: Side) -> Numbers:
             target = waiting[bank, purpose].pop(0)
             if address in own and (target in own or not used.meets(target)):
                 chosen[address] = target
-    # What is driven from its address takes one that has become free.
+    # A cell displaced from its address takes one that has become free.
     order = sorted(chosen, key=lambda address: address.sort_key)
     targets = set(chosen.values())
     free = [address for address in order if address not in targets]
@@ -56,13 +58,13 @@ def numbers_of(one: Side, other: Side) -> Numbers:
 
 
 def _purposes(side: Side) -> Iterator[tuple[str, str, Address]]:
-    """Bank and purpose of each scratch cell, in the order of the rungs."""
+    """Yield bank and purpose of each scratch cell, in the order of the rungs."""
     for row in sorted(side.scratch_rows, key=lambda row: (rung_of(row.comment), -row.address.number)):
         yield row.address.bank, purpose_of(row.comment), row.address
 
 
 class _Used:
-    """What a side names, and what it may touch without naming it."""
+    """The addresses that a side names, and those that it may touch without naming them."""
 
     def __init__(self, side: Side) -> None:
         self._cells = Cells()
@@ -88,7 +90,7 @@ class _Used:
             cells = Cells()
             cells.add(operand)
             self._cells.update(cells)
-            # Which cell a pointer finds is no matter of this program's text; no program counts on a scratch cell.
+            # The text of this program does not decide which cell a pointer finds; no program relies on a scratch cell.
             if len(cells.addresses) > 1 and not isinstance(operand, Cell | Pointer):
                 self._unnamed.update(cells)
 
@@ -101,7 +103,7 @@ class _Used:
 
 
 def renumbered(rung: DrawnRung, numbers: Numbers) -> DrawnRung:
-    """The rung with other numbers; one that names none of these cells is the same object."""
+    """Return the rung with other numbers; one that names none of these cells is the same object."""
     if not numbers:
         return rung
     rewriter = PlaceScratch(numbers)

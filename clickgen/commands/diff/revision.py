@@ -1,4 +1,4 @@
-"""A side out of git: the files of a revision in a folder of their own; work tree and index are left alone."""
+"""A side from git: the files of a revision in a folder of their own; work tree and index are left alone."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from clickgen.workspace import MIB, READ_MAX, CouldNotRun
 _DRIVE = re.compile(r"[A-Za-z]:([\\/]|$)")
 _LFS = b"version https://git-lfs.github.com/spec/"
 _NO_FILES = {"120000": "a link", "160000": "a submodule", "unmerged": "not merged"}
-"""The modes of what has no content of its own."""
+"""The modes of entries without content of their own."""
 
 
 class Named(NamedTuple):
@@ -31,9 +31,9 @@ class Named(NamedTuple):
 
 
 def named_revision(text: str) -> Named | None:
-    """``HEAD~1:prog.py`` taken apart; None for what is a path, such as ``C:\\plc\\prog.py``.
+    """Split ``HEAD~1:prog.py``; return None for a path such as ``C:\\plc\\prog.py``.
 
-    As git does it, the first colon that stands in no braces divides: ``main@{10:30}:prog.py``.
+    As in git, the first colon outside braces divides: ``main@{10:30}:prog.py``.
     """
     if _DRIVE.match(text):
         return None
@@ -52,7 +52,7 @@ def is_in_revision(text: str) -> bool:
 
 
 def is_revision(text: str) -> bool:
-    """True for a revision without a path, such as ``HEAD~1``; a file or folder of that name is none."""
+    """True for a revision without a path, such as ``HEAD~1``; a file or folder of that name does not count."""
     if not text or text.startswith("-") or os.path.lexists(text) or named_revision(text) or _DRIVE.match(text):
         return False
     try:
@@ -81,27 +81,27 @@ class Tree:
 
     @property
     def working_folder(self) -> Path:
-        """What stands for the working folder."""
+        """The folder that represents the working folder."""
         return self.place(self.here)
 
     def place(self, path: str) -> Path:
-        """Where a file of the revision is put."""
+        """The place for a file of the revision."""
         return self.folder.joinpath(*path.split("/")) if path else self.folder
 
     def shown(self, path: str) -> str:
         return f"{self.named.revision}:{path or './'}"
 
     def reworded(self, text: str) -> str:
-        """A message that names files of the revision, and not where they are put."""
+        """Return a message that names files of the revision, not the places where they are put."""
         return text.replace(f"{self.folder}{os.sep}", f"{self.named.revision}:").replace(
             str(self.folder), str(self.named)
         )
 
     def find(self) -> tuple[str, str]:
-        """The path that was asked for, from the root of the repository, and what is to be said about the choice.
+        """Return the requested path, from the root of the repository, and a note about the choice.
 
         git's own rule comes first: a path counts from the root, one that begins with ``./`` or ``../`` from the
-        working folder. What does not stand there may stand in the working folder.
+        working folder. A path that is not there may be in the working folder.
         """
         text = self.named.path
         if not text or text.startswith("/"):
@@ -139,10 +139,10 @@ class Tree:
         return "" if path == "." else path
 
     def put(self, paths: Iterable[str], must_be_there: bool = False) -> None:
-        """Write files of the revision below the folder; those that it does not have are passed over.
+        """Write files of the revision below the folder; those that it does not have are skipped.
 
-        Links, submodules and names that no file can have here are none. Raises CouldNotRun for one that
-        ``must_be_there``, and for a file of Git LFS that must.
+        Links, submodules and names that no file can have here count as missing. Raises CouldNotRun for such a file if
+        it ``must_be_there``, and for a file of Git LFS that must.
         """
         wanted: list[str] = []
         for path in dict.fromkeys(paths):
@@ -167,13 +167,13 @@ class Tree:
             place.write_bytes(data)
 
     def below(self, folder: str, is_wanted: Callable[[str], bool]) -> list[str]:
-        """The files in a folder and its folders that are wanted by their names."""
+        """The files in a folder and its subfolders that are wanted by their names."""
         start = f"{folder}/" if folder else ""
         return [path for path in self.blobs if path.startswith(start) and is_wanted(path[len(start) :])]
 
 
 def open_tree(named: Named, folder: Path) -> Tree:
-    """The files of a revision; nothing is written yet. Raises CouldNotRun without git, a repository or the revision."""
+    """Open the files of a revision; nothing is written yet. Raises CouldNotRun without git, repository or revision."""
     here = _git(named, "rev-parse", "--show-prefix").decode("utf-8", "surrogateescape").rstrip("\n").rstrip("/")
     if named.revision:
         listed = _git(named, "ls-tree", "-r", "-z", "--full-tree", _tree_name(named))

@@ -1,4 +1,4 @@
-"""Which routines of two sides are compared."""
+"""Chooses which routines of two sides are compared."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Routines = Mapping[str, Sequence[WordedRung]]
 
 @dataclass(frozen=True)
 class Match:
-    """A routine by its name on each side; None where it has none."""
+    """A routine by its name on each side; None if a side does not have it."""
 
     one: str | None
     other: str | None
@@ -23,7 +23,7 @@ class Match:
 
 
 def matching(one: Side, other: Side, first: Routines, second: Routines) -> tuple[tuple[Match, ...], tuple[str, ...]]:
-    """Which routines are compared: main first, then by name; and what is to be said about that."""
+    """Return the routines to compare, main first, then by name; and notes on the choice."""
     if one.is_part or other.is_part:
         return _parts(one, other, first, second)
     pairs = {name: name for name in first if name in second}
@@ -45,11 +45,11 @@ def _order(match: Match) -> tuple[bool, str]:
 
 def _is_renamed(one: Sequence[WordedRung], other: Sequence[WordedRung]) -> bool:
     is_something = any(not rung.is_plain for rung in one)
-    return is_something and [rung.lines for rung in one] == [rung.lines for rung in other]
+    return is_something and [rung.words for rung in one] == [rung.words for rung in other]
 
 
 def _parts(one: Side, other: Side, first: Routines, second: Routines) -> tuple[tuple[Match, ...], tuple[str, ...]]:
-    """A file with one routine is compared with one routine: by its name, and where it has none by what is in it."""
+    """Compare a file with one routine with one routine: by its name, and if it has none by its contents."""
     if len(first) == len(second) == 1:
         return (Match(next(iter(first)), next(iter(second))),), ()
     is_first = one.is_part

@@ -1,4 +1,4 @@
-"""The rungs of two sides: first what stays, then what moved, then what resembles each other."""
+"""The rungs of two sides: first those that stay, then those that moved, then those that resemble each other."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from clickgen.commands.diff.words import WordedRung
 from clickgen.device.banks import Address
 
 Rungs = tuple[Sequence[WordedRung], Sequence[WordedRung]]
-"""What is compared of a routine: the rungs of both sides that do anything."""
+"""The compared part of a routine: the rungs of both sides that do anything."""
 
 
 class RungDiff:
@@ -49,7 +49,7 @@ class RungDiff:
         """By the identity of a rung, on both sides."""
         self._working = {match: self._rungs(match) for match in matches}
         self._shared: dict[Match, list[Block]] = {}
-        """What stays, in order. Nothing is paired across it."""
+        """The rungs that stay, in order. Nothing is paired across them."""
         self._contradicted: dict[int, RungChange] = {}
         """Rungs in the same words that do not do the same, by the identity of the newer one."""
         self.drawn_otherwise = 0
@@ -69,17 +69,17 @@ class RungDiff:
         other = self._second[match.other] if match.other is not None else ()
         return [rung for rung in one if rung.is_idle == is_idle], [rung for rung in other if rung.is_idle == is_idle]
 
-    # -- what stays ---------------------------------------------------------------------------------------------------
+    # -- rungs that stay ----------------------------------------------------------------------------------------------
 
     def _staying(self, rungs: Rungs) -> list[Block]:
-        """Rungs in the same words stand out; among many that are alike their outputs say better where each belongs."""
+        """Pair rungs in the same words; if many are alike, their outputs show better where each belongs."""
         found = list(self._in_words(rungs))
         if _size(found) == sum(map(len, rungs)):
             return found
         return max(found, list(self._proven(rungs, _whole(rungs))), key=_size)
 
     def _in_words(self, rungs: Rungs) -> Iterator[Block]:
-        """The rungs that stay what they are: in the same words, or between such the same however it is drawn."""
+        """Yield the rungs that stay: in the same words, or between such ones the same however they are drawn."""
         left, right = (units.of(held, range(len(held))) for units, held in zip(self._units, rungs, strict=True))
         common = longest_common([unit.words for unit in left], [unit.words for unit in right])
         shared = [Block(left[i].places, right[j].places) for i, j in common]
@@ -90,7 +90,7 @@ class RungDiff:
                 yield from self._in_gap(rungs, block)
 
     def _in_gap(self, rungs: Rungs, gap: Block) -> Iterator[Block]:
-        one, other = ([rung.lines for rung in held] for held in _held(rungs, gap))
+        one, other = ([rung.words for rung in held] for held in _held(rungs, gap))
         common = longest_common(one, other)
         shared = [single((gap.one.start + i, gap.other.start + j)) for i, j in common]
         for is_shared, block in steps(shared, gap):
@@ -100,7 +100,7 @@ class RungDiff:
                 yield from self._proven(rungs, block)
 
     def _proven(self, rungs: Rungs, within: Block) -> Iterator[Block]:
-        """What is proven to do the same: a rung, or several, as where a build or a person divides one."""
+        """Yield rungs proven to do the same: one, or several if a build or a person divides one."""
         left, right = (units.of(held, places) for units, held, places in zip(self._units, rungs, within, strict=True))
         for block in same_together([unit.outputs for unit in left], [unit.outputs for unit in right]):
             one, other = left[block.one.start : block.one.stop], right[block.other.start : block.other.stop]
@@ -121,27 +121,27 @@ class RungDiff:
 
     @cached_property
     def _surroundings(self) -> Surroundings:
-        """What subroutines may change and messages bring, on either side."""
+        """The cells that subroutines may change and messages bring, on either side."""
         names = {*self._first, *self._second}
         both = {name: (*self._first.get(name, ()), *self._second.get(name, ())) for name in sorted(names)}
         return Surroundings.of({name: [rung.drawn for rung in rungs] for name, rungs in both.items()})
 
     def _note_drawing(self, one: Sequence[WordedRung], other: Sequence[WordedRung]) -> None:
-        """Rungs in the same words are the same, unless they are drawn otherwise and it is known that they are not."""
+        """Rungs in the same words are the same, unless they are drawn differently and are known to differ."""
         if len(one) != len(other):
             self.drawn_otherwise += len(other)
             return
         for before, after in zip(one, other, strict=True):
             comparison = self._compare([before], [after])
-            if before.lines == after.lines and comparison.likeness is Likeness.DIFFERENT:
+            if comparison.likeness is Likeness.DIFFERENT and before.words == after.words:
                 self._contradicted[id(after)] = RungChange(CHANGED, before, after, comparison.reason, is_drawn=True)
-            elif comparison.likeness is not Likeness.IDENTICAL or before.shown.lines != after.shown.lines:
+            elif comparison.likeness is not Likeness.IDENTICAL or before.shown.words != after.shown.words:
                 self.drawn_otherwise += 1
 
-    # -- what moved ---------------------------------------------------------------------------------------------------
+    # -- rungs that moved ---------------------------------------------------------------------------------------------
 
     def _find_moves(self) -> None:
-        """Pairs what is left over in the same words, first in one routine, then anywhere."""
+        """Pair the rungs left over in the same words, first in one routine, then anywhere."""
         left: defaultdict[tuple[str, ...], list[tuple[Match, WordedRung]]] = defaultdict(list)
         for match in self._matches:
             for rung in self._left_over(match)[0]:
@@ -157,7 +157,7 @@ class RungDiff:
                         self._move(fitting[0][1], rung)
 
     def _left_over(self, match: Match) -> Rungs:
-        """The rungs of both sides that nothing on the other side stands for."""
+        """The rungs of both sides that have no counterpart."""
         rungs = self._working[match]
         found = [_held(rungs, block) for is_shared, block in self._steps(match) if not is_shared]
         return [rung for one, _ in found for rung in one], [rung for _, other in found for rung in other]
@@ -171,7 +171,7 @@ class RungDiff:
         moved = replace(contradicted, kind=MOVED) if contradicted else RungChange(MOVED, one, other)
         self._moves[id(one)] = self._moves[id(other)] = moved
 
-    # -- what is said -------------------------------------------------------------------------------------------------
+    # -- reported changes ---------------------------------------------------------------------------------------------
 
     def _routine(self, match: Match) -> RoutineChange:
         rungs = self._working[match]
@@ -195,7 +195,7 @@ class RungDiff:
         return RoutineChange(kind, match.other, former, count, tuple(changes))
 
     def _idle(self, match: Match) -> Iterator[RungChange]:
-        """What came, went and says something else among the rungs that do nothing: comments, and no logic."""
+        """The changes among the rungs that do nothing: comments, which are not logic."""
         one, other = rungs = self._rungs(match, is_idle=True)
         common = longest_common([rung.comment for rung in one], [rung.comment for rung in other])
         for is_shared, block in steps(map(single, common), _whole(rungs)):
@@ -206,7 +206,7 @@ class RungDiff:
                 yield RungChange(COMMENTED, old, new)
 
     def _gap(self, one: Sequence[WordedRung], other: Sequence[WordedRung]) -> Iterator[RungChange]:
-        """What happened between rungs that stay, in the order of the newer side."""
+        """The changes between rungs that stay, in the order of the newer side."""
         left, right = ([n for n, rung in enumerate(rungs) if id(rung) not in self._moves] for rungs in (one, other))
         pairs = most_like([one[n].features for n in left], [other[n].features for n in right])
         rungs = (one, other)
@@ -221,7 +221,7 @@ class RungDiff:
                 yield self._moves.get(id(rung)) or RungChange(ADDED, None, rung)
 
     def _leaving(self, rung: WordedRung) -> Iterator[RungChange]:
-        """A rung of the older side that stands here no more; one that moved within its routine is told where it is."""
+        """A rung of the older side that is no longer here; one that moved in its routine is reported where it is."""
         moved = self._moves.get(id(rung))
         if moved is None:
             yield RungChange(REMOVED, rung, None)
@@ -260,7 +260,7 @@ def _spanned(units: Sequence[Unit]) -> range:
 
 
 def _commented(one: Sequence[WordedRung], other: Sequence[WordedRung]) -> Iterator[RungChange]:
-    """Where the comments of rungs that do the same differ; how many rungs share them does not count."""
+    """The differing comments of rungs that do the same; how many rungs share them does not count."""
     before, after = ([rung for rung in rungs if rung.comment] for rungs in (one, other))
     for old, new in zip_longest(before, after):
         if old is None or new is None or old.comment != new.comment:

@@ -1,10 +1,11 @@
-"""Rungs that belong together: what one of them puts into a scratch cell, others of them read, and nobody else."""
+"""Rungs that belong together: one of them writes a scratch cell that only others of them read."""
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from clickgen.click.compare.outputs import Said, touched_by
 from clickgen.commands.diff.routines import Routines
@@ -17,19 +18,33 @@ from clickgen.lower.effects import Cells, reads
 _RUNGS_MAX = 48
 """Rungs further apart do not come from one rung of a program."""
 _BANK = "C"
-"""Scratch bits, which one rung drives and others look at; scratch registers hold values alone."""
+"""The bank of scratch bits, which one rung drives and others look at; scratch registers only hold values."""
 
 
 @dataclass(frozen=True)
 class Unit:
-    """Neighbouring rungs, most often one, by their ``places``; ``outputs`` are what they drive, scratch cells aside.
+    """Neighbouring rungs, most often one, by their ``places``; ``own`` has the scratch cells that only they use.
 
-    In ``words`` scratch cells of their own have no numbers.
+    ``outputs`` are what they drive, these cells aside; in ``words`` they have no numbers.
     """
 
     places: range
-    outputs: tuple[Said, ...] = ()
-    words: tuple[tuple[str, ...], ...] = ()
+    rungs: tuple[WordedRung, ...]
+    own: tuple[Address, ...] = ()
+
+    @cached_property
+    def outputs(self) -> tuple[Said, ...]:
+        coils = {f"out({address})" for address in self.own}
+        return tuple(said for rung in self.rungs for said in rung.outputs if said.token not in coils)
+
+    @cached_property
+    def words(self) -> tuple[Hashable, ...]:
+        if not self.own:
+            return tuple(rung.words for rung in self.rungs)
+        words = tuple(rung.lines for rung in self.rungs)
+        for number, address in enumerate(self.own):
+            words = tuple(tuple(without(line, address, f"scratch {number}") for line in lines) for lines in words)
+        return words
 
 
 class Units:
@@ -40,7 +55,7 @@ class Units:
         self._users: defaultdict[Address, set[int]] = defaultdict(set)
         self._cells: defaultdict[int, list[Address]] = defaultdict(list)
         self._loose: set[Address] = set()
-        """What is more than a coil and its contacts: its number may matter."""
+        """Scratch bits in more than a coil and its contacts: their numbers may matter."""
         for rungs in routines.values() if self._scratch else ():
             for rung in rungs:
                 self._add(rung)
@@ -87,13 +102,7 @@ class Units:
 
     def _unit(self, rungs: Sequence[WordedRung], places: range) -> Unit:
         held = [rungs[n] for n in places]
-        own = self.own(held)
-        coils = {f"out({address})" for address in own}
-        outputs = (said for rung in held for said in rung.outputs)
-        words = tuple(rung.lines for rung in held)
-        for number, address in enumerate(own):
-            words = tuple(tuple(without(line, address, f"scratch {number}") for line in lines) for lines in words)
-        return Unit(places, tuple(said for said in outputs if said.token not in coils), words)
+        return Unit(places, tuple(held), tuple(self.own(held)))
 
     def own(self, rungs: Sequence[WordedRung]) -> list[Address]:
         """The scratch cells that these rungs use and no other rung of this side, in the order of their first use."""

@@ -15,34 +15,68 @@ from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.rungs import import_rung
 from clickgen.device.banks import Address, parse_address
 from clickgen.emit.rung_words import Names, condition_lines, item_lines
-from clickgen.instructions.control import END, NEXT, NOP, RETURN
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import Always, Compare
 from clickgen.ir.operands import Cell, Operand
 from clickgen.ir.program import Action, Rung
 
 _ROOM = "\ue000"
-"""Keeps room for a nickname behind its address, so that both sides of a difference are broken at the same places."""
+"""Keeps room for a nickname after its address, so that both sides of a difference break at the same places."""
 _NAMED = re.compile(rf"({ADDRESS}){_ROOM}+")
 _ADDRESS = re.compile(rf"(?<![\w.\"]){ADDRESS}(?!\w)")
 _FEATURE = re.compile(r'"[^"]*"|[^\s(),"]+')
 _COMMON = frozenset(("if", "and", "or", "not", "always"))
-_ALONE = (END.name, RETURN.name, NEXT.name, NOP.name)
+_ALONE = (Flow.END, Flow.RETURN, Flow.NEXT, Flow.PASS)
+
+
+class Words:
+    """The words of a rung, for comparison. Rungs that are drawn alike are equal, and then nobody needs the words."""
+
+    def __init__(self, drawn: DrawnRung, wording: Wording) -> None:
+        self._drawn = drawn
+        self._wording = wording
+
+    @cached_property
+    def lines(self) -> tuple[str, ...]:
+        return self._wording.lines(self._drawn)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Words):
+            return self.lines == other
+        return self._drawn.is_drawn_as(other._drawn) or self.lines == other.lines
+
+    def __hash__(self) -> int:
+        return hash(self.lines)
 
 
 @dataclass(frozen=True)
 class WordedRung:
-    """A rung and its words: ``lines`` without names, but with room for them. ``number`` counts in its routine.
+    """A rung and its words. ``number`` counts in its routine.
 
-    Where scratch cells have the numbers of the other side, ``origin`` is the rung with its own.
+    If scratch cells have the numbers of the other side, ``origin`` is the rung with its own.
     """
 
     routine: str
     number: int
     drawn: DrawnRung
-    lines: tuple[str, ...]
-    is_plain: bool
-    """True for a rung that every program has: an unconditional end, return or next, or nothing at all."""
+    wording: Wording
     origin: WordedRung | None = None
+
+    @cached_property
+    def words(self) -> Words:
+        """Equal for two rungs in the same words."""
+        return Words(self.drawn, self.wording)
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """Its words without names, but with room for them."""
+        return self.words.lines
+
+    @cached_property
+    def is_plain(self) -> bool:
+        """True for a rung that every program has: an unconditional end, return or next, or nothing at all."""
+        rung = _imported(self.drawn)
+        return rung is not None and _is_plain(rung)
 
     @property
     def shown(self) -> WordedRung:
@@ -56,27 +90,25 @@ class WordedRung:
 
     @cached_property
     def features(self) -> frozenset[str]:
-        """What two rungs have in common when they resemble each other: comment, whole lines, and the words in them."""
+        """The features by which two rungs resemble each other: comment, whole lines, and the words in them."""
         lines = [line.replace(_ROOM, "").strip() for line in self.lines]
         words = {word for line in lines for word in _FEATURE.findall(line)}
         return frozenset({*lines, *words, *(f"| {line}" for line in self.comment)} - _COMMON)
 
     @cached_property
     def outputs(self) -> tuple[Said, ...]:
-        """What the rung drives, in the order of its rows."""
+        """The outputs of the rung, in the order of its rows."""
         return tuple(said_by(box) for box in outputs_of(self.drawn))
 
     @property
     def is_idle(self) -> bool:
         """True for a rung that does nothing, such as one that a person drew for its comment."""
-        return not self.outputs
+        return not outputs_of(self.drawn)
 
     @cached_property
     def cells(self) -> tuple[str, ...]:
-        """The rung as it is drawn, a line for each row."""
-        pins = {row: token for box in self.drawn.boxes for token, row in box.pins}
-        tokens = {box.row: box.token for box in self.drawn.boxes} | pins
-        return tuple(_cells(row, tokens.get(n, row.output)) for n, row in enumerate(self.drawn.rows))
+        """The rung as drawn, a line for each row."""
+        return drawn_cells(self.drawn)
 
 
 class Wording:
@@ -84,22 +116,30 @@ class Wording:
 
     def __init__(self, one: Names, other: Names) -> None:
         self._names = _WithRoom(one, other)
+        self._known: dict[tuple[tuple[str, ...], ...], tuple[str, ...]] = {}
+        """The words of rungs, by the text that they were read from."""
 
     def rung(self, routine: str, number: int, drawn: DrawnRung) -> WordedRung:
-        try:
-            # What a comment says is no logic, and some comments cannot stand in a program.
-            rung = import_rung(replace(drawn, comment="")).rung
-        except LadderProblem:
-            bare = WordedRung(routine, number, drawn, (), False)
-            return replace(bare, lines=tuple(map(self._with_room, bare.cells)))
-        return WordedRung(routine, number, drawn, tuple(self._lines(rung)), _is_plain(rung))
+        """Return a rung that is put into words on demand."""
+        return WordedRung(routine, number, drawn, self)
+
+    def lines(self, drawn: DrawnRung) -> tuple[str, ...]:
+        """Return a rung as the listing would show it, or as it is drawn if it cannot be written."""
+        text = drawn.text
+        found = self._known.get(text) if text is not None else None
+        if found is None:
+            rung = _imported(drawn)
+            found = tuple(map(self._with_room, drawn_cells(drawn)) if rung is None else self._lines(rung))
+            if text is not None:
+                self._known[text] = found
+        return found
 
     def _lines(self, rung: Rung) -> Iterator[str]:
         yield from condition_lines("", rung.condition, self._names)
         yield from item_lines("  ", rung.items, self._names)
 
     def cells(self, rung: WordedRung) -> tuple[str, ...]:
-        """The rung as it is drawn, with room for names."""
+        """The rung as drawn, with room for names."""
         return tuple(map(self._with_room, rung.shown.cells))
 
     def _with_room(self, line: str) -> str:
@@ -136,14 +176,30 @@ def named(line: str, names: Names) -> str:
 
 
 def without(line: str, address: Address, word: str) -> str:
-    """A line with a word in the place of an address, except in quotes."""
+    """A line with a word in place of an address, except in quotes."""
     parts = line.split('"')
     parts[::2] = (re.sub(rf"(?<!\w){address}(?!\w){_ROOM}*", word, part) for part in parts[::2])
     return '"'.join(parts)
 
 
+def _imported(drawn: DrawnRung) -> Rung | None:
+    """Return a rung as a program has it; None if it cannot be written."""
+    try:
+        # A comment is not logic, and some comments are not possible in a program.
+        return import_rung(replace(drawn, comment="")).rung
+    except LadderProblem:
+        return None
+
+
+def drawn_cells(drawn: DrawnRung) -> tuple[str, ...]:
+    """Return a rung as it is drawn, a line for each row."""
+    pins = {row: token for box in drawn.boxes for token, row in box.pins}
+    tokens = {box.row: box.token for box in drawn.boxes} | pins
+    return tuple(_cells(row, tokens.get(n, row.output)) for n, row in enumerate(drawn.rows))
+
+
 def _is_plain(rung: Rung) -> bool:
-    actions = [item for item in rung.items if isinstance(item, Action) and item.spec.name in _ALONE]
+    actions = [item for item in rung.items if isinstance(item, Action) and item.effects.flow in _ALONE]
     return isinstance(rung.condition, Always) and len(actions) == len(rung.items)
 
 

@@ -1,1 +1,1 @@
-"""An existing CLICK project to the text of a program."""
+"""Turns an existing CLICK project into the text of a program."""

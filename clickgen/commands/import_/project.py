@@ -1,4 +1,4 @@
-"""An import from its beginning to its end, in memory: read, write as source, build, compare, report."""
+"""An import from beginning to end, in memory: read, write as source, build, compare, report."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from clickgen.click.read.problem import LadderProblem
 from clickgen.click.read.project import MAIN, Project, read_project
 from clickgen.click.read.rungs import import_rung
+from clickgen.commands.import_.nicknames import Nicknames, declared_rows, nicknames_of, no_nicknames
 from clickgen.commands.import_.routines import (
     ImportedRoutine,
     RungImport,
@@ -22,16 +23,14 @@ from clickgen.commands.import_.routines import (
     missing_subroutines,
 )
 from clickgen.config import Settings
-from clickgen.dialects.if_rungs.write.declarations import declarations
-from clickgen.dialects.if_rungs.write.files import a_file_each
-from clickgen.dialects.if_rungs.write.nicknames import Nicknames, nicknames_of, no_nicknames
-from clickgen.dialects.if_rungs.write.routine import rung_lines, write_source
-from clickgen.ir.program import Routine
+from clickgen.dialects.registry import default
+from clickgen.instructions.offered import END, RETURN
+from clickgen.ir.program import Routine, Rung
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.source import SourceFile, Span
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
-from clickgen.workspace import CouldNotRun, Workspace, read_file, read_if_there
+from clickgen.workspace import CouldNotRun, Workspace, read_if_there
 
 if TYPE_CHECKING:
     from clickgen.commands.import_.proof import Redrawn, Verdict
@@ -40,7 +39,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Target:
-    """Where the program is to stand, and what a build of it would be told.
+    """The place for the program, and the settings for a build of it.
 
     ``program`` is its main file; ``is_folder`` gives each subroutine a file of its own beside it.
     """
@@ -48,18 +47,18 @@ class Target:
     program: Path
     is_folder: bool = False
     is_shown: bool = False
-    """True for a program that stands nowhere, and so declares its names itself."""
+    """True for a program without a place, which therefore declares its names itself."""
     settings: Settings = field(default_factory=Settings)
 
     @property
     def table(self) -> Path:
-        """The address table that a build would take."""
+        """The address table that a build would use."""
         return self.settings.table_of(self.program)
 
 
 @dataclass(frozen=True)
 class ImportResult:
-    """What an import made, in memory. ``files`` is what is to be written, the address table included."""
+    """The result of an import, in memory. ``files`` has the files to write, the address table included."""
 
     source: Path
     target: Target
@@ -69,7 +68,7 @@ class ImportResult:
     sources: tuple[SourceFile, ...]
     """The ladder files that were read as text."""
     verdict: Verdict | None
-    """None where nothing was to be verified."""
+    """None if nothing was to be verified."""
     names: int
     """The addresses that have a nickname."""
     named_by: Path | None
@@ -77,32 +76,33 @@ class ImportResult:
 
     @property
     def rungs(self) -> int:
-        """The rungs that the source has."""
+        """The number of rungs in the source."""
         return sum(routine.count for routine in self.routines)
 
     @property
     def left_out(self) -> int:
-        """The marked rungs in the places of those that could not be kept."""
+        """The marked rungs in place of those that could not be kept."""
         return sum(not piece.rungs for routine in self.routines for piece in routine.pieces)
 
     @property
     def is_whole(self) -> bool:
-        """True when nothing is missing that CLICK wants in a program."""
+        """True if nothing is missing that CLICK wants in a program."""
         has_main = any(routine.is_main for routine in self.routines)
         return has_main and not any(problem.code == "CG707" for problem in self.diagnostics)
 
     @property
     def ok(self) -> bool:
-        """True when nothing is an error."""
+        """True if there is no error."""
         return not any(problem.is_error for problem in self.diagnostics)
 
     def write(self, replaces: bool = False) -> list[Path]:
-        """Put the files in place, all of them or none; returns those that really changed.
+        """Put the files in place, all of them or none; return those that really changed.
 
-        Raises CouldNotRun where a file stands that says something else, unless this ``replaces`` it (an address table
+        Raises CouldNotRun if an existing file differs, unless this ``replaces`` it (an address table
         is never replaced), and OSError.
         """
-        taken = [path for path, data in self.files.items() if _holds_otherwise(path, data)]
+        before = {path: _former(path) for path in self.files}
+        taken = [path for path, data in self.files.items() if path.exists() and before[path] != data]
         table = self.target.table
         if table in taken and self.named_by is not None and table.resolve() == self.named_by.resolve():
             message = f"{table} would lose the nicknames that are left out"
@@ -113,59 +113,69 @@ class ImportResult:
         if taken and not replaces:
             names = ", ".join(map(str, taken))
             raise CouldNotRun(f"{names} would be overwritten: choose another place with -o, or add --force")
-        unchanged = {path: read_if_there(path) for path in self.files}
-        return put_in_place(self.files, (), unchanged, no_links=self.files)
+        return put_in_place(self.files, (), before, no_links=self.files)
 
 
-def _holds_otherwise(path: Path, data: bytes) -> bool:
-    return path.exists() and not (path.is_file() and read_file(path) == data)
+def _former(path: Path) -> bytes | None:
+    """Read a file that is about to be replaced. It may have changed since the import read it, so this reads it anew."""
+    return read_if_there(path) if path.is_file() else None
 
 
 def import_project(
-    source: Path, target: Target, nicknames: Path | None = None, keep_going: bool = False, verifies: bool = True
+    source: Path,
+    target: Target,
+    nicknames: Path | None = None,
+    keep_going: bool = False,
+    verifies: bool = True,
+    files: Workspace | None = None,
 ) -> ImportResult:
-    """Import what ``source`` holds: a bundle, a ladder CSV, a clipboard capture, CLICK's program files.
+    """Import the contents of ``source``: a bundle, a ladder CSV, a clipboard capture, CLICK's program files.
 
-    ``nicknames`` names the address table to take names from; without it that of the bundle, else the one that stands
-    where the program is to stand. What cannot be kept is an error; with ``keep_going`` a marked rung stands in its
-    place. Nothing is written (see ``ImportResult.write``). Raises CouldNotRun when there is nothing to import.
+    ``nicknames`` names the address table to take names from; without it that of the bundle, else the one at the
+    place for the program. A rung that cannot be kept is an error; with ``keep_going`` a marked rung takes its
+    place. Nothing is written (see ``ImportResult.write``). Raises CouldNotRun if there is nothing to import.
     """
-    project = read_project(source)
+    files = files or Workspace()
+    project = read_project(source, files)
     for routine in project.routines:
         if routine.name == MAIN and not routine.is_main:
             raise CouldNotRun(f"{routine.file}: a subroutine cannot be called main, as the main program is")
     if not any(routine.rungs for routine in project.routines) and not project.problems:
         raise CouldNotRun(f"{source} holds no rungs")
-    run = _Import(project, target, keep_going, imported_routines(project), _nicknames(project, target, nicknames))
+    names = _nicknames(project, target, nicknames, files)
+    run = _Import(project, target, keep_going, imported_routines(project), names, files)
     verdict = run.verified() if verifies else None
     return run.result(verdict)
 
 
-def _nicknames(project: Project, target: Target, given: Path | None) -> Nicknames:
+def _nicknames(project: Project, target: Target, given: Path | None, files: Workspace) -> Nicknames:
     for path in (given, project.nicknames):
         if path is not None:
-            return nicknames_of(path, str(path))
+            return nicknames_of(path, str(path), files=files)
     if target.table.exists() and not target.table.is_dir():
-        return nicknames_of(target.table, str(target.table), is_kept=True)
+        return nicknames_of(target.table, str(target.table), True, files)
     return no_nicknames()
 
 
 @dataclass
 class _Import:
-    """An import under way."""
+    """An import in progress."""
 
     project: Project
     target: Target
     keep_going: bool
     routines: list[ImportedRoutine]
     nicknames: Nicknames
+    files: Workspace
     problems: list[Diagnostic] = field(default_factory=list)
+    _written: tuple[Sequence[Routine], dict[Path, str]] = ((), {})
+    """The routines that were written last, and their texts: most often the proof and the result write the same ones."""
 
     def verified(self) -> Verdict:
-        """Build and compare. Rungs that a build refuses, or that do not come back, are no longer kept.
+        """Build and compare. Rungs that a build refuses, or that come back different, are no longer kept.
 
-        Without some of its rungs a program may be refused for another reason, and a rung that a build draws otherwise
-        may be written otherwise: so this goes on until nothing changes.
+        Without some of its rungs a program may be refused for another reason, and a rung that a build draws differently
+        may be written differently: so this repeats until nothing changes.
         """
         from clickgen.click.compare.same import Likeness
         from clickgen.commands.import_.proof import verdict_of
@@ -197,7 +207,7 @@ class _Import:
         return next((_named(*pair).removesuffix(": ") for pair in pieces), "")
 
     def _refuse(self, routine: ImportedRoutine | None, problem: Diagnostic) -> None:
-        """What belongs to no rung. The address table has told its own faults."""
+        """Report a problem that belongs to no rung. The address table has reported its own faults."""
         if any((own.code, own.message) == (problem.code, problem.message) for own in self.nicknames.problems):
             return
         place = LadderProblem(problem.message, routine.file) if routine else None
@@ -209,24 +219,31 @@ class _Import:
 
         files = {path: text.encode() for path, text in self._texts(as_proof(self.routines)).items()}
         overlay = {os.path.realpath(path): data for path, data in {**files, **self._table()}.items()}
-        return build(self.target.program, settings=self.target.settings, workspace=Workspace(overlay))
+        return build(self.target.program, settings=self.target.settings, workspace=self.files.apart(overlay))
 
     def _table(self) -> dict[Path, bytes]:
-        """The address table where it is to stand; none where names were not given, or are declared in the program."""
+        """The address table at its place; none if names were not given, or are declared in the program."""
         is_written = self.nicknames.is_given and not self.target.is_shown
         return {self.target.table: self.nicknames.table.to_bytes()} if is_written else {}
 
     def _texts(self, routines: Sequence[Routine]) -> dict[Path, str]:
+        if routines != self._written[0]:
+            self._written = routines, self._text_of(routines)
+        return self._written[1]
+
+    def _text_of(self, routines: Sequence[Routine]) -> dict[Path, str]:
         names = self.nicknames.names
         if not self.target.is_folder:
-            header = declarations(routines, self.nicknames) if self.target.is_shown else ""
-            return {self.target.program: write_source(routines, names, header)}
-        return {self.target.program.parent / name: text for name, text in a_file_each(routines, names).items()}
+            declared = declared_rows(routines, self.nicknames) if self.target.is_shown else ()
+            return {self.target.program: default().write(routines, names, declared)}
+        return {
+            self.target.program.parent / name: text for name, text in default().write_files(routines, names).items()
+        }
 
     # -- reporting ----------------------------------------------------------------------------------------------------
 
     def result(self, verdict: Verdict | None) -> ImportResult:
-        """What there is to write and to say; without ``keep_going`` an error leaves nothing to write."""
+        """Return the files to write and the report; without ``keep_going`` an error leaves nothing to write."""
         table = self.nicknames.table
         files = {path: text.encode() for path, text in self._texts(as_routines(self.routines)).items()}
         files |= self._table()
@@ -268,9 +285,10 @@ class _Import:
             self._add("CG707", message, place, "import the whole project, or write the subroutine by hand")
         for routine in self.routines:
             if not is_complete(routine):
-                missing = "end()" if routine.is_main else "return"
+                spell = default().spell
+                missing = spell.call(END if routine.is_main else RETURN)
                 message = f"{routine.name} has no unconditional {missing}: what was imported is a part of a program"
-                self._add("CG707", message, None, f"add if True: {missing} at the end before you build it")
+                self._add("CG707", message, None, f"add {spell.rung('', missing)} at the end before you build it")
 
     def _add(self, code: str, message: str, place: LadderProblem | None, help: str = "") -> None:
         span = Span(place.file, place.row, 1, place.row, 2) if place is not None and place.row else None
@@ -294,11 +312,11 @@ _HELP = {
 
 
 _LOOPS = ("CG407", "CG408", "CG409", "CG422", "CG425")
-"""What is said of one end of a loop when the other is not there."""
+"""The codes for one end of a loop without the other."""
 
 
 def _settle(redrawn: Redrawn) -> bool:
-    """Write a rung as a build draws it, so that a second import gives the same source; False when it stays.
+    """Write a rung as a build draws it, so that a second import gives the same source; return False if it stays.
 
     A rung that needs scratch cells stays as it was drawn: nobody would write it with them.
     """
@@ -315,12 +333,16 @@ def _settle(redrawn: Redrawn) -> bool:
     except LadderProblem:
         return False
     found = (replace(found[0], comment=piece.rungs[0].comment), *found[1:])
-    if rung_lines(found) == rung_lines(piece.rungs):
+    if _written(found) == _written(piece.rungs):
         return False
     piece.rungs = found
     if len(found) > 1:
         piece.notes += (f"it becomes {counted(len(found), 'rung')}, as a build has to draw it",)
     return True
+
+
+def _written(rungs: tuple[Rung, ...]) -> str:
+    return default().write([Routine("", rungs, Span("", 1, 1, 1, 2), True)], {})
 
 
 def _named(routine: ImportedRoutine, piece: RungImport) -> str:

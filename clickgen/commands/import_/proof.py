@@ -1,4 +1,4 @@
-"""Building an imported program in memory, and comparing every rung of it with the one it comes from."""
+"""Builds an imported program in memory, and compares every rung of it with the one it comes from."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from clickgen.text.source import Span
 
 @dataclass(frozen=True)
 class Redrawn:
-    """A rung that a build draws otherwise: the CLICK rungs in its place, and whether they need scratch cells."""
+    """A rung that a build draws differently: the CLICK rungs in its place, and whether they need scratch cells."""
 
     routine: ImportedRoutine
     piece: RungImport
@@ -31,21 +31,21 @@ class Redrawn:
 
 @dataclass
 class Verdict:
-    """What the comparison found: how many rungs are the same, and which of them are drawn otherwise."""
+    """The result of the comparison: how many rungs are the same, and which of them are drawn differently."""
 
     verified: int = 0
     redrawn: list[Redrawn] = field(default_factory=list)
     refused: list[tuple[ImportedRoutine | None, RungImport | None, Diagnostic]] = field(default_factory=list)
-    """What a build does not take, with the rung where it belongs to one."""
+    """The errors of a build, each with its rung if it belongs to one."""
     differing: list[tuple[RungImport, Comparison]] = field(default_factory=list)
-    """The rungs that do not come back, or are not proven to."""
+    """The rungs that come back different, or are not proven to be the same."""
 
 
 MISSING = Comparison(Likeness.DIFFERENT, "the rung is missing in what was built")
 
 
 def verdict_of(routines: Sequence[ImportedRoutine], result: BuildResult) -> Verdict:
-    """Compare what was built with what was imported. The program has its rungs in the order of the pieces."""
+    """Compare the build with the import. The program has its rungs in the order of the pieces."""
     verdict = Verdict()
     if not result.ok:
         _sort_out(routines, result, verdict)
@@ -72,9 +72,9 @@ def verdict_of(routines: Sequence[ImportedRoutine], result: BuildResult) -> Verd
 
 
 def _runs(routines: Sequence[ImportedRoutine], result: BuildResult) -> dict[str, list[list[DrawnRung]]]:
-    """For each piece of each routine the CLICK rungs that were built of it; none where the ladder ends before it.
+    """The CLICK rungs that were built from each piece of each routine; none if the ladder ends before it.
 
-    What stands behind the last rung of a program counts to it.
+    The last rung of a program includes everything after it.
     """
     drawn = built_ladders(result.files)
     found: dict[str, list[list[DrawnRung]]] = {}
@@ -97,7 +97,7 @@ def _runs(routines: Sequence[ImportedRoutine], result: BuildResult) -> dict[str,
 def _compared(
     drawn: DrawnRung, run: Sequence[DrawnRung], scratch: frozenset[Address], surroundings: Surroundings
 ) -> Comparison:
-    """Logic and comment; spaces at the ends of the comment's lines, which a source cannot keep, aside."""
+    """Compare logic and comment, except spaces at the ends of the comment's lines, which a source cannot keep."""
     if not run:
         return MISSING
     before, after = ([line.rstrip() for line in comment.split("\n")] for comment in (drawn.comment, run[0].comment))
@@ -110,7 +110,7 @@ def _compared(
 
 
 def _sort_out(routines: Sequence[ImportedRoutine], result: BuildResult, verdict: Verdict) -> None:
-    """Each error with the rung that it stands in."""
+    """Yield each error with its rung."""
     places = _Places(routines, result)
     for problem in result.diagnostics:
         if problem.is_error:
@@ -118,7 +118,7 @@ def _sort_out(routines: Sequence[ImportedRoutine], result: BuildResult, verdict:
 
 
 class _Places:
-    """Which rung of the project the lines of the program's files come from; without one, which routine."""
+    """The project's rung, or else routine, for each line of the program's files."""
 
     def __init__(self, routines: Sequence[ImportedRoutine], result: BuildResult) -> None:
         self._spans: list[tuple[Span, ImportedRoutine, RungImport | None]] = []
@@ -135,7 +135,7 @@ class _Places:
         self._line = re.compile(rf"\bline (\d+)\b|(?P<path>{paths}):(?P<line>\d+)(?::\d+)?")
 
     def seen(self, problem: Diagnostic) -> str:
-        """The message with rungs in the place of the lines of a program that nobody has seen."""
+        """The message with rungs in place of the lines of a program that nobody has seen."""
         here = problem.span.path if problem.span else ""
 
         def place(match: re.Match[str]) -> str:

@@ -1,1 +1,1 @@
-"""What ``clickgen nicknames`` does with an address table: compare, merge, rename, explain."""
+"""The work of ``clickgen nicknames`` on an address table: compare, merge, rename, explain."""

@@ -1,6 +1,6 @@
-"""Finishing a rename that somebody began in the text: the sources say the new name, the table still has the old one.
+"""Finishes a rename that somebody began in the text: the sources have the new name, the table still has the old one.
 
-Half done, the sources say both: that is finished where a build has recorded that the new name came for the old one.
+In a half-done rename the sources have both: it is finished if a build has recorded that the new name came for the old.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from clickgen.commands.nicknames.prove import Side
 from clickgen.commands.nicknames.tables import Table
 from clickgen.commands.nicknames.uses import FileNames, read_names
 from clickgen.device.banks import CURRENT_VALUE_OF
-from clickgen.dialects.if_rungs.read.parse import decode
+from clickgen.dialects.registry import dialect_of
 from clickgen.facts.uses import addresses_of
 from clickgen.ir.program import BlockDeclaration
 from clickgen.problems.diagnostics import Diagnostics
@@ -25,33 +25,33 @@ from clickgen.table.rows import Row
 from clickgen.workspace import CouldNotRun, Workspace
 
 Edited = Callable[[FileNames, str, str, Workspace], bytes]
-"""A file with another name in the place of one."""
+"""Returns a file with one name replaced by another."""
 
 
 class Adoption(NamedTuple):
-    """What becomes of the tables, and how it is proved: the programs as they were before somebody renamed in them."""
+    """The new tables, and the proof: the programs as they were before somebody renamed in them."""
 
     writes: dict[str, bytes]
     """By real path: tables, and the records beside them."""
     row: Row
     """The row that gets the new name."""
     freed: tuple[Row, ...]
-    """What a build had given to the new name meanwhile."""
+    """The rows that a build gave to the new name meanwhile."""
     old: str
-    """The old name; where no source could say it, one that stands for it in the proof."""
+    """The old name; if no source can say it, a placeholder for it in the proof."""
     before: Side
     edited: Mapping[str, FileNames] = {}
-    """The sources that said the old name still, by their real paths."""
+    """The sources that still had the old name, by their real paths."""
 
 
 def adopt(
     old: str, new: str, members: Iterable[Program], tables: Mapping[str, Table], files: Workspace, edited: Edited
 ) -> Adoption | None:
-    """The new name at the address of the old one; None where the sources do not say the new name for the old one.
+    """Put the new name at the address of the old one; None unless the sources use the new name for the old one.
 
-    They do where some say the new one and none the old one, and where the new one has no address yet, or one that a
-    build gave to it when the old one left. Where some say the old one still, a build must have recorded that the new
-    one came for it. Raises CouldNotRun where the two are of different banks.
+    They do if some have the new one and none the old one, and if the new one has no address yet, or one that a
+    build gave to it when the old one left. If some still have the old one, a build must have recorded that the new
+    one came for it. Raises CouldNotRun if the two are of different banks.
     """
     sources = {os.path.realpath(file.source.path): file for program in members for file in program.names}
     using = {key: file for key, file in sources.items() if file.of(new)}
@@ -94,7 +94,7 @@ def adopt(
 def adopt_block(
     old: str, new: str, members: Iterable[Program], tables: Mapping[str, Table], files: Workspace, edited: Edited
 ) -> Adoption | None:
-    """The new name in the marks of a block; None where the sources do not say the new name of it for the old one."""
+    """Put the new name in the marks of a block; None unless the sources have the new name for it."""
     sources = {os.path.realpath(file.source.path): file for program in members for file in program.names}
     using = {key: file for key, file in sources.items() if file.every(new)}
     is_declared = any(
@@ -113,11 +113,11 @@ def adopt_block(
 
 
 def _with_alias(file: FileNames, data: bytes | None, new: str, alias: str, files: Workspace, edited: Edited) -> bytes:
-    """A source with the old name, or what stands for it, in all places of the new one; ``data`` is what it becomes."""
+    """Return a source with the old name, or its placeholder, wherever the new one is; ``data`` is its new content."""
     if data is None:
         return edited(file, new, alias, files)
     path = file.source.path
-    source = decode(path, data, Diagnostics())
+    source = dialect_of(path, data).decode(path, data, Diagnostics())
     renamed = read_names(source, Diagnostics()) if source is not None else None
     assert renamed is not None
     return edited(renamed, new, alias, Workspace({os.path.realpath(path): data}))
@@ -144,9 +144,10 @@ def _refuse_other_bank(row: Row, new: str, files: Iterable[FileNames]) -> None:
     for file in files:
         for named in file.of(new):
             if _bank(named.bank) != row.address.bank:
+                spell = file.dialect.spell
                 raise CouldNotRun(
-                    f"{row.nickname} is {row.address}, and {named.span} says {named.bank.lower()}.{new}: an address "
-                    f"stays in its bank, so write {row.address.bank.lower()}.{new} there"
+                    f"{row.nickname} is {row.address}, and {named.span} says {spell.name(named.bank, new)}: an address "
+                    f"stays in its bank, so write {spell.name(row.address.bank, new)} there"
                 )
 
 

@@ -1,4 +1,4 @@
-"""A merge in words: what differs, what stands in the way, and how much there is of each kind."""
+"""A merge in words: the differences, the conflicts, and how many there are of each kind."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ def diff_lines(merge: Merge, kinds: Collection[str] = KINDS) -> list[str]:
 
 
 def conflict_lines(merge: Merge, kinds: Collection[str]) -> list[str]:
-    """What of these kinds cannot be taken, why, and which kinds settle it."""
+    """The changes of these kinds that cannot be taken, why, and which kinds settle them."""
     return [_conflict_line(conflict, merge) for conflict in merge.conflicts(kinds)]
 
 
 def never_lines(merge: Merge, kinds: Collection[str]) -> list[str]:
-    """What of the other kinds can never be taken, and why."""
+    """The changes of the other kinds that can never be taken, and why."""
     return [_conflict_line(conflict, merge) for conflict in merge.never if conflict.change.kind not in kinds]
 
 

@@ -1,4 +1,4 @@
-"""How the rows of an export differ from those of a table, one change for each thing that happened."""
+"""How the rows of an export differ from those of a table, with one change for each event."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ Rows = Mapping[Address, Row]
 class Change:
     """One difference: the row of the table and the row of the export.
 
-    ``added`` has no row before where the table has none at the address; ``removed`` has one after where the address
-    keeps a comment or a value without its name. ``changed`` is about initial value, retention and comment alone.
-    ``swapped`` is a name that comes from another address of the table, where programs use names that went round so:
+    ``added`` has no row before if the table has none at the address; ``removed`` has one after if the address
+    keeps a comment or a value without its name. ``changed`` is only about initial value, retention and comment.
+    ``swapped`` is a name that comes from another address of the table, in a rotation of names that programs use:
     no rename in the programs keeps their ladder.
     """
 
@@ -29,13 +29,13 @@ class Change:
     before: Row | None
     after: Row | None
     used: tuple[str, ...] | None = None
-    """Where programs use the name of the row before; None when nobody looked."""
+    """The places where programs use the name of the row before; None if nobody looked."""
     by_number: tuple[str, ...] = ()
-    """Where programs use the number of the address that gets a name."""
+    """The places where programs use the number of the address that gets a name."""
 
     @property
     def name(self) -> str:
-        """The nickname that a program may use and that this takes away or moves; "" when there is none."""
+        """The nickname that a program may use and that this removes or moves; "" if there is none."""
         is_felt = self.kind in (RENAMED, SWAPPED, MOVED, REMOVED) and not self.is_case_only
         return self.before.nickname if self.before and is_felt else ""
 
@@ -61,7 +61,7 @@ def changes_between(ours: Iterable[Row], theirs: Iterable[Row]) -> list[Change]:
 
 
 def with_swaps(changes: list[Change]) -> list[Change]:
-    """The changes, with those ``swapped`` that pass names round which programs use."""
+    """The changes, with those marked ``swapped`` that rotate names which programs use."""
     renamed = {_name(change.before): n for n, change in enumerate(changes) if change.kind == RENAMED}
     follower = {n: renamed.get(_name(changes[n].after)) for n in renamed.values()}
     follower = {n: other for n, other in follower.items() if other not in (None, n)}
@@ -81,7 +81,7 @@ def with_swaps(changes: list[Change]) -> list[Change]:
 
 
 def differing(one: Row, other: Row) -> list[str]:
-    """In which of ``initial``, ``retentive`` and ``comment`` two rows differ; ``1.50`` is ``1.5``."""
+    """The fields among ``initial``, ``retentive`` and ``comment`` that differ in two rows; ``1.50`` is ``1.5``."""
     pairs = {
         "initial": (_value(one), _value(other)),
         "retentive": (one.retentive, other.retentive),
@@ -91,7 +91,7 @@ def differing(one: Row, other: Row) -> list[str]:
 
 
 def _of_names(before: Rows, after: Rows, renamed: set[Address]) -> Iterator[Change]:
-    """What happened to names."""
+    """The changes of names."""
     places = {_name(row): row for row in reversed([*after.values()]) if row.nickname}
     came = set()
     for address, row in before.items():
@@ -115,9 +115,9 @@ def _of_names(before: Rows, after: Rows, renamed: set[Address]) -> Iterator[Chan
 
 
 def _renamed(before: Rows, after: Rows) -> set[Address]:
-    """The addresses that have another name and whose names went round among addresses that have names on both sides.
+    """The addresses that have another name, and whose names rotated among addresses that have names on both sides.
 
-    A name leads from its address before to its address after: follow it both ways as far as it goes.
+    A name leads from its address before to its address after: it is followed both ways as far as it goes.
     """
     was = {_name(row): address for address, row in reversed([*before.items()]) if row.nickname}
     is_now = {_name(row): address for address, row in reversed([*after.items()]) if row.nickname}
@@ -140,7 +140,7 @@ def _renamed(before: Rows, after: Rows) -> set[Address]:
 
 
 def _of_content(before: Rows, after: Rows, renamed: set[Address]) -> Iterator[Change]:
-    """What happened to initial values, retention and comments of addresses that stay what they are."""
+    """The changes of initial values, retention and comments at addresses that stay what they are."""
     for address, row in before.items():
         other = after.get(address)
         if other is None:
@@ -158,7 +158,7 @@ def _name(row: Row | None) -> str:
 
 
 def _value(row: Row) -> str:
-    """An initial value in CLICK's form; as it stands where it has none."""
+    """An initial value in CLICK's form; as written if it has none."""
     text, kind = row.initial, row.address.kind
     try:
         if kind is Kind.TEXT:

@@ -1,8 +1,8 @@
-"""Taking a fresh export of CLICK into the address table: what differs, and what of it is asked for.
+"""Merges a fresh export of CLICK into the address table: finds the differences, and takes the requested ones.
 
-CLICK knows addresses, a program knows names. So where the same addresses have names before and after, they were
-renamed; where a name left an address without one, or came to one without, it moved. Rows of SC and SD are CLICK's and
-rows of scratch cells are clickgen's: both stay as they are. What a workbook or a declaration of a program says is
+CLICK knows addresses, a program knows names. So if the same addresses have names before and after, they were
+renamed; if a name left an address without one, or came to one without, it moved. Rows of SC and SD are CLICK's and
+rows of scratch cells are clickgen's: both stay unchanged. Settings from a workbook or a declaration of a program are
 changed there.
 """
 
@@ -28,7 +28,7 @@ from clickgen.commands.nicknames.changes import (
 )
 from clickgen.commands.nicknames.uses import ProgramsSay
 from clickgen.device.banks import Address
-from clickgen.ir.program import BlockDeclaration, Declaration
+from clickgen.ir.program import Declaration
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.resolve.declare import initial_of
 from clickgen.table.address_table import AddressTable
@@ -37,13 +37,13 @@ from clickgen.table.rows import Row, is_scratch
 __all__ = ["KINDS", "SWAPPED", "Change", "Conflict", "Merge", "merge"]
 
 OWN_BANKS = ("SC", "SD")
-"""What CLICK does with such rows on import is unknown (click-facts [nickname-file.system-rows]): they are neither taken
-nor written."""
+"""Nobody knows what CLICK does with such rows on import (click-facts [nickname-file.system-rows]): they are neither
+taken nor written."""
 
 
 @dataclass(frozen=True)
 class Conflict:
-    """A change that cannot be taken: what stands in its way, and the kinds that settle it when accepted together.
+    """A change that cannot be taken: what is in its way, and the kinds that settle it when accepted together.
 
     Without ``accept`` no kind does.
     """
@@ -54,7 +54,7 @@ class Conflict:
 
 
 class _Needs(NamedTuple):
-    """What a change needs: other changes, which take these rows out of its way. ``never`` says why nothing helps."""
+    """The needs of a change: other changes, which remove these rows from its way. ``never`` says why nothing helps."""
 
     never: str
     others: list[tuple[int, Row]]
@@ -80,7 +80,7 @@ class Merge:
         return tuple(change for index, change in enumerate(self.changes) if index not in stuck)
 
     def conflicts(self, kinds: Collection[str]) -> tuple[Conflict, ...]:
-        """Why the other changes of these kinds cannot be taken."""
+        """The reasons why the other changes of these kinds cannot be taken."""
         stuck = sorted(index for index in self._stuck(kinds) if self.changes[index].kind in kinds)
         return tuple(self._conflict(index, kinds) for index in stuck)
 
@@ -90,7 +90,7 @@ class Merge:
         return tuple(conflict for conflict in self.conflicts(KINDS) if not conflict.accept)
 
     def taken(self, kinds: Collection[str]) -> AddressTable:
-        """The table with the changes of these kinds. Order, foreign rows and what nobody changed stay."""
+        """The table with the changes of these kinds. Order, foreign rows and unchanged rows stay."""
         taken = self.takes(kinds)
         rows: dict[Address, Row | None] = {}
         for change in taken:
@@ -106,22 +106,22 @@ class Merge:
         return self.table.changed(rows) if rows else self.table
 
     def _without_name(self, row: Row) -> Row | None:
-        """What is left of a row when its name goes: what the export says of the address, if that is anything."""
+        """The rest of a row when its name goes: what the export says of the address, if anything."""
         left = self.export.by_address.get(row.address)
         return left if left and not left.nickname and not left.is_default else None
 
     def _named(self, row: Row, rows: Mapping[Address, Row | None]) -> Row:
-        """An export's row under its name; what the table says of an address that stays is another question."""
+        """An export's row under its name; the table's settings for an address that stays are another question."""
         stands = self.table.by_address.get(row.address)
         if stands is None or stands.is_default or row.address in rows:
             return row
         return replace(stands, nickname=row.nickname)
 
-    # -- what stands in the way ---------------------------------------------------------------------------------------
+    # -- conflicts ----------------------------------------------------------------------------------------------------
 
     @cached_property
     def _needs(self) -> list[_Needs]:
-        """What each change needs, in the order of the changes."""
+        """The needs of each change, in the order of the changes."""
         leaving = {
             change.before.address: index
             for index, change in enumerate(self.changes)
@@ -154,7 +154,7 @@ class Merge:
         return stuck
 
     def _conflict(self, index: int, kinds: Collection[str]) -> Conflict:
-        """What a stuck change is in need of, through all that this needs in turn."""
+        """The needs of a stuck change, followed through all that they need in turn."""
         change, reason = self.changes[index], ""
         waiting = [index]
         seen = {index}
@@ -172,7 +172,7 @@ class Merge:
         return Conflict(change, reason, tuple(kind for kind in KINDS if kind in needed))
 
     def _fault(self, change: Change) -> str:
-        """Why a change can never be taken."""
+        """The reason why a change can never be taken."""
         for row in (change.before, change.after and self.table.by_address.get(change.after.address)):
             if row is not None and row.cell is not None:
                 return f"{row.address} stands in {self.table.place(row)}, and a workbook is changed by hand"
@@ -184,7 +184,7 @@ class Merge:
         return self._declared_otherwise(change)
 
     def _declared_otherwise(self, change: Change) -> str:
-        """What a declaration of a program says against a change."""
+        """The objection of a program's declaration to a change."""
         after = change.after
         if after is None or change.is_case_only:
             return ""
@@ -193,21 +193,25 @@ class Merge:
             assert change.before is not None
             fixed = [what for what in differing(change.before, after) if here and _says_otherwise(here, what, after)]
             fields = " and ".join(fixed)
-            return f"{_declared(here)} gives {after.address} its {fields}: change it there" if here and fixed else ""
+            return (
+                f"{self.says.place_of(here)} gives {after.address} its {fields}: change it there"
+                if here and fixed
+                else ""
+            )
         name = after.nickname.lower()
         there, block = self.says.declared.get(name), self.says.blocks.get(name)
         if there is not None and there.cell.address != after.address:
-            return f"{after.nickname} is {there.cell.address} by {_declared(there)}"
+            return f"{after.nickname} is {there.cell.address} by {self.says.place_of(there)}"
         if block is not None:
-            return f"{after.nickname} is a block by {_declared(block)}"
+            return f"{after.nickname} is a block by {self.says.place_of(block)}"
         # A rename in the programs reaches a declaration too.
         is_followed = change.before is not None and change.before.nickname.lower() == _lower(here)
         if name and here is not None and _lower(here) != name and not (change.kind == RENAMED and is_followed):
-            return f"{after.address} is {here.named.name} by {_declared(here)}"
+            return f"{after.address} is {here.named.name} by {self.says.place_of(here)}"
         return ""
 
     def _in_the_way(self, change: Change) -> Iterator[Row]:
-        """The table's rows that have the name or the address that a change needs, its own row aside."""
+        """The table's rows that have the name or the address that a change needs, except its own row."""
         after = change.after
         if after is None or not after.nickname or change.kind == CHANGED:
             return
@@ -233,7 +237,8 @@ def merge(
 ) -> Merge:
     """Compare an export with the table, both without errors; an export that gives a name twice has conflicts.
 
-    ``used`` gives the places where programs use a nickname, such as ``prog.py:12``; ``says`` is what else they say.
+    ``used`` gives the places where programs use a nickname, such as ``prog.py:12``; ``says`` is the rest of what they
+    say.
     """
     ours = [row for row in table.rows if _is_shared(row) and not is_scratch(row)]
     changes = changes_between(ours, [row for row in export.rows if _is_shared(row) and _is_news(row, table)])
@@ -252,16 +257,12 @@ def _by_number(change: Change, says: ProgramsSay) -> tuple[str, ...]:
     return tuple(says.by_number(after.address)) if after is not None and gets_a_name else ()
 
 
-def _declared(declaration: Declaration | BlockDeclaration) -> str:
-    return f"nickname(...) at {declaration.span.path}:{declaration.span.line}"
-
-
 def _lower(declaration: Declaration | None) -> str:
     return declaration.named.name.lower() if declaration else ""
 
 
 def _says_otherwise(declaration: Declaration, what: str, row: Row) -> bool:
-    """True where a declaration gives an address another initial value, retention or comment than a row."""
+    """True if a declaration gives an address another initial value, retention or comment than a row."""
     if what == "initial" and declaration.initial is not None:
         return initial_of(declaration.initial, row.address, Diagnostics()) != row.initial
     said = {"retentive": declaration.retentive, "comment": declaration.comment}.get(what)
@@ -269,12 +270,12 @@ def _says_otherwise(declaration: Declaration, what: str, row: Row) -> bool:
 
 
 def _is_shared(row: Row) -> bool:
-    """True for a row that says something and is no business of CLICK's own."""
+    """True for a row that says something and does not concern only CLICK itself."""
     return row.address.bank not in OWN_BANKS and not row.is_default
 
 
 def _is_news(row: Row, table: AddressTable) -> bool:
-    """False for what an export says of clickgen's scratch cells, unless the table knows nothing of the cell."""
+    """False for an export's rows of clickgen's scratch cells, unless the table knows nothing of the cell."""
     stands = table.by_address.get(row.address)
     if stands is not None and is_scratch(stands) and row.nickname.lower() in ("", stands.nickname.lower()):
         return False

@@ -1,25 +1,25 @@
-"""The programs around an address table: those that a command names, and every other one that would feel a change."""
+"""The programs around an address table: those that a command names, and every other one that a change would affect."""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
 from clickgen.commands.nicknames.uses import FileNames, read_names
 from clickgen.config import CheckSettings, Config, Settings
-from clickgen.dialects.if_rungs.discover import Target, targets
-from clickgen.dialects.if_rungs.read.imports import read_program
-from clickgen.dialects.if_rungs.read.parse import decode
+from clickgen.dialects.discover import Target, targets
+from clickgen.dialects.registry import dialect_of
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.text.source import SourceFile
 from clickgen.workspace import CouldNotRun, Workspace
 
 
 class Job(Protocol):
-    """A program that a command works on, and what it is built with."""
+    """A program that a command works on, and its settings for a build."""
 
     @property
     def program(self) -> str: ...
@@ -28,27 +28,32 @@ class Job(Protocol):
 
 
 class SourceNames(NamedTuple):
-    """A source file of a program, the names in it, and what is wrong with it."""
+    """A source file of a program, the names in it, and its problems."""
 
     source: SourceFile
     names: FileNames | None
-    """None when the file is not Python."""
+    """None when the file cannot be read."""
     problems: tuple[Diagnostic, ...]
 
 
 @dataclass(frozen=True)
 class Program:
-    """A program, or a part of one that no program imports, with every file that it is made of."""
+    """A program, or a part of one that no program imports, with every file in it."""
 
     path: str
     settings: Settings
     is_job: bool
     is_part: bool
-    sources: tuple[SourceNames, ...]
+    read: Callable[[], tuple[SourceNames, ...]]
+
+    @cached_property
+    def sources(self) -> tuple[SourceNames, ...]:
+        """The files that the program is made of, read on demand."""
+        return self.read()
 
     @property
     def names(self) -> list[FileNames]:
-        """The names in each of its files that is Python."""
+        """The names in each of its files that can be read."""
         return [source.names for source in self.sources if source.names is not None]
 
     @property
@@ -68,9 +73,9 @@ class Program:
 def programs_around(
     jobs: Sequence[Job], config: Config, files: Workspace, tables: Iterable[Path] = ()
 ) -> list[Program]:
-    """The programs of the jobs, those around them and their tables, and the configured ones; each once.
+    """Return the programs of the jobs, those around them and their tables, and the configured ones; each once.
 
-    ``tables`` are further tables to look around. Raises CouldNotRun when a program cannot be read.
+    ``tables`` are further tables to look around. Raises CouldNotRun if a program cannot be read.
     """
     places = [table.parent for table in tables]
     for job in jobs:
@@ -80,18 +85,18 @@ def programs_around(
     read: dict[str, SourceNames] = {}
     for job in jobs:
         _add(found, read, files, Target(job.program), job.settings._replace(frozen=False), True)
-    for target in _around(folders.values(), config):
+    for target in _around(folders.values(), config, files.apart()):
         _add(found, read, files, target, Settings(target.nicknames, reserved=config.reserved), False)
     return list(found.values())
 
 
-def _around(folders: Iterable[str], config: Config) -> Iterator[Target]:
-    # What nobody wants to have checked uses the table all the same.
+def _around(folders: Iterable[str], config: Config, files: Workspace) -> Iterator[Target]:
+    # A program that is excluded from checks uses the table all the same.
     config = config._replace(check=CheckSettings())
     for program in config.programs:
         if program.path.is_file():
             yield Target(str(program.path), str(program.nicknames) if program.nicknames else None)
-    yield from targets([*folders], config) if folders else ()
+    yield from targets([*folders], config, workspace=files) if folders else ()
 
 
 def _add(
@@ -106,16 +111,20 @@ def _add(
     if real in found:
         return
     try:
-        source = decode(target.path, files.read(target.path), Diagnostics())
+        data = files.read(target.path)
     except OSError as error:
         fault = "there is no such file" if isinstance(error, FileNotFoundError) else error.strerror or str(error)
         raise CouldNotRun(f"{target.path} cannot be read: {fault}") from None
-    sources = read_program(source, files.read, Diagnostics())[1] if source else ()
-    names: list[SourceNames] = []
-    for each in sources:
-        key = os.path.realpath(each.path)
-        if key not in read:
-            problems = Diagnostics()
-            read[key] = SourceNames(each, read_names(each, problems), problems.in_order())
-        names.append(read[key])
-    found[real] = Program(target.path, settings, is_job, target.is_part, tuple(names))
+
+    def names() -> tuple[SourceNames, ...]:
+        dialect = dialect_of(target.path, data)
+        source = dialect.decode(target.path, data, Diagnostics())
+        sources = dialect.read(source, files, Diagnostics())[1] if source else ()
+        for each in sources:
+            key = os.path.realpath(each.path)
+            if key not in read:
+                problems = Diagnostics()
+                read[key] = SourceNames(each, read_names(each, problems), problems.in_order())
+        return tuple(read[os.path.realpath(each.path)] for each in sources)
+
+    found[real] = Program(target.path, settings, is_job, target.is_part, names)

@@ -1,4 +1,4 @@
-"""Building programs before and after a rename, and comparing all that comes out."""
+"""Builds programs before and after a rename, and compares all their outputs."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from clickgen.workspace import CouldNotRun, Workspace
 
 @dataclass(frozen=True)
 class Side:
-    """The files of one side; ``tables`` are tables that are read instead of others, by the real paths of these."""
+    """The files of one side; ``tables`` are tables read in place of others, by the real paths of those."""
 
     workspace: Workspace
     tables: Mapping[str, Path]
@@ -36,7 +36,7 @@ def errors_of(result: BuildResult) -> list[Diagnostic]:
 
 
 def prove_same(before: BuildResult, after: BuildResult, old: str, new: str, is_block: bool = False) -> None:
-    """Raise CouldNotRun unless both make the same ladder, and the same of everything else but for the name."""
+    """Raise CouldNotRun unless both make the same ladder, and differ elsewhere only in the name."""
 
     def renamed(row: Row) -> Row:
         if is_block:

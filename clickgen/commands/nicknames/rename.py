@@ -1,8 +1,7 @@
-"""Renaming a nickname or a block in the address table and in every source file, all or nothing: the ladder stays."""
+"""Renames a nickname or a block in the address table and in every source file, all or nothing: the ladder stays."""
 
 from __future__ import annotations
 
-import keyword
 import os
 import shlex
 from collections.abc import Iterable, Mapping, Sequence
@@ -14,11 +13,10 @@ from clickgen.commands.nicknames.adopt import Adoption, adopt, adopt_block
 from clickgen.commands.nicknames.programs import Job, Program, programs_around
 from clickgen.commands.nicknames.prove import Side, errors_of, prove_same
 from clickgen.commands.nicknames.tables import Table, read_tables
-from clickgen.commands.nicknames.uses import FileNames, comments_with, read_names, word_pattern
+from clickgen.commands.nicknames.uses import FileNames, read_names
 from clickgen.config import Config, find_config
 from clickgen.device.nicknames import nickname_fault
 from clickgen.device.system import addresses_of_system_name
-from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.ir.operands import Named
 from clickgen.ir.program import Declaration
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics, did_you_mean
@@ -26,7 +24,7 @@ from clickgen.table.record import read_record
 from clickgen.table.rows import is_scratch, looks_like_scratch
 from clickgen.text.edits import Edit, Fix, apply_fixes
 from clickgen.text.source import Span
-from clickgen.text.wording import counted
+from clickgen.text.wording import counted, word_pattern
 from clickgen.workspace import CouldNotRun, Workspace
 
 __all__ = ["Rename", "rename"]
@@ -34,35 +32,38 @@ __all__ = ["Rename", "rename"]
 
 @dataclass(frozen=True)
 class Rename:
-    """What a rename changes. Nothing is written by it: ``put_in_place(writes, (), unchanged)`` does that."""
+    """The changes of a rename. It writes nothing: ``put_in_place(writes, (), unchanged)`` does that."""
 
     old: str
     new: str
     writes: Mapping[Path, bytes]
     unchanged: Mapping[Path, bytes | None]
-    """Every file that it was made from, with the bytes that it must still have; None for one that must not be there."""
+    """Every file that it was made from, with the bytes that it must still have; None for one that must not exist."""
     counts: Mapping[Path, int]
-    """How often the name is written anew in each file; the record of what clickgen placed is not counted."""
+    """How often each file gets the new name; the record of what clickgen placed is not counted."""
     comments: Mapping[Path, int]
-    """How many comments of each source file hold the old name; they stay as they are."""
+    """How many comments of each source file hold the old name; they stay unchanged."""
     programs: tuple[str, ...]
     """The programs that were built before and after, and whose ladder is the same."""
     left: tuple[Span, ...] = ()
-    """Where the old name stays in parts beside the programs that no program imports."""
+    """The places of the old name that stay, in parts beside the programs that no program imports."""
     adoption: Adoption | None = None
-    """What became of a rename that somebody had begun in the sources."""
+    """The result of finishing a rename that somebody had begun in the sources."""
 
 
-def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None) -> Rename:
+def rename(
+    old: str, new: str, jobs: Sequence[Job], config: Config | None = None, files: Workspace | None = None
+) -> Rename:
     """Rename a nickname or a block in the tables of these programs and in every source file of those that share them.
 
-    Programs that are not named and share a table are found around it (``config`` is what holds in the working folder).
-    Where the table has the new name already and the old one stands in sources alone, the sources follow; where the
-    sources have the new name already and the old one stands in the table alone, the table follows. Raises
-    CouldNotRun when the new name is not free or not legal, or when a program would not stay what it is.
+    Programs that are not named and share a table are found around it (``config`` holds the working folder's settings).
+    If the table has the new name already and only the sources have the old one, the sources follow; if the
+    sources have the new name already and only the table has the old one, the table follows. Raises
+    CouldNotRun if the new name is not free or not legal, or if a program would change.
     """
     _check_names(old, new)
-    files = Workspace()
+    # The files that the rename reads must be unchanged when it writes; the settings may change.
+    files = Workspace() if files is None else files.apart()
     programs = programs_around(jobs, find_config(Path.cwd()) if config is None else config, files)
     keys = {program.table_key for program in programs if program.is_job}
     sharing = [program for program in programs if program.table_key in keys]
@@ -108,14 +109,20 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
         {Path(files.shown(key)): data for key, data in {**written, **records}.items()},
         {Path(path): data for path, data in files.found.items()},
         {Path(files.shown(key)): len(places[key]) if key in places else marked[key] for key in written},
-        {Path(file.source.path): count for file in sources.values() if (count := comments_with(file.source, old))},
+        _comments(sources.values(), old),
         proven,
         _left(programs, members, old),
     )
 
 
+def _comments(files: Iterable[FileNames], word: str) -> dict[Path, int]:
+    """How many comments of each file hold a word; files without any are left out."""
+    counts = {Path(file.source.path): file.comments_with(word) for file in files}
+    return {path: count for path, count in counts.items() if count}
+
+
 def _adopted(members: Sequence[Program], files: Workspace, adoption: Adoption, wanted: _Wanted) -> Rename:
-    """The end of a rename that somebody began in the sources: the table follows, and the sources that lag behind."""
+    """Finish a rename that somebody began in the sources: the table follows, and the sources that lag behind."""
     old, new, is_block = wanted
     after = Side(files.apart(adoption.writes), {})
     proven = _proven(members, adoption.before, after, _Wanted(adoption.old, new, is_block))
@@ -124,7 +131,7 @@ def _adopted(members: Sequence[Program], files: Workspace, adoption: Adoption, w
     counts = {path: 1 for path in writes if path.suffix == ".csv"}
     edited = adoption.edited.items()
     counts.update((Path(files.shown(key)), len(file.of(old))) for key, file in edited)
-    comments = {Path(file.source.path): count for _, file in edited if (count := comments_with(file.source, old))}
+    comments = _comments((file for _, file in edited), old)
     return Rename(old, new, writes, unchanged, counts, comments, proven, adoption=adoption)
 
 
@@ -136,7 +143,7 @@ class _Wanted(NamedTuple):
     is_block: bool
 
     def places(self, file: FileNames) -> list[Named]:
-        """Where a file has the old name."""
+        """The places of the old name in a file."""
         return file.every(self.old) if self.is_block else file.of(self.old)
 
     def renamed(self, name: str) -> str:
@@ -144,7 +151,7 @@ class _Wanted(NamedTuple):
 
 
 def _is_block(tables: Iterable[Table], files: Iterable[FileNames], old: str, new: str) -> bool:
-    """True where a name is a block's: of the table, or of the sources, or of sources whose table has the new one."""
+    """True if a name is a block's: in the table, or in the sources, or in sources whose table has the new one."""
     tables, files = [*tables], [*files]
     declared = (declaration for file in files for declaration in file.declarations)
     is_nickname = any(isinstance(each, Declaration) and each.named.name.lower() == old.lower() for each in declared)
@@ -190,7 +197,7 @@ def _unknown(old: str, programs: Iterable[Program], tables: Iterable[Table]) -> 
 
 
 def _ways_back(files: Iterable[FileNames], jobs: Sequence[Job], old: str, new: str) -> str:
-    """What to do, in order, where a build gave another address to what was the old name, and nothing recorded that."""
+    """The steps, in order, if a build gave another address to the former old name and nothing recorded that."""
     places = [str(named.span) for file in files for named in file.of(new)]
     more = f" and {counted(len(places) - _PLACES, 'more place')}" if len(places) > _PLACES else ""
     table = next((job.settings.nicknames for job in jobs if job.settings.nicknames is not None), None)
@@ -202,7 +209,7 @@ def _ways_back(files: Iterable[FileNames], jobs: Sequence[Job], old: str, new: s
 
 
 _PLACES = 5
-"""So many places are listed."""
+"""At most this many places are listed."""
 
 
 def _check_tables(tables: Iterable[Table], wanted: _Wanted, ways_back: str) -> None:
@@ -232,7 +239,7 @@ def _taken(new: str, reason: str, again: str = "") -> CouldNotRun:
 
 
 def _refuse_unread(programs: Iterable[Program], old: str) -> None:
-    """A file that speaks of the name and cannot be read is not left behind."""
+    """Refuse a rename if a file that mentions the name cannot be read, so that none is left out."""
     for program in programs:
         for source, _, problems in program.sources:
             errors = [problem for problem in problems if problem.is_error]
@@ -248,17 +255,12 @@ def _check_sources(files: Iterable[FileNames], wanted: _Wanted) -> None:
             again = f"where it already means {old}, write {old} there again: then this renames every place"
             raise _taken(new, f"{taken[0].span} uses it", again)
         for named in wanted.places(file):
-            place = file.place(named)
-            if place.is_plain and not _is_plain(new, place.in_formula):
-                way = f'{named.bank.lower()}["{named.name}"]'
+            if not file.takes(named, new):
+                way = file.dialect.spell.in_quotes(named.bank, named.name)
                 raise CouldNotRun(
                     f"{new!r} cannot stand behind a dot, as {named.name} does at {named.span}: choose a plain word, or "
                     f"write {way} there first"
                 )
-
-
-def _is_plain(name: str, in_formula: bool) -> bool:
-    return name.isidentifier() and (in_formula or not keyword.iskeyword(name))
 
 
 def _refuse_strangers(others: Iterable[Program], edited: Mapping[str, FileNames], old: str) -> None:
@@ -283,19 +285,19 @@ def _does_not_build(path: str, errors: Sequence[Diagnostic]) -> str:
 
 
 def _records(tables: Iterable[Table], old: str, new: str, files: Workspace) -> dict[str, bytes]:
-    """The records of names that clickgen placed, by their real paths, where this name is in them."""
+    """The records of names that clickgen placed, by their real paths, if this name is in them."""
     renamed: dict[str, bytes] = {}
     for table in tables:
         if table.row(old) is not None:
             data = table.record_renamed(files.look(str(table.record)), old, new)
             if data is not None:
-                read_record(table.record)  # refuses what is not clickgen's
+                read_record(table.record, files)  # refuses a file that is not clickgen's
                 renamed[os.path.realpath(table.record)] = data
     return renamed
 
 
 def _left(programs: Iterable[Program], members: Sequence[Program], old: str) -> tuple[Span, ...]:
-    """Where the name stands in parts that belong to no program: those beside the programs, or without a table."""
+    """The places of the name in parts that belong to no program: those beside the programs, or without a table."""
     folders = {os.path.dirname(os.path.realpath(program.path)) for program in members}
     keys = {program.table_key for program in members}
     loose = (
@@ -311,12 +313,12 @@ def _left(programs: Iterable[Program], members: Sequence[Program], old: str) -> 
 
 
 def _edited(file: FileNames, wanted: _Wanted, files: Workspace) -> bytes:
-    """The file with the new name, every other byte kept; what is read there now is what was read, renamed."""
+    """The file with the new name and every other byte unchanged; it reads as before, renamed."""
     old, new, _ = wanted
     edits: list[Edit] = [edit for named in wanted.places(file) for edit in file.place(named).edits(new)]
     text, _ = apply_fixes(files.read(file.source.path).decode("utf-8"), [Fix(tuple(edits))])
     data = text.encode("utf-8")
-    source = decode(file.source.path, data, Diagnostics())
+    source = file.dialect.decode(file.source.path, data, Diagnostics())
     again = read_names(source, Diagnostics()) if source else None
     if again is None or _said(again, wanted._replace(old=new)) != _said(file, wanted):
         raise CouldNotRun(f"{old} cannot become {new} in {file.source.path}: the file would be read differently")
@@ -332,7 +334,7 @@ def _block_edited_as(file: FileNames, old: str, new: str, files: Workspace) -> b
 
 
 def _said(file: FileNames, wanted: _Wanted) -> list[tuple[str, str, object]]:
-    """What a file names, with the new name for the old one; blocks keep theirs where a nickname is renamed."""
+    """The names in a file, with the new name for the old one; blocks keep theirs if a nickname is renamed."""
     blocks = (
         (block.bank, wanted.renamed(block.name) if wanted.is_block else block.name, block.part) for block in file.blocks
     )
@@ -340,7 +342,7 @@ def _said(file: FileNames, wanted: _Wanted) -> list[tuple[str, str, object]]:
 
 
 def _proven(members: Iterable[Program], before: Side, after: Side, wanted: _Wanted) -> tuple[str, ...]:
-    """The programs that were built before and after; one that was only found and never says the name may be broken."""
+    """The programs that were built before and after; one that was only found and never uses the name may be broken."""
     old, new, is_block = wanted
     proven: list[str] = []
     for program in members:

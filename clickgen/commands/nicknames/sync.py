@@ -1,4 +1,4 @@
-"""Bringing address tables up to their programs: what is missing gets an address, what nothing uses is named."""
+"""Brings address tables up to date with their programs: missing names get an address, unused ones are reported."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from clickgen.workspace import CouldNotRun, Workspace
 
 @dataclass(frozen=True)
 class TableSync:
-    """What becomes of one table."""
+    """The new state of one table."""
 
     path: Path
     added: tuple[Row, ...]
@@ -31,20 +31,20 @@ class TableSync:
     changed: tuple[Row, ...]
     """Rows to which the programs give another initial value, retention or comment."""
     unused: tuple[Row, ...]
-    """The rows that no program refers to; those that are removed are among them."""
+    """The rows that no program refers to, including those that are removed."""
     removed: tuple[Row, ...]
     kept: Mapping[Address, str]
-    """Why an unused row stays although it was to be removed, where something else than a person's hand keeps it."""
+    """The reason why an unused row stays although it was to be removed, unless a person's edit keeps it."""
     doubtful: tuple[str, ...]
     """Programs of this table that have errors, so that nobody knows what they use."""
 
 
 @dataclass(frozen=True)
 class Sync:
-    """Nothing is written by it: ``put_in_place(writes, (), unchanged)`` does that."""
+    """It writes nothing: ``put_in_place(writes, (), unchanged)`` does that."""
 
     results: tuple[BuildResult, ...]
-    """The programs that were named, built; where one is not ``ok`` there is nothing to write."""
+    """The programs that were named, built; if one is not ``ok`` there is nothing to write."""
     tables: tuple[TableSync, ...]
     writes: Mapping[Path, bytes]
     unchanged: Mapping[Path, bytes | None]
@@ -54,25 +54,26 @@ class Sync:
         return all(result.ok for result in self.results)
 
 
-def sync(jobs: Sequence[Job], config: Config, prune: bool = False) -> Sync:
-    """Allocate what these programs lack. With ``prune`` rows that clickgen placed and nothing refers to go.
+def sync(jobs: Sequence[Job], config: Config, prune: bool = False, files: Workspace | None = None) -> Sync:
+    """Allocate the names that these programs lack. ``prune`` removes rows that clickgen placed and nothing refers to.
 
     Every other program that uses the same table is looked at too: beside it, below it, and in the settings. Raises
-    CouldNotRun when a file cannot be read.
+    CouldNotRun if a file cannot be read.
     """
-    results = build_all((job.program, job.settings) for job in jobs)
+    files = files or Workspace()
+    results = build_all(((job.program, job.settings) for job in jobs), files)
     if not all(result.ok for result in results):
         return Sync(tuple(results), (), {}, {})
     places = [result.table_path for result in results]
     places += [Path(os.path.realpath(place)) for place in places]
-    around = programs_around(jobs, _with_programs_of(config, places), Workspace(), places)
+    around = programs_around(jobs, _with_programs_of(config, places, files), files, places)
     tables: list[TableSync] = []
     writes: dict[Path, bytes] = {}
     unchanged: dict[Path, bytes | None] = {}
     for key in dict.fromkeys(os.path.realpath(result.table_path) for result in results):
         own = [result for result in results if os.path.realpath(result.table_path) == key]
         others = [program for program in around if not program.is_job]
-        table = _Table(own, others, prune)
+        table = _Table(own, others, prune, files)
         tables.append(table.sync)
         for path, data, before in table.files():
             unchanged[path] = before
@@ -81,31 +82,42 @@ def sync(jobs: Sequence[Job], config: Config, prune: bool = False) -> Sync:
     return Sync(tuple(results), tuple(tables), writes, unchanged)
 
 
-def _with_programs_of(config: Config, tables: Iterable[Path]) -> Config:
+def table_changes(results: Sequence[BuildResult]) -> list[TableSync]:
+    """Compare each table with what these programs make of it, built in this order; empty if one has errors."""
+    if not all(result.ok for result in results):
+        return []
+    last = {os.path.realpath(result.table_path): result for result in results}
+    first = {os.path.realpath(result.table_path): result for result in reversed(results)}
+    changes = {key: _changes(first[key].table_path, first[key].table_before, last[key].address_table) for key in last}
+    return [TableSync(first[key].table_path, *changed, (), (), {}, ()) for key, changed in changes.items()]
+
+
+def _with_programs_of(config: Config, tables: Iterable[Path], files: Workspace) -> Config:
     """The settings with the programs that those around the tables name."""
-    found = [find_config(table.parent) for table in tables if table.parent.is_dir()]
+    folders = dict.fromkeys(table.parent.absolute() for table in tables if table.parent.is_dir())
+    found = [find_config(folder, files) for folder in folders]
     return config._replace(programs=(*config.programs, *(each for one in found for each in one.programs)))
 
 
 class _Table:
     """One table with the programs that use it: those that were named, in their order, and the others.
 
-    A program around it that has a table of its own is none of them. One whose table is not there may be used with this
-    one on some other day, so what it names stays.
+    A program around it that has its own table is not among them. One whose table is missing may be used with this
+    one later, so the names that it uses stay.
     """
 
-    def __init__(self, own: Sequence[BuildResult], others: Sequence[Program], prune: bool) -> None:
+    def __init__(self, own: Sequence[BuildResult], others: Sequence[Program], prune: bool, files: Workspace) -> None:
         self._path = own[0].table_path
         key = os.path.realpath(self._path)
         self._strangers = [each for each in others if each.table_key != key and not os.path.exists(each.table_key)]
         others = [each for each in others if each.table_key == key]
         self._before = own[0].table_before
-        self._record = read_record(record_beside(self._path))
+        self._record = read_record(record_beside(self._path), files)
         self._placed = placed_in(self._record)
         self._placed |= {row.address: row.nickname for result in own for row in result.placed_rows}
         self._left = left_in(self._record)
         table = own[-1].address_table
-        readers, doubtful = _read(others, self._path, table)
+        readers, doubtful = _read(others, self._path, table, files)
         users = [*own, *readers]
         named = [row for row in table.own_rows if row.nickname and not BANKS[row.address.bank].settings_fixed]
         unused = [row for row in named if not any(_is_used(row, result) for result in users)]
@@ -121,10 +133,7 @@ class _Table:
             elif reason:
                 kept[row.address] = reason
         self._table = table.changed({row.address: None for row in removed})
-        before = _contents(self._path, self._before)
-        rows = self._table.own_rows
-        added = tuple(row for row in rows if row.address not in before)
-        changed = tuple(row for row in rows if before.get(row.address, row.content) != row.content)
+        added, changed = _changes(self._path, self._before, self._table)
         self.sync = TableSync(self._path, added, changed, tuple(unused), tuple(removed), kept, tuple(doubtful))
 
     def _is_ours(self, row: Row) -> bool:
@@ -147,7 +156,7 @@ class _Table:
         return ""
 
     def files(self) -> list[tuple[Path, bytes | None, bytes | None]]:
-        """The table and the record beside it: what they should hold, and what they held."""
+        """The table and the record beside it: their new contents and their former ones."""
         rows = {row.address: row.nickname for row in self._table.own_rows}
         placed = {address: name for address, name in self._placed.items() if rows.get(address) == name}
         record = record_of(placed, self._left, self._record) if placed or self._record is not None else None
@@ -158,21 +167,28 @@ class _Table:
         ]
 
 
-def _contents(path: Path, data: bytes | None) -> dict[Address, object]:
-    """What a table said of each address."""
-    if data is None:
-        return {}
-    return {row.address: row.content for row in read_table(path, str(path), Diagnostics(), data).own_rows}
+def _changes(path: Path, before: bytes | None, table: AddressTable) -> tuple[tuple[Row, ...], tuple[Row, ...]]:
+    """Return the rows that the file of a table lacks, and those that it has otherwise."""
+    if before == table.to_bytes():
+        return (), ()
+    said: dict[Address, object] = {}
+    if before is not None:
+        said = {row.address: row.content for row in read_table(path, str(path), Diagnostics(), before).own_rows}
+    rows = table.own_rows
+    added = tuple(row for row in rows if row.address not in said)
+    return added, tuple(row for row in rows if said.get(row.address, row.content) != row.content)
 
 
-def _read(programs: Iterable[Program], path: Path, table: AddressTable) -> tuple[list[BuildResult], list[str]]:
+def _read(
+    programs: Iterable[Program], path: Path, table: AddressTable, files: Workspace
+) -> tuple[list[BuildResult], list[str]]:
     """The other programs, built with the table as it will be, and those that have errors."""
     readers: list[BuildResult] = []
     doubtful: list[str] = []
-    overlay = {os.path.realpath(path): table.to_bytes()}
+    with_table = files.apart({os.path.realpath(path): table.to_bytes()})
     for program in programs:
         try:
-            result = build(program.path, settings=program.settings, workspace=Workspace(overlay))
+            result = build(program.path, settings=program.settings, workspace=with_table)
         except CouldNotRun:
             doubtful.append(program.path)
             continue
@@ -187,7 +203,7 @@ def _lacks_only_main(result: BuildResult) -> bool:
 
 
 def _is_used(row: Row, result: BuildResult) -> bool:
-    """True where a program refers to a row: by name or number, in a range, by a declaration, for itself."""
+    """True if a program refers to a row: by name or number, in a range, by a declaration, for itself."""
     if row.address in result.needed:
         return True
     bank = row.address.bank

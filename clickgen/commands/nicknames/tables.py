@@ -22,7 +22,7 @@ from clickgen.workspace import CouldNotRun, Workspace
 
 @dataclass(frozen=True)
 class Table:
-    """An address table as it stands on disk; ``key`` is its real path."""
+    """An address table as it is on disk; ``key`` is its real path."""
 
     key: str
     path: Path
@@ -44,7 +44,7 @@ class Table:
         return self.table.place(row)
 
     def renamed(self, old: str, new: str) -> bytes:
-        """The file with another nickname in the row of one that it has, and in what clickgen says of its own cells."""
+        """Return the file with another nickname in a row of its, and in the comments of clickgen's own cells."""
         row = self.row(old)
         assert row is not None
         assert row.cell is None
@@ -60,7 +60,7 @@ class Table:
         return [each for each in read_marks(self.table).rows if each.mark.name.lower() == block.lower()]
 
     def with_block_renamed(self, old: str, new: str) -> bytes:
-        """The file with another name in the marks of a block."""
+        """Return the file with another name in the marks of a block."""
         table = self.table
         for row, mark in self.marks_of(old):
             comment = renamed_mark(f"<{mark.word}>", old, new)
@@ -69,18 +69,18 @@ class Table:
 
     @property
     def record(self) -> Path:
-        """Where it says which names clickgen placed."""
+        """The file that records the names that clickgen placed."""
         return record_beside(self.path)
 
     def record_renamed(self, data: bytes | None, old: str, new: str) -> bytes | None:
-        """The record with another name for one that clickgen placed; None where it is not in it."""
+        """Return the record with another name for one that clickgen placed; None if it is not in it."""
         row, placed = self.row(old), placed_in(data)
         if row is None or placed.get(row.address) != row.nickname:
             return None
         return record_of(placed | {row.address: new}, left_in(data), data)
 
     def stand_in(self, old: str, new: str, is_block: bool) -> tuple[Path, bytes] | None:
-        """Where the table was renamed already and the sources were not: the table as it was before, and its place."""
+        """For a table renamed before its sources: the table as it was, and its place."""
         if is_block:
             marks = self.marks_of(new)
             if not marks or self.marks_of(old):
@@ -107,17 +107,19 @@ def read_tables(programs: Iterable[Program], files: Workspace) -> dict[str, Tabl
     return tables
 
 
-def over_workbook(table: AddressTable, workbook: Path, problems: Diagnostics) -> AddressTable:
+def over_workbook(table: AddressTable, workbook: Path, problems: Diagnostics, files: Workspace) -> AddressTable:
     """The table with the rows of a workbook in front. Raises TableUnreadable."""
+    from clickgen.table.workbook.archive import bytes_of_workbook
     from clickgen.table.workbook.read import read_workbook
 
-    return beside_workbook(table, read_workbook(workbook, str(workbook), problems), problems)
+    data = bytes_of_workbook(workbook, str(workbook), files)
+    return beside_workbook(table, read_workbook(workbook, str(workbook), problems, data), problems)
 
 
 def _look(path: Path, files: Workspace) -> bytes | None:
-    """The bytes of a table, None where there is none. Raises TableUnreadable, and OSError."""
+    """The bytes of a table, or None if there is none. Raises TableUnreadable, and OSError."""
     if path.exists():
-        bytes_of_table(path, str(path))
+        bytes_of_table(path, str(path), files)
     return files.look(str(path))
 
 
@@ -128,7 +130,7 @@ def _read(program: Program, files: Workspace) -> AddressTable:
         data = _look(program.table, files)
         table = AddressTable.empty(shown) if data is None else read_table(program.table, shown, problems, data)
         if program.workbook is not None:
-            table = over_workbook(table, program.workbook, problems)
+            table = over_workbook(table, program.workbook, problems, files)
     except OSError as error:
         raise CouldNotRun(f"{shown} cannot be read: {error.strerror or error}") from None
     except TableUnreadable as error:

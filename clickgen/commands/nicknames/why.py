@@ -1,4 +1,4 @@
-"""Where the address of a name comes from, why it is that one, and where the name is used."""
+"""Explains the address of a name: where it comes from, why that one, and where the name is used."""
 
 from __future__ import annotations
 
@@ -9,25 +9,23 @@ from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, VALUE_BANK, Address, parse_address
 from clickgen.device.system import addresses_of_system_name, doubt_about, find_system_name, system_name_of
+from clickgen.dialects.base import Spelling
 from clickgen.facts.uses import Use, extents_of
-from clickgen.formula.printer import source_reference
-from clickgen.ir.operands import Named
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.results import BuildResult
 from clickgen.table.blocks import Block, marked_blocks
 from clickgen.table.record import placed_in
 from clickgen.table.rows import Row, is_scratch
-from clickgen.text.source import Span
 from clickgen.text.wording import counted
 
 _PLACES = 8
-"""So many places of use are listed."""
+"""At most this many places of use are listed."""
 _RUNS = 5
-"""So many ranges of addresses are listed."""
+"""At most this many ranges of addresses are listed."""
 
 
 def why(name: str, result: BuildResult, reserved: Iterable[Address], record: bytes | None) -> list[str]:
-    """What is to be said of a name or an address in a program that was built; nothing when the program knows neither.
+    """Explain a name or an address in a program that was built; nothing if the program knows neither.
 
     ``reserved`` are addresses that the settings keep free, ``record`` is the file of the names that clickgen placed.
     """
@@ -41,7 +39,7 @@ def why(name: str, result: BuildResult, reserved: Iterable[Address], record: byt
 
 
 def _moved_lines(name: str) -> list[str]:
-    """What is to be said of one of CLICK's own names that may mean one of several addresses."""
+    """Explain one of CLICK's own names that may mean one of several addresses."""
     return [doubt_about(name)] if addresses_of_system_name(name) else []
 
 
@@ -51,11 +49,11 @@ def suggestion(name: str, results: Iterable[BuildResult]) -> str:
     return did_you_mean(name, [*known, *(block.name for result in results for block in blocks_of(result))])
 
 
-# -- what is asked ----------------------------------------------------------------------------------------------------
+# -- the question -----------------------------------------------------------------------------------------------------
 
 
 class _Asked(NamedTuple):
-    """A name or an address, with the bank before it and the index behind it where the source has them."""
+    """A name or an address, with the bank before it and the index after it if the source has them."""
 
     name: str
     bank: str = ""
@@ -70,7 +68,7 @@ _MEMBER = re.compile(r"(?P<name>[^\[\]]+)\[(?P<part>[0-9]{1,4})\]")
 
 
 def _asked(text: str) -> _Asked:
-    """``Speed``, ``DS5``, and as a program writes them: ``ds.Speed``, ``ds[5]``, ``ds["Speed"]``, ``ds.Recipe[3]``."""
+    """Read ``Speed``, ``DS5``, and a program's forms: ``ds.Speed``, ``ds[5]``, ``ds["Speed"]``, ``ds.Recipe[3]``."""
     match = _IN_BANK.fullmatch(text)
     bank = match["bank"].upper() if match else ""
     if match is not None and bank in BANKS:
@@ -113,15 +111,16 @@ def _seen_as(bank: str, address: Address | None) -> Address | None:
 
 
 def blocks_of(result: BuildResult) -> list[Block]:
-    """The blocks of the program and those of the table; one that both have stands twice, first as it is declared."""
+    """The blocks of the program and those of the table; one that both have comes twice, first as it is declared."""
     program = result.facts.program if result.facts else None
+    spell = result.dialect.spell
     declared = [
         Block(
             each.named.name,
             each.range.bank,
             each.range.first,
             each.range.last,
-            f"declared by nickname(...) in {each.span}",
+            f"declared by {spell.declaration()} in {each.span}",
             each.span,
         )
         for each in (program.blocks if program else ())
@@ -135,7 +134,7 @@ def _block_lines(block: Block, result: BuildResult, blocks: Iterable[Block]) -> 
     first = Address(block.bank, block.first)
     said_by = [other.said_by for other in blocks if other.name.lower() == block.name.lower()]
     uses = [use for use in _every_use(result) if _is_in(use, block)]
-    lines = [*said_by, f"{_member(block, first)} is {first}", *_places(uses)]
+    lines = [*said_by, f"{_member(result.dialect.spell, block, first)} is {first}", *_places(uses)]
     return [
         f"{block.name} is the block {block}, {counted(block.size, 'address', 'addresses')}",
         *(f"  {line}" for line in lines),
@@ -149,20 +148,17 @@ def _is_in(use: Use, block: Block) -> bool:
     )
 
 
-def _memberships(address: Address, blocks: Iterable[Block]) -> Iterator[str]:
+def _memberships(spell: Spelling, address: Address, blocks: Iterable[Block]) -> Iterator[str]:
     told: set[str] = set()
     for block in blocks:
         is_inside = block.is_seen_as(address.bank) and block.first <= address.number <= block.last
         if is_inside and block.name.lower() not in told:
             told.add(block.name.lower())
-            yield f"{_member(block, address)} of the block {block.name}, {block}, {block.said_by}"
+            yield f"{_member(spell, block, address)} of the block {block.name}, {block}, {block.said_by}"
 
 
-def _member(block: Block, address: Address) -> str:
-    return source_reference(Named(address.bank, block.name, _NOWHERE, address.number - block.first))
-
-
-_NOWHERE = Span("", 0, 0, 0, 0)
+def _member(spell: Spelling, block: Block, address: Address) -> str:
+    return spell.member(spell.name(address.bank, block.name), address.number - block.first)
 
 
 def _every_use(result: BuildResult) -> Sequence[Use]:
@@ -182,9 +178,9 @@ def _address_lines(
     rows = {row.address: row for row in result.rows}
     row = rows.get(address)
     bit = rows.get(Address(CURRENT_VALUE_OF.get(address.bank, ""), address.number))
-    own = _own_name(address, row, bit)
+    own = _own_name(result.dialect.spell, address, row, bit)
     uses = result.facts.uses.at(address) if result.facts else []
-    members = list(_memberships(address, blocks))
+    members = list(_memberships(result.dialect.spell, address, blocks))
     if not own and not members and row is None and not uses:
         return [f"{address} has no name and {result.program} does not use it"]
     lines = [*members, *_origin(address, row, result, blocks, reserved, record)]
@@ -197,10 +193,10 @@ def _address_lines(
     return [_head(address, own, row), *(f"  {line}" for line in lines)]
 
 
-def _own_name(address: Address, row: Row | None, bit: Row | None) -> str:
-    """The nickname of an address; of a current value without one ``td.Pause``, by the nickname of its bit."""
+def _own_name(spell: Spelling, address: Address, row: Row | None, bit: Row | None) -> str:
+    """The nickname of an address; for a current value without one ``td.Pause``, by the nickname of its bit."""
     own = (row.nickname if row else "") or system_name_of(address) or ""
-    return own or (source_reference(Named(address.bank, bit.nickname, _NOWHERE)) if bit and bit.nickname else "")
+    return own or (spell.name(address.bank, bit.nickname) if bit and bit.nickname else "")
 
 
 def _head(address: Address, own: str, row: Row | None) -> str:
@@ -224,7 +220,7 @@ def _origin(
     program = result.facts.program if result.facts else None
     for declaration in program.declarations if program else ():
         if declaration.cell.address == address:
-            yield f"declared by nickname(...) in {declaration.span}"
+            yield f"declared by {result.dialect.spell.declaration()} in {declaration.span}"
     stands = result.address_table.by_address.get(address)
     if row in result.new_rows and row is not None:
         yield from _choice(row, result, blocks, reserved)
@@ -239,7 +235,7 @@ def _origin(
 
 
 def _left_by_settings(address: Address, reserved: Iterable[Address]) -> Iterator[str]:
-    """Where clickgen may choose in the bank, if the settings say so."""
+    """The addresses among which clickgen may choose in the bank, if the settings limit them."""
     bank = BANKS[address.bank]
     twins = (bank.name, VALUE_BANK.get(bank.name), CURRENT_VALUE_OF.get(bank.name))
     closed = {one.number for one in reserved if one.bank in twins}
@@ -264,7 +260,7 @@ def _runs(bank: str, numbers: Iterable[int]) -> list[str]:
 
 
 def _choice(row: Row, result: BuildResult, blocks: Sequence[Block], reserved: Iterable[Address]) -> Iterator[str]:
-    """Why clickgen takes this address: it is the first, or for its own cells the last, that is free."""
+    """The reason why clickgen takes this address: it is the first free one, or for its own cells the last."""
     bank = BANKS[row.address.bank]
     if row in result.scratch_rows:
         yield f"clickgen takes it for itself, the highest free address of {bank.name}: {row.comment}"
@@ -279,7 +275,7 @@ def _choice(row: Row, result: BuildResult, blocks: Sequence[Block], reserved: It
 
 
 def _taken(bank: str, result: BuildResult, blocks: Iterable[Block], reserved: Iterable[Address]) -> dict[int, str]:
-    """Why numbers of a bank are not free; the first reason counts."""
+    """The reasons why numbers of a bank are not free; the first reason counts."""
     taken: dict[int, str] = {}
     new = {row.address for row in result.placed_rows}
     for row in result.rows:

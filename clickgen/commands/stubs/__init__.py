@@ -1,1 +1,1 @@
-"""What editors are told about the language: type stubs, made from the Specs, the banks and the address table."""
+"""The language for editors: type stubs, made from the Specs, the banks and the address table."""

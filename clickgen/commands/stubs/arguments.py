@@ -26,7 +26,7 @@ _TYPES = {
     ParamKind.TEXT: "str",
     ParamKind.TOKEN: "str",
 }
-"""The types of what is no operand."""
+"""The types of parameters that are not operands."""
 
 
 class Group(NamedTuple):
@@ -43,7 +43,7 @@ def literals(words: tuple[str, ...]) -> str:
 
 
 def option_class(option: str) -> str:
-    """The class of an option of a copy: ``to_value`` is a ``_ToValue``."""
+    """The class of a copy's option: ``to_value`` is a ``_ToValue``."""
     return "_" + option.title().replace("_", "")
 
 
@@ -72,7 +72,7 @@ def _classes(spec: Spec, param: Param, group: Group | None) -> list[str]:
 
 
 def groups(spec: Spec) -> list[Group | None]:
-    """The matrix of a copy, sources with the same targets together; None alone where there is no matrix."""
+    """The matrix of a copy, sources with the same targets together; only None if there is no matrix."""
     pairs = [pair for variant in spec.variants for pair in variant.pairs]
     by_targets: dict[tuple[str, ...], list[str]] = {}
     for source in (*BANKS, *CONSTANTS):
@@ -102,7 +102,7 @@ def _in_order(banks: set[str]) -> tuple[str, ...]:
 
 
 def _converted(param: Param, options: tuple[str, ...]) -> list[str]:
-    """The classes of a source with a modifier behind it: ``txt[1].as_value()``."""
+    """The classes of a source with a modifier after it: ``txt[1].as_value()``."""
     numbers = "_AsNumber" if param.slot.cells else "_AsNumbers"
     classes = {"to_value": numbers, "to_ascii": numbers, "to_binary": "_AsText", "to_text": "_AsText"}
     return [name for option, name in classes.items() if option in options]

@@ -20,7 +20,7 @@ def family(bank: str) -> str:
 
 
 def within(bank: str) -> str:
-    """What lies in a bank, one address or several."""
+    """The class of one address or several in a bank."""
     return f"_In{bank}"
 
 
@@ -33,7 +33,7 @@ def block(bank: str) -> str:
 
 
 def named(bank: str) -> str:
-    """What a nickname stands for that may be an address or a block."""
+    """The class of a nickname that may be an address or a block."""
     return f"_{bank}Name"
 
 
@@ -50,7 +50,7 @@ def immediate(bank: str) -> str:
 
 
 def union(names: Iterable[str]) -> str:
-    """``_DS | _DD | int``; where every class of a family is there, their base class stands for all."""
+    """``_DS | _DD | int``; if every class of a family is there, their base class replaces them all."""
     kept = list(dict.fromkeys(names))
     for base in FAMILIES.values():
         banks = [bank for bank in BANKS if family(bank) == base]
@@ -63,7 +63,7 @@ def union(names: Iterable[str]) -> str:
 
 
 def operand(slot: Slot, wanted: Collection[str] | None = None) -> list[str]:
-    """The classes of what an operand position takes, in the wanted banks and forms of constants."""
+    """The classes that an operand position takes, in the wanted banks and forms of constants."""
     forms = ((slot.cells, cell), (slot.ranges, span), (slot.immediates, immediate), (slot.pointers, pointer))
     classes = [name(bank) for banks, name in forms for bank in banks if wanted is None or bank in wanted]
     return classes + constants([form for form in slot.constants if wanted is None or form in wanted])

@@ -1,4 +1,4 @@
-"""Each instruction as a function with typed parameters, and the boxes that inputs are chained behind."""
+"""Each instruction as a function with typed parameters, and the boxes to which inputs are chained."""
 
 from __future__ import annotations
 
@@ -8,28 +8,24 @@ from dataclasses import replace
 from clickgen.commands.stubs.arguments import Group, groups, type_of, whole
 from clickgen.commands.stubs.text import Argument, Signature, class_text, function_text, overloads_text
 from clickgen.device.banks import BANKS, Bank
-from clickgen.instructions import INSTRUCTIONS
-from clickgen.instructions.control import FOR
-from clickgen.instructions.data import SEARCH, SEARCH_RANGE
+from clickgen.instructions import INSTRUCTIONS, every
+from clickgen.instructions.effects import Flow
 from clickgen.instructions.spec import REQUIRED, Param, ParamKind, Spec
-
-_FORMS = {SEARCH.name: (SEARCH, SEARCH_RANGE)}
-"""Instructions with more than one list of parameters."""
 
 BANK_NAMES = tuple(bank.dsl for bank in BANKS.values())
 
 
 def instruction_functions() -> Iterator[str]:
-    """Every instruction that is written as a call, each behind the class of its inputs."""
+    """Yield every instruction that is written as a call, each after the class of its inputs."""
     for spec in INSTRUCTIONS.values():
         if spec.pins:
-            yield class_text(_box(spec), "", f"What is chained behind {spec.name}(...).", _methods(spec))
+            yield class_text(_box(spec), "", f"The inputs that can be chained after {spec.name}(...).", _methods(spec))
         if spec.name not in BANK_NAMES:
             yield overloads_text(spec.name, _signatures(spec), _returns(spec), _doc(spec))
 
 
 def call_of_bank(bank: Bank) -> str:
-    """How a bank is called that is an instruction, too: ``ctd``; "" for any other."""
+    """The call of a bank that is also an instruction: ``ctd``; "" for any other."""
     spec = INSTRUCTIONS.get(bank.dsl)
     if spec is None:
         return ""
@@ -39,10 +35,11 @@ def call_of_bank(bank: Bank) -> str:
 
 def loop_function() -> str:
     """``range``, which a loop counts with."""
-    count, oneshot = FOR.params
+    loop = next(spec for spec in every() if spec.effects.flow is Flow.LOOP)
+    count, oneshot = loop.params
     flags = [f"{name}: bool = {oneshot.default}" for name in (oneshot.name, *oneshot.aliases)]
-    parameters = [f"{count.name}: {type_of(FOR, count)}", "/", "*", *flags]
-    return function_text("range", parameters, "Iterable[int]", _doc(FOR))
+    parameters = [f"{count.name}: {type_of(loop, count)}", "/", "*", *flags]
+    return function_text("range", parameters, "Iterable[int]", _doc(loop))
 
 
 def _doc(spec: Spec) -> str:
@@ -57,7 +54,7 @@ def _returns(spec: Spec) -> str:
 
 
 def _signatures(spec: Spec) -> list[Signature]:
-    return [signature for form in _FORMS.get(spec.name, (spec,)) for signature in _form_signatures(form)]
+    return [signature for form in spec.forms for signature in _form_signatures(form)]
 
 
 def _form_signatures(spec: Spec) -> Iterator[Signature]:
@@ -92,16 +89,16 @@ def _signature(spec: Spec, group: Group | None) -> Signature:
 
 
 def _default(param: Param) -> str:
-    """What stands for an argument that is left out; an input may be chained instead."""
+    """The default of an argument that is left out; an input may be chained instead."""
     if param.default is REQUIRED:
         return "..." if param.kind is ParamKind.PIN else ""
     return str(param.default)
 
 
 def _without_gaps(signature: Signature) -> Iterator[Signature]:
-    """The signature, and where a required parameter stands behind one with a default, the form without that one.
+    """The signature; if a required parameter follows one with a default, also the form without that one.
 
-    Python has no way to leave out a parameter in the middle but to name those behind it.
+    Python can leave out a parameter in the middle only if those after it are named.
     """
     arguments = signature.positional
     last = max((index for index, argument in enumerate(arguments) if not argument.default), default=-1)
@@ -116,7 +113,7 @@ def _without_gaps(signature: Signature) -> Iterator[Signature]:
 def _renamed(spec: Spec, names: dict[str, str]) -> Signature:
     """The signature with other names, the last of which must be written.
 
-    So a call by position never means this one, and its mistakes are told by the other.
+    So a call by position never means this one, and the other one reports its mistakes.
     """
     signature = _signature(spec, whole(spec))
     last = max(index for index, param in enumerate(spec.params) if param.name in names)

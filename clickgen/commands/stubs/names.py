@@ -15,7 +15,7 @@ from clickgen.table.rows import Row, is_scratch
 
 
 class _Name(NamedTuple):
-    """What one attribute of a bank stands for: the class of it, and what is to be said."""
+    """The meaning of one attribute of a bank: its class, and its documentation."""
 
     bank: str
     name: str

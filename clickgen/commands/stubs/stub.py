@@ -19,7 +19,7 @@ from clickgen.table.blocks import Block
 from clickgen.table.rows import Row
 
 MARK = "# made by clickgen stubs; do not edit\n"
-"""How every file begins that clickgen stubs may write over."""
+"""The beginning of every file that clickgen stubs may overwrite."""
 _MODULE_MARK = "# made by scripts/dsl_stub.py; do not edit\n"
 
 _HEADER = '''\
@@ -62,7 +62,7 @@ class _Subroutine(Protocol):
     _is_subroutine: None
 @overload
 def sub(routine: Callable[[], None], /) -> _Subroutine:
-    """Marks a subroutine: it stands on the line above def name():."""
+    """Marks a subroutine, on the line above def name():."""
 @overload
 def sub(name: str, /) -> Callable[[Callable[[], None]], _Subroutine]:
     """Marks a subroutine that CLICK calls otherwise than the program: @sub("Auto Mode")."""
@@ -84,13 +84,13 @@ def nickname(
 
 
 def builtins_stub(rows: Iterable[Row] = (), blocks: Iterable[Block] = ()) -> str:
-    """The text of ``__builtins__.pyi``: the language, and these names as attributes of their banks."""
+    """Return the text of ``__builtins__.pyi``: the language, and these names as attributes of their banks."""
     attributes = name_attributes(rows, blocks)
     return MARK + _stub({bank: attributes.get(bank, "") for bank in BANKS})
 
 
 def module_stub() -> str:
-    """The text of ``clickgen/dsl.pyi``: the language, with any nickname."""
+    """Return the text of ``clickgen/dsl.pyi``: the language, with any nickname."""
     own = name_attributes()
     return _MODULE_MARK + _stub({bank: own.get(bank, "") + _any_name(bank) for bank in BANKS})
 

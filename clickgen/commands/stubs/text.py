@@ -58,7 +58,7 @@ def class_text(name: str, base: str, doc: str, members: Iterable[str] = ()) -> s
 
 
 def docstring(text: str) -> str:
-    """A text as the documentation of what it stands in or under, whatever it holds."""
+    """Quote any text as the documentation of what it is in or under."""
     escaped = text.replace("\\", "\\\\")
     escaped = re.sub(r'"{2,}|"$', lambda quotes: quotes[0].replace('"', '\\"'), escaped)
     plain = "".join(c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode() for c in escaped)
@@ -70,5 +70,5 @@ def indented(text: str) -> str:
 
 
 def is_attribute(name: str) -> bool:
-    """True for a nickname that can stand behind a dot."""
+    """True for a nickname that can follow a dot."""
     return name.isidentifier() and not keyword.iskeyword(name)

@@ -1,4 +1,4 @@
-"""The classes of conditions, of addresses in every form, and of what they become in comparisons and conversions."""
+"""The classes of conditions, of addresses in every form, and of their comparisons and conversions."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from clickgen.device.banks import BANKS, POINTED, Bank
 
 _BASES = '''\
 class _Condition:
-    """What a rung, a branch or an input can depend on."""
+    """Anything that a rung, a branch or an input can depend on."""
     def __bool__(self) -> bool: ...
 
 class _NoCondition:
-    """What cannot stand as a condition."""
+    """Anything that cannot be a condition."""
     def __bool__(self) -> None: ...
     def __eq__(self, other: object) -> _NotComparable: ...
     def __ne__(self, other: object) -> _NotComparable: ...
@@ -34,7 +34,7 @@ class _NotComparable(_NoCondition):
     """CLICK compares decimal numbers with each other, hexadecimal words with each other, and text with text."""
 
 class _RangeComparison(_NoCondition):
-    """A range compared with a value: what a search looks for."""
+    """A range compared with a value, for a search."""
 
 class _AsNumber(_NoCondition):
     """Text on its way into a number."""
@@ -46,7 +46,7 @@ class _AsText(_NoCondition):
     """A number on its way into text."""
 
 class _Number:
-    """What a copy can turn into text."""
+    """Anything that a copy can turn into text."""
     def as_binary(self) -> _AsText:
         """The character whose code this is."""
     def as_text(
@@ -60,7 +60,7 @@ class _Number:
         """The digits: without leading zeros, or all of them with suppress_zero=False or pad=5."""
 
 class _Characters:
-    """What a copy can turn into a number."""
+    """Anything that a copy can turn into a number."""
     def as_value(self) -> _AsNumber:
         """The value that the digits have: "5" becomes 5."""
     def as_ascii(self) -> _AsNumber:
@@ -72,7 +72,7 @@ _COMPARED = {
     "_Hexadecimal": ("_Condition, _Number", "int | str", "A register with a hexadecimal word."),
     "_Text": ("_NoCondition, _Characters", "str", "A register with a character."),
 }
-"""What the cells of a family are, which constants they are compared with, and their documentation."""
+"""The description of the cells of a family, the constants they compare with, and their documentation."""
 
 _CHARACTER_RANGE = '''\
 def as_value(self) -> _AsNumbers:
@@ -125,7 +125,7 @@ def _bank_classes(bank: Bank) -> Iterator[str]:
     if name in IMMEDIATE:
         doc = "The terminal itself, past the image of the scan."
         terminals = ["@property\n" + function_text("immediate", ["self"], immediate(name), doc)]
-    yield class_text(within(name), "", f"What lies in {name}.", terminals)
+    yield class_text(within(name), "", f"Addresses in {name}, one or several.", terminals)
     yield class_text(cell(name), f"{base}, {within(name)}", f"An address in {name}: {bank.title}.")
     yield class_text(span(name), f"{base}Range, {within(name)}", f"Addresses in {name} in a row.")
     yield class_text(block(name), span(name), f"A block of addresses in {name}.", _members(name))
@@ -139,7 +139,7 @@ def _bank_classes(bank: Bank) -> Iterator[str]:
 
 
 def _members(bank: str) -> Iterator[str]:
-    """How the members of a block are written, which are counted from 0."""
+    """The members of a block as they are written, counted from 0."""
     keys = {"int": cell(bank), "slice[int | None, int | None, int | None]": span(bank)}
     for key, result in keys.items():
         yield "@overload\n" + function_text("__getitem__", ["self", f"key: {key}", "/"], result)

@@ -1,1 +1,1 @@
-"""What ``clickgen workbook`` does: the program as an Excel workbook."""
+"""The work of ``clickgen workbook``: the program as an Excel workbook."""

@@ -1,120 +1,145 @@
-"""Names that look like one another by a slip of the hand: swapped, dropped, doubled or mistaken letters, separators."""
+"""How the dialect writes what messages show."""
 
 from __future__ import annotations
 
 import re
-from collections import defaultdict
-from collections.abc import Iterable
+from keyword import iskeyword
+from typing import TYPE_CHECKING
 
-_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|[0-9]+")
-_SEPARATORS = re.compile(r"[_\s]+")
+from clickgen.device.banks import BANKS
+from clickgen.dialects.base import Spelling
+from clickgen.dialects.if_rungs.write.expressions import (
+    action_piece,
+    condition_piece,
+    operand_text,
+    quoted,
+    remote_piece,
+)
+from clickgen.dialects.if_rungs.write.layout import flat
+from clickgen.formula.spelling import BracketAddresses
+from clickgen.instructions import INSTRUCTIONS
+from clickgen.ir.operands import Named
 
-_INFLECTIONS = "sdrnye"
-"""A letter at the end that makes another word: parts, closed, feeder."""
-
-_TRADE_WORDS = """
-bell belt boil bolt card cart case center coat code coil cold cont cool count cover cycle door dose down drain draw
-drum dry enter fall falling feed feeling fell fill filling film fire fixing flow fold folding form from front full
-gate gear grab grip guard hand head hear hearing heat heating hold holding hole home hook hose hour inlet inner input
-lane lead leading leak left lift lime limit line link list load loading lock long loop loss lost low lower made main
-make mask mean meat mill mind mine mist mixing mode motor move near open outer oven over part past path peak pick pile
-pipe place plate play point poll pool port pose post power press prime print probe pulse pump purge push ramp range
-rate read ready real rear reel reset rest ring rinse rinsing rise rising roll room rotor running safe salt save scale
-scan seal seat send sent set shift short shot side sign site size skip slide slot slow soak sort spare speed spin spot
-stack stage star start stat state step stick stock stop store strip table take tank tape test tilt time tool top total
-tower track trail train trap tray trial trim trip turn turning type under unit unloading uploading upper valve vent
-wait waiting walk wall warm wash washing waste water wedding weight welding wide wind wire work zone
-"""
-_TRADE = frozenset(_TRADE_WORDS.split())
-"""Words that differ by a letter and mean different things on a machine: neither is a misspelling of the other."""
-
-
-def is_slip(name: str, other: str) -> bool:
-    """True for two different names that are one by a slip of the hand: ``Gaurd_Fault`` and ``Guard_Fault``.
-
-    ``Pump1`` and ``Pump2``, ``Part`` and ``Parts``, ``ValveA`` and ``ValveB`` are names that somebody chose.
-    """
-    if name.lower() == other.lower() or _digits(name) != _digits(other):
-        return False
-    mine, theirs = _plain(name), _plain(other)
-    if mine == theirs:
-        return True
-    ours, others = _words(name), _words(other)
-    if len(ours) != len(others):
-        # A slip in a letter and in a separator: a letter more may be a word of its own.
-        return len(mine) == len(theirs) >= 8 and _is_swapped(mine, theirs)
-    differing = [(one, two) for one, two in zip(ours, others, strict=True) if one != two]
-    return len(differing) == 1 and _is_slip_in_word(*differing[0])
+if TYPE_CHECKING:
+    from clickgen.instructions.spec import Spec
+    from clickgen.ir.conditions import Condition
+    from clickgen.ir.modbus import Remote
+    from clickgen.ir.operands import Operand
+    from clickgen.ir.program import Action
 
 
-class Spellings:
-    """Many names, and which of them another one looks like."""
-
-    def __init__(self, names: Iterable[str]) -> None:
-        # Names with different numbers are never slips of each other, and share most of their stems.
-        self._by_stem: dict[tuple[str, str], list[str]] = defaultdict(list)
-        for name in dict.fromkeys(names):
-            digits = _digits(name)
-            for stem in _stems(name):
-                self._by_stem[digits, stem].append(name)
-
-    def near(self, name: str) -> list[str]:
-        """Those of the names that are this one but for a slip, in their order."""
-        digits = _digits(name)
-        found = dict.fromkeys(other for stem in _stems(name) for other in self._by_stem.get((digits, stem), ()))
-        return [other for other in found if is_slip(name, other)]
+_ADDRESS = re.compile(rf"(?:{'|'.join(bank.dsl for bank in BANKS.values())})[.\[][^\n]+")
+_NAME = re.compile(r"[a-z]+(\.\w+|\[\"[^\"]*\"\])")
+"""A name without an index, which is a block where it is a range."""
 
 
-def _stems(name: str) -> set[str]:
-    """The name without separators, and without each of its letters: two names one slip apart have one in common."""
-    plain = _plain(name)
-    return {plain, *(plain[:index] + plain[index + 1 :] for index in range(len(plain)))}
+class IfRungsSpelling(BracketAddresses, Spelling):
+    """``if c.Run: out(y[1])``"""
 
+    always = "True"
+    immediate = ".immediate"
+    backwards = ":-1"
 
-def _plain(name: str) -> str:
-    return _SEPARATORS.sub("", name).lower()
+    def name(self, bank: str, name: str) -> str:
+        return f"{bank.lower()}[{quoted(name)}]" if iskeyword(name) else super().name(bank, name)
 
+    # -- addresses that a person wrote --------------------------------------------------------------------------------
 
-def _digits(name: str) -> str:
-    """The numbers in a name, apart from each other."""
-    return " ".join(_NUMBERS.findall(name))
+    def is_address(self, text: str) -> bool:
+        return _ADDRESS.fullmatch(text) is not None
 
+    def is_name(self, text: str) -> bool:
+        return _NAME.fullmatch(text) is not None
 
-_NUMBERS = re.compile(r"[0-9]+")
+    def address_hint(self, text: str, bank: str = "C") -> str:
+        from clickgen.dialects.if_rungs.ways_out.hints import text_hint
 
+        return text_hint(text, bank.lower())
 
-def _words(name: str) -> list[str]:
-    return [word.lower() for word in _WORD.findall(name)]
+    # -- what the IR has ----------------------------------------------------------------------------------------------
 
+    def operand(self, operand: Operand) -> str:
+        return self.reference(operand) if isinstance(operand, Named) else operand_text(operand)
 
-def _is_slip_in_word(one: str, two: str) -> bool:
-    if one in _TRADE and two in _TRADE:
-        return False
-    if len(one) == len(two):
-        return _is_swapped(one, two) or _is_mistaken(one, two)
-    short, long = sorted((one, two), key=len)
-    return len(long) == len(short) + 1 and _is_dropped(short, long)
+    def condition(self, condition: Condition) -> str:
+        return flat(condition_piece(condition))
 
+    def remote(self, remote: Remote) -> str:
+        return flat(remote_piece(remote))
 
-def _is_swapped(one: str, two: str) -> bool:
-    at = [index for index, (mine, other) in enumerate(zip(one, two, strict=True)) if mine != other]
-    is_pair = len(at) == 2 and at[1] == at[0] + 1
-    is_long = len(one) >= 4 or (len(one) == 3 and one[0] == two[0])
-    return is_long and is_pair and one[at[0]] == two[at[1]] and one[at[1]] == two[at[0]]
+    def action(self, action: Action) -> str:
+        return flat(action_piece(action))
 
+    # -- conditions out of texts --------------------------------------------------------------------------------------
 
-def _is_mistaken(one: str, two: str) -> bool:
-    """One other letter, neither the first nor the last, in a word that is long enough."""
-    at = [index for index, (mine, other) in enumerate(zip(one, two, strict=True)) if mine != other]
-    return len(one) >= 6 and len(at) == 1 and 0 < at[0] < len(one) - 1 and (one + two).isalpha()
+    def off(self, bit: str) -> str:
+        return f"nc({bit})"
 
+    def rising(self, bit: str) -> str:
+        return f"re({bit})"
 
-def _is_dropped(short: str, long: str) -> bool:
-    at = next((index for index, letter in enumerate(short) if letter != long[index]), len(short))
-    if short[at:] != long[at + 1 :] or not long[at].isalpha():
-        return False
-    if at and long[at] == long[at - 1]:
-        return len(short) >= 3 and not (at == len(short) and long[at] in _INFLECTIONS and len(short) < 4)
-    if at == len(short):
-        return len(short) >= 4 and long[at] not in _INFLECTIONS
-    return at > 0 and len(short) >= 4
+    def compared(self, left: str, op: str, right: str) -> str:
+        return f"{left} {op} {right}"
+
+    def every(self, *terms: str) -> str:
+        return f"all({', '.join(terms)})"
+
+    def some(self, *terms: str) -> str:
+        return f"any({', '.join(terms)})"
+
+    # -- statements out of texts --------------------------------------------------------------------------------------
+
+    def call(self, spec: Spec, *texts: str, **named: str) -> str:
+        if spec.name in ("return", "pass"):
+            return spec.name
+        return f"{spec.name}({', '.join([*texts, *(f'{name}={text}' for name, text in named.items())])})"
+
+    def rung(self, condition: str, *actions: str) -> str:
+        return f"if {condition or 'True'}:{' ' if actions else ''}{'; '.join(actions)}"
+
+    def example(self, spec: Spec) -> str:
+        return spec.example
+
+    def signature(self, spec: Spec) -> str:
+        return spec.signature if spec.name in INSTRUCTIONS else spec.example
+
+    def rung_at(self, indent: str, action: str) -> str:
+        return f"{indent}if True:\n{indent * 2}{action}"
+
+    def goes_on(self, line: str) -> bool:
+        return line.endswith("\\")
+
+    def chained(self, name: str, condition: str, **named: str) -> str:
+        given = [condition, *(f"{word}={text}" for word, text in named.items())]
+        return f".{name}({', '.join(given)})"
+
+    def pin(self, name: str, condition: str) -> str:
+        return f"{name}=lambda: {condition}"
+
+    def declaration(self, *texts: str, **settings: str) -> str:
+        given = [*texts, *(f"{name}={text}" for name, text in settings.items())]
+        return f"nickname({', '.join(given) if given else '...'})"
+
+    def setting(self, name: str, value: str = "") -> str:
+        return f"{name}={value}"
+
+    def ignore(self, code: str) -> str:
+        return f"# clickgen: ignore[{code}]"
+
+    def routine(self, function: str, title: str = "", is_main: bool = False) -> str:
+        return f"def {function}():" if is_main else f"{self.subroutine_mark(title)} def {function}():"
+
+    def subroutine_mark(self, title: str = "") -> str:
+        return f"@sub({quoted(title)})" if title else "@sub"
+
+    def imported(self, module: str, function: str) -> str:
+        return f"from {module} import {function}"
+
+    def loop(self, count: str) -> str:
+        return f"for _ in range({count}): pass"
+
+    def quoted(self, text: str) -> str:
+        return quoted(text)
+
+    def hexadecimal(self, value: int) -> str:
+        return f"0x{value:04X}"

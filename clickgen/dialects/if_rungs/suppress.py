@@ -8,12 +8,12 @@ from __future__ import annotations
 import ast
 import re
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from clickgen.problems.codes import CODES, Severity
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics, did_you_mean
+from clickgen.problems.silence import UNUSED, Directive, silenceable
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span
 
@@ -24,74 +24,6 @@ _DIRECTIVE = re.compile(
     r"#\s*(?P<name>clickgen)(?P<colon>\s*:)?\s*(?P<word>[\w-]*)\s*(?:\[(?P<codes>[^\]#]*)\])?", re.IGNORECASE
 )
 _WORDS = ("ignore", "file-ignore")
-_UNUSED = "CG525"
-
-
-@dataclass
-class Directive:
-    """One comment: the codes it names, the lines that it speaks of, and what became of it."""
-
-    span: Span
-    """From its ``#`` to the closing bracket."""
-    codes: tuple[str, ...]
-    first: int
-    last: int
-    used: set[str] = field(default_factory=set)
-
-    def silences(self, finding: Diagnostic) -> bool:
-        span = finding.span
-        if span is None or span.path != self.span.path or finding.is_error:
-            return False
-        # A finding over several lines is met by a comment on any of them, a rung's by a comment above it.
-        meets = span.line <= self.last and span.end_line >= self.first
-        return meets and finding.code in self.codes
-
-
-def silenced(
-    findings: Iterable[Diagnostic], directives: Iterable[Directive]
-) -> tuple[list[Diagnostic], list[Diagnostic]]:
-    """The findings that are left, and those that a comment silences."""
-    left: list[Diagnostic] = []
-    gone: list[Diagnostic] = []
-    near = _Index(directives)
-    for finding in findings:
-        by = [directive for directive in near(finding) if directive.silences(finding)]
-        for directive in by:
-            directive.used.add(finding.code)
-        (gone if by else left).append(finding)
-    return left, gone
-
-
-class _Index:
-    """Directives by file, code and line, so that each finding looks at those near it."""
-
-    def __init__(self, directives: Iterable[Directive]) -> None:
-        self._wide: dict[tuple[str, str], list[Directive]] = {}
-        """Those that speak of many lines."""
-        self._narrow: dict[tuple[str, str], dict[int, list[Directive]]] = {}
-        for directive in directives:
-            for code in directive.codes:
-                key = directive.span.path, code
-                if directive.last - directive.first >= _MANY_LINES:
-                    self._wide.setdefault(key, []).append(directive)
-                    continue
-                lines = self._narrow.setdefault(key, {})
-                for line in range(directive.first, directive.last + 1):
-                    lines.setdefault(line, []).append(directive)
-
-    def __call__(self, finding: Diagnostic) -> list[Directive]:
-        """Every directive that may silence this finding, each once."""
-        if finding.span is None:
-            return []
-        key = finding.span.path, finding.code
-        lines = self._narrow.get(key, {})
-        own = range(finding.span.line, finding.span.end_line + 1)
-        near = own if len(own) < len(lines) else lines
-        found = [*self._wide.get(key, ()), *(one for line in near for one in lines.get(line, ()))]
-        return list({id(one): one for one in found}.values())
-
-
-_MANY_LINES = 50
 
 
 def read_directives(source: SourceFile, problems: Diagnostics) -> list[Directive]:
@@ -163,23 +95,23 @@ def _read(
     word, listed = match["word"], match["codes"]
     if word.lower() in _WORDS and not _is_well_written(match):
         way = f"write # clickgen: {word.lower()}[{listed or 'CG501'}]"
-        problems.add(_UNUSED, span, "clickgen does not hear this", way)
+        problems.add(UNUSED, span, "clickgen does not hear this", way)
         return
     if word == "file-ignore" and not stands_alone:
         way = "put it on a line of its own, or write # clickgen: ignore[...] for this line"
-        problems.add(_UNUSED, span, "file-ignore speaks of the whole file and stands behind code", way)
+        problems.add(UNUSED, span, "file-ignore speaks of the whole file and stands behind code", way)
         return
     if word not in _WORDS or listed is None or not listed.strip():
         help = did_you_mean(word, _WORDS) or "write # clickgen: ignore[CG501] and the reason"
         fault = "this names no codes" if word in _WORDS else f"there is no {word!r} to tell clickgen"
-        problems.add(_UNUSED, span, fault, help)
+        problems.add(UNUSED, span, fault, help)
         return
     codes = tuple(code.strip() for code in listed.split(","))
     for code in codes:
         if code not in CODES:
-            problems.add(_UNUSED, span, f"there is no code {code!r}", did_you_mean(code, CODES) or "see clickgen rules")
+            problems.add(UNUSED, span, f"there is no code {code!r}", did_you_mean(code, CODES) or "see clickgen rules")
         elif CODES[code].severity is Severity.ERROR:
-            problems.add(_UNUSED, span, f"{code} is an error: CLICK would not take the program", "correct it")
+            problems.add(UNUSED, span, f"{code} is an error: CLICK would not take the program", "correct it")
     codes = tuple(code for code in codes if code in CODES and CODES[code].severity is not Severity.ERROR)
     if word == "file-ignore":
         yield Directive(span, codes, 1, len(source.lines))
@@ -193,15 +125,6 @@ def _read(
 
 
 # -- writing them ----------------------------------------------------------------------------------------------------
-
-
-def silenceable(source: SourceFile, findings: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """The findings of a file that a comment can silence: no errors, and not what is wrong with such comments."""
-    return [
-        finding
-        for finding in findings
-        if finding.span and finding.span.path == source.path and not finding.is_error and finding.code != _UNUSED
-    ]
 
 
 def ignoring(source: SourceFile, findings: Iterable[Diagnostic]) -> Fix | None:
@@ -267,28 +190,7 @@ def _ignoring_line(source: SourceFile, line: int, codes: list[str], ends: _Ends,
     return Edit(source.span(above, 1, above, 1), f"{indent}{directive}\n")
 
 
-# -- what silences nothing --------------------------------------------------------------------------------------------
-
-
-def report_unused(
-    source: SourceFile, directives: Iterable[Directive], judged: Iterable[str], problems: Diagnostics
-) -> None:
-    """A finding for each code that a directive names and that silences nothing, of those codes that were judged."""
-    judged = set(judged)
-    for directive in directives:
-        unused = [code for code in directive.codes if code not in directive.used and code in judged]
-        if not unused or directive.span.path != source.path:
-            continue
-        problems.add(
-            _UNUSED,
-            directive.span,
-            f"this silences no {' and no '.join(unused)}",
-            "remove it",
-            fix=Fix((_without(source, directive, unused),)),
-        )
-
-
-def _without(source: SourceFile, directive: Directive, unused: list[str]) -> Edit:
+def without(source: SourceFile, directive: Directive, unused: Sequence[str]) -> Edit:
     """The edit that takes codes out of a directive, and with the last one the whole comment."""
     span = directive.span
     kept = [code for code in directive.codes if code not in unused]

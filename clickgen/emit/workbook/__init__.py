@@ -9,7 +9,7 @@ from clickgen.emit.writer import Writer
 
 
 def _workbook(built: BuiltProgram, _: str) -> bytes:
-    # A build makes no workbook and must not load what writes one.
+    # A build makes no workbook and must not load the code that writes one.
     from clickgen.emit.workbook.sheets import workbook
 
     return workbook(built)

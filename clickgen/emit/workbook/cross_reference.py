@@ -1,4 +1,4 @@
-"""The sheet that says where each address is written and read."""
+"""The sheet that lists where each address is written and read."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Immediate, Pointer, Range
 
 _LONG = 64
-"""A longer range is not told again for each name in it with every place: one line says which ranges there are."""
+"""A longer range is not repeated with every place for each name in it: one line lists the ranges."""
 _SHOWN = 3
-"""So many of the long ranges around an address are named."""
+"""This many of the long ranges around an address are named."""
 
 
 def cross_reference(project: Project) -> Sheet:
@@ -58,7 +58,7 @@ class _Key(NamedTuple):
 
 
 class _Line(NamedTuple):
-    """What one line says, its rungs aside."""
+    """The content of one line, without its rungs."""
 
     key: _Key
     is_read: bool
@@ -68,7 +68,7 @@ class _Line(NamedTuple):
 
     @property
     def order(self) -> tuple[object, ...]:
-        """In CLICK's order, a pointer before its bank, a range behind its first address; what writes comes first."""
+        """In CLICK's order, a pointer before its bank, a range after its first address; writes come first."""
         place, length, text, through = self.key
         return place, length, text, self.is_read, through
 
@@ -102,7 +102,7 @@ class _Lines:
     _long: dict[tuple[str, bool], set[tuple[int, int]]] = field(default_factory=lambda: defaultdict(set))
 
     def add(self, use: RungUse) -> None:
-        """The lines of one use: its operand, and every known address that a range or a word leads to."""
+        """Add the lines of one use: its operand, and every known address that a range or a word leads to."""
         operand = use.target
         if isinstance(operand, Cell):
             self._note(operand.address, use)
@@ -129,14 +129,14 @@ class _Lines:
             self._note(Address(bank, number), use, text)
 
     def _add_points(self, operand: Cell | Range, use: RungUse, text: str) -> None:
-        """The known inputs or outputs that words hold."""
+        """Add the known inputs or outputs that words hold."""
         if operand.bank in UPPER_BYTE_BANKS:
             for point in (point for word in addresses_of(operand) for point in points_of(word)):
                 if point.number in self._known.get(point.bank, ()):
                     self._note(point, use, text)
 
     def add_long_ranges(self) -> None:
-        """For each known address in long ranges one line that names them."""
+        """Add one line for each known address in long ranges, which names them."""
         for (bank, is_written), ranges in self._long.items():
             for number, around, more in _covered(self._known.get(bank, []), ranges):
                 texts = [_range_text(bank, low, high) for low, high in around]
@@ -168,7 +168,7 @@ def _range_text(bank: str, low: int, high: int) -> str:
 
 
 def _covered(numbers: Sequence[int], ranges: set[tuple[int, int]]) -> Iterator[tuple[int, list[tuple[int, int]], int]]:
-    """Each of the numbers that lies in ranges, the first of those ranges, and how many more: one walk over both."""
+    """Yield each number that is in ranges, the first of those ranges, and how many more: one walk over both."""
     waiting = sorted(ranges, reverse=True)
     around: dict[tuple[int, int], None] = {}
     ends: list[tuple[int, tuple[int, int]]] = []
@@ -184,7 +184,7 @@ def _covered(numbers: Sequence[int], ranges: set[tuple[int, int]]) -> Iterator[t
 
 
 def _form(use: RungUse) -> str:
-    """How an operand stands in a rung: ``NC contact``, ``comparison >=``, ``copy``, ``ctu input: rising edge``."""
+    """How an operand is used in a rung: ``NC contact``, ``comparison >=``, ``copy``, ``ctu input: rising edge``."""
     words = _leaf(use.leaf) if use.leaf else ""
     if use.action is not None:
         words = f"{use.action.spec.name} input: {words}" if words else use.action.spec.name

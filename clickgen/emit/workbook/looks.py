@@ -1,4 +1,4 @@
-"""What everything looks like, on the screen and on paper."""
+"""The look of everything, on the screen and on paper."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ TEXT_FORMAT_MAX = 255
 
 
 class Style(NamedTuple):
-    """All that decides how a cell is written."""
+    """Everything that decides how a cell is written."""
 
     look: Look
     column: Column
@@ -61,7 +61,7 @@ def styled_cell(sheet: Worksheet, style: Style) -> Cell:
 
 
 def set_up(sheet: Worksheet, about: str, program: str) -> None:
-    """How the sheet prints: landscape, as wide as the page, titles on each, its name above and the page below."""
+    """Set up printing: landscape, as wide as the page, titles on each, the sheet's name above and the page below."""
     setup, header, footer = sheet.page_setup, sheet.oddHeader, sheet.oddFooter
     assert header is not None
     assert footer is not None
@@ -83,5 +83,5 @@ _PRINTED_MAX = 100
 
 
 def _printed(text: str) -> str:
-    """A text in a footer: an ampersand begins a code there, and digits behind a code are the size of the letters."""
+    """Escape a text for a footer: there an ampersand begins a code, and digits after a code are a font size."""
     return " " + text[:_PRINTED_MAX].replace("&", "&&")

@@ -1,4 +1,4 @@
-"""The sheet that says how full each bank is."""
+"""The sheet that shows how full each bank is."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from clickgen.emit.workbook.states import GIVEN, State
 from clickgen.ir.operands import Pointer
 
 _POINTERS_MAX = 6
-"""So many pointers are named at a bank."""
+"""This many pointers are named at a bank."""
 
 
 def memory(project: Project) -> Sheet:
@@ -65,7 +65,7 @@ def _longest_free(project: Project, bank: Bank) -> str:
 
 
 def pointers(project: Project) -> Mapping[str, list[str]]:
-    """What is to be said of banks that pointers lead into: which of their cells, nobody sees here."""
+    """The notes on banks that pointers lead into: this sheet cannot know which of their cells."""
     found: dict[tuple[str, bool], dict[str, None]] = defaultdict(dict)
     for use in project.built.uses.every:
         if isinstance(use.operand, Pointer):

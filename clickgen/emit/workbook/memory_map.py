@@ -31,11 +31,11 @@ def memory_map(project: Project) -> Sheet:
 
 
 _FOLDED = (State.FREE, State.RESERVED, State.BLOCK)
-"""States of which there may be thousands of cells: tens of one of them in a row are one line."""
+"""States that thousands of cells may have: consecutive rows of ten of one of them are one line."""
 
 
 def _map(project: Project, bank: Bank) -> Iterator[Cells]:
-    """The rows of a bank; numbers begin a row after each ten."""
+    """Yield the rows of a bank; a row begins every ten numbers."""
 
     def states_of(numbers: range) -> list[State]:
         return [project.states.at(Address(bank.name, number)) for number in numbers]

@@ -1,4 +1,4 @@
-"""The first sheet: what the project is, and what the other sheets hold."""
+"""The first sheet: the project, and the contents of the other sheets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the sheets of a workbook ask about a program."""
+"""The sheets' view of a program."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from clickgen.emit.workbook.states import States
 from clickgen.text.source import Span
 
 _PLACES_MAX = 12
-"""So many rungs are named in one cell; the cross-reference has them all."""
+"""This many rungs are named in one cell; the cross-reference has them all."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class Project:
         return row.comment if row else ""
 
     def spare_word(self, address: Address) -> str:
-        """What the I/O list has in place of a nickname: ``SPARE``."""
+        """The text that the I/O list has in place of a nickname: ``SPARE``."""
         row = self.built.by_address.get(address)
         return row.spare if row else ""
 
@@ -43,7 +43,7 @@ class Project:
         return States.of(self.built.rows, blocks, self.built.reserved, self.built.uses.every)
 
     def file(self, path: str) -> str:
-        """A source file as seen from the program, the same however the program was named."""
+        """A source file relative to the program, the same however the program was named."""
         if path not in self._files:
             self._files[path] = os.path.relpath(path, self.built.folder or ".").replace(os.sep, "/")
         return self._files[path]
@@ -71,6 +71,6 @@ def listed(numbers: Iterable[int]) -> str:
 
 
 def or_none(rows: Iterator[Cells], none: str) -> Iterator[Cells]:
-    """The rows; without any, one line that says so."""
+    """The rows; if there are none, one line that says so."""
     first = tuple(islice(rows, 1))
     return chain(first or ((Marked(none, Look.FAINT),),), rows)

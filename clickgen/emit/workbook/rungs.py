@@ -11,7 +11,7 @@ from clickgen.emit.workbook.sheet import Cells, Column, Look, Marked, Sheet
 from clickgen.lower.split import ClickRung
 
 _LINES_MAX = 24
-"""A row of a spreadsheet has an end; what is longer goes on in the next row."""
+"""The height of a spreadsheet row is limited; longer text goes on in the next row."""
 _COMMENT_WIDTH, _LADDER_WIDTH = 40, 105
 
 
@@ -46,7 +46,7 @@ def _words(project: Project, rung: ClickRung) -> Iterator[str]:
 
 
 def _portions(lines: Iterable[str], width: int) -> Iterator[str]:
-    """Lines in portions that a row can show; a line that is wider than its column counts as several."""
+    """Group lines into portions that a row can show; a line wider than its column counts as several."""
     portion: list[str] = []
     height = 0
     for piece in (piece for line in lines for piece in _pieces(line, width * _LINES_MAX // 2)):
@@ -60,7 +60,7 @@ def _portions(lines: Iterable[str], width: int) -> Iterator[str]:
 
 
 def _pieces(line: str, most: int) -> Iterator[str]:
-    """A line in pieces of at most so many characters, where it can be between words."""
+    """Divide a line into pieces of at most this many characters, between words if possible."""
     while len(line) > most:
         end = line.rfind(" ", 0, most) + 1 or most
         yield line[:end]

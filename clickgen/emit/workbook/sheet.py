@@ -1,4 +1,4 @@
-"""What a sheet is before it becomes one of Excel: a name, columns, and rows of values. Pure data."""
+"""A sheet before it becomes one of Excel: a name, columns, and rows of values. Pure data."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 
 class Look(Enum):
-    """How a cell stands out; what each looks like is in ``looks.py``."""
+    """How a cell stands out; ``looks.py`` defines each look."""
 
     PLAIN = auto()
     TITLE = auto()
@@ -36,7 +36,7 @@ Cells = tuple[Value, ...]
 
 
 class Column(NamedTuple):
-    """``width`` is in characters. A text that is wider goes on in the next line when the column ``wraps``."""
+    """``width`` is in characters. If the column ``wraps``, a wider text goes on in the next line."""
 
     title: str
     width: int
@@ -46,7 +46,7 @@ class Column(NamedTuple):
 
 @dataclass(frozen=True)
 class Sheet:
-    """``about`` says in one line what the sheet holds; it stands above each printed page."""
+    """``about`` describes the sheet in one line, which is printed above each page."""
 
     name: str
     about: str

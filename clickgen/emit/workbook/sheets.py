@@ -1,7 +1,7 @@
 """The sheets of the workbook, in their order.
 
-Each sheet is a function from the project to rows, in a file of its own. ``book.py`` writes them, and ``looks.py`` says
-what they look like.
+Each sheet is a function from the project to rows, in a file of its own. ``book.py`` writes them, and ``looks.py``
+defines their looks.
 """
 
 from __future__ import annotations
@@ -34,13 +34,13 @@ _SHEETS = (
 
 
 def sheets(project: Project) -> tuple[Sheet, ...]:
-    """Every sheet in its order."""
+    """Return every sheet in its order."""
     others = tuple(sheet(project) for sheet in _SHEETS)
     return (overview(project, others), *others)
 
 
 def workbook(built: BuiltProgram) -> bytes:
-    """The workbook: the same program gives the same bytes."""
+    """Return the workbook: the same program gives the same bytes."""
     from clickgen.emit.workbook.book import to_bytes
 
     return to_bytes(sheets(Project(built)), built.name)

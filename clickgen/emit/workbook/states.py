@@ -1,4 +1,4 @@
-"""What becomes of every cell that a program can have: used, named only, in a block, scratch, reserved, free."""
+"""The state of every cell that a program can have: used, named only, in a block, scratch, reserved, free."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ class States:
         return Counter(states[number] for number in bank.numbers())
 
     def stretches(self, bank: Bank) -> Iterator[Stretch]:
-        """In order; none goes over a gap of the bank's numbers."""
+        """Yield the stretches in order; none spans a gap of the bank's numbers."""
         states = self._by_bank[bank.name]
         for first, last in bank.ranges:
             for state, group in groupby(range(first, last + 1), key=states.__getitem__):

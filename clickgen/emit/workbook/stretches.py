@@ -1,4 +1,4 @@
-"""The sheet of memory in stretches: where cells of one state lie in a row."""
+"""The sheet of memory in stretches of consecutive cells of one state."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ def _rows(project: Project) -> Iterator[Cells]:
 
 
 def initial(row: Row) -> Value:
-    """The initial value: a number where the sheet shows it with the same digits, else text.
+    """The initial value: a number if the sheet shows it with the same digits, else text.
 
     ``0100`` of a hexadecimal word is text, and so is ``-3.4028235E+38``: a spreadsheet would show fewer digits.
     """

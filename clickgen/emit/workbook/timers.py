@@ -46,11 +46,10 @@ def _rows(project: Project) -> Iterator[Cells]:
     for routine in project.built.routines:
         for number, rung in enumerate(routine.rungs, 1):
             for action in rung.actions:
-                for name in ("timer", "counter"):
-                    owner = action.args.get(name)
-                    if isinstance(owner, Cell):
-                        place = (routine.name, number, project.line(action.span))
-                        found.append((owner.address, (*_line(project, action, owner.address), *place)))
+                owner = action.owned
+                if owner is not None and action.effects.done is not None:
+                    place = (routine.name, number, project.line(action.span))
+                    found.append((owner.address, (*_line(project, action, owner.address), *place)))
     return (line for _, line in sorted(found, key=lambda item: item[0].sort_key))
 
 
@@ -68,13 +67,13 @@ def _line(project: Project, action: Action, bit: Address) -> Cells:
 
 
 def _kind(project: Project, action: Action, bit: Address) -> str:
-    """The instruction of the source; what clickgen built an rtof from says so in its scratch bits."""
+    """The instruction of the source; the scratch bits of an rtof say that clickgen built it from one."""
     is_rtof = any(row.comment.startswith(f"rtof {bit}: ") for row in project.built.scratch)
     return "rtof" if is_rtof else action.spec.name
 
 
 def _setpoint(project: Project, action: Action) -> tuple[Value, Value]:
-    """The setpoint; and of a register what it begins with."""
+    """The setpoint; for a register, also its initial value."""
     setpoint = action.args["setpoint"]
     if isinstance(setpoint, Integer):
         return setpoint.value, None

@@ -1,4 +1,4 @@
-"""What a check found, in the format that was asked for: one file per format, each a pure function to text."""
+"""The findings of a check in the chosen format: one file per format, each a pure function to text."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from clickgen.problems.formats import FORMATS
 __all__ = ["FORMATS", "LineOf", "Report", "by_file", "render", "shown_path", "use_color"]
 
 LineOf = Callable[[str, int], str]
-"""The text of a line of a file; "" where there is none."""
+"""The text of a line of a file; "" if there is none."""
 
 
 class Report(NamedTuple):
@@ -28,7 +28,7 @@ class Report(NamedTuple):
     checked: tuple[str, ...] = ()
     line_of: LineOf = lambda *_: ""
     fixed: int = 0
-    """Findings that a fix took away."""
+    """How many findings a fix removed."""
     deny_warnings: bool = False
     color: bool = False
     skipped: Mapping[str, int] = {}
@@ -61,24 +61,24 @@ def render(format: str, report: Report) -> str:
 
 
 def use_color(stream: TextIO) -> bool:
-    """Colour only on a terminal, and never with NO_COLOR set (https://no-color.org)."""
+    """True on a terminal, unless NO_COLOR is set (https://no-color.org)."""
     return stream.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
 
 
 def shown_path(path: str, base: str | None = None) -> str:
-    """A path as machines want it: relative to ``base`` (the working folder) where it is below, with slashes."""
+    """A path for machines: relative to ``base`` (the working folder) if it is below, with slashes."""
     absolute, folder = PurePath(os.path.abspath(path)), PurePath(base or os.getcwd())
     return (absolute.relative_to(folder) if absolute.is_relative_to(folder) else absolute).as_posix()
 
 
 def message_of(finding: Diagnostic) -> str:
-    """The message for machines that know lines only: in a workbook it begins with the cell."""
+    """The message for machines that know only lines: in a workbook it begins with the cell."""
     cell = finding.span.cell if finding.span else ""
     return f"{cell}: {finding.message}" if cell else finding.message
 
 
 def by_file(findings: Iterable[Diagnostic]) -> dict[str, list[Diagnostic]]:
-    """The findings of each file, in the order of the files; those without a place under ""."""
+    """The findings of each file, in the order of the files; those without a place are under ""."""
     files: dict[str, list[Diagnostic]] = {}
     for finding in findings:
         files.setdefault(finding.span.path if finding.span else "", []).append(finding)

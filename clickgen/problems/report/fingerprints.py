@@ -10,7 +10,7 @@ from clickgen.problems.report import Report, shown_path
 
 
 def fingerprints(report: Report) -> list[str]:
-    """One for each finding, in their order, no two the same: of what the baseline knows it by, and a number."""
+    """One for each finding, in their order, all different: made from its baseline key and a number."""
     seen: Counter[Key] = Counter()
     names = []
     for key in keys_of(report.findings, shown_path, report.line_of):

@@ -13,14 +13,14 @@ from clickgen.text.wording import escaped, printable
 
 LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
 LIMIT = 10
-"""GitHub shows 10 errors, 10 warnings and 10 notices of a step and drops what comes later, without a word.
+"""GitHub shows 10 errors, 10 warnings and 10 notices of a step and silently drops the rest.
 
 Source: "Limitations" in docs/problem-matchers.md of https://github.com/actions/toolkit.
 """
 
 
 def render(report: Report) -> str:
-    """The most serious first, up to the limits; when that is not all, a last notice says so."""
+    """The most serious first, up to the limits; if some are left, a last notice says so."""
     levels: dict[Severity, list[Diagnostic]] = {severity: [] for severity in LEVELS}
     for finding in report.findings:
         levels[report.severity(finding)].append(finding)
@@ -54,7 +54,7 @@ def _place(span: Span) -> Iterator[tuple[str, str]]:
     yield "line", str(span.line)
     yield "endLine", str(max(span.line, span.end_line))
     # The runner takes no columns for several lines (ValidateLinesAndColumns in ActionCommandManager.cs of
-    # https://github.com/actions/runner), and the end is the last character: it is the start when it is left out
+    # https://github.com/actions/runner). The end is the last character; without an end it is the start
     # (AnnotationProperties of @actions/core).
     if span.end_line <= span.line:
         yield "col", str(span.col)
@@ -77,7 +77,7 @@ def _command(level: str, properties: dict[str, str], text: str) -> str:
     return f"::{level} {shown}::{_data(text)}"
 
 
-# What is escaped and how: _escapeDataMappings and _escapePropertyMappings in ActionCommand.cs of
+# Which characters are escaped, and how: _escapeDataMappings and _escapePropertyMappings in ActionCommand.cs of
 # https://github.com/actions/runner.
 
 

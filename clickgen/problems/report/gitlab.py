@@ -10,7 +10,7 @@ from clickgen.problems.report import Report, message_of, shown_path
 from clickgen.problems.report.fingerprints import fingerprints
 
 SEVERITIES = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "info"}
-"""Of info, minor, major, critical and blocker.
+"""One of info, minor, major, critical and blocker.
 
 Source of this and of the properties: "Code Quality report format", https://docs.gitlab.com/ci/testing/code_quality/.
 """
@@ -22,7 +22,7 @@ def render(report: Report) -> str:
 
 
 def _issue(report: Report, finding: Diagnostic, mark: str) -> dict[str, object]:
-    # A place is required; what has none stands at the beginning of the first file.
+    # A place is required; a finding without one goes to the beginning of the first file.
     path = finding.span.path if finding.span else next(iter(report.checked), ".")
     return {
         "description": f"{finding.code}: {message_of(finding)}" + (f"; {finding.help}" if finding.help else ""),

@@ -13,7 +13,7 @@ from clickgen.text.edits import Edit
 from clickgen.text.source import Span
 
 FORMAT = 1
-"""Goes up when something that was there changes its meaning or goes; what is added does not change it."""
+"""Raised when something that existed changes its meaning or is removed; an addition does not change it."""
 
 
 def render(report: Report) -> str:
@@ -23,7 +23,7 @@ def render(report: Report) -> str:
         "findings": [_finding(report, finding) for finding in report.findings],
         "counts": _counts(report),
     }
-    # All of it in ASCII: what a console's code page cannot show would break the JSON.
+    # All of it in ASCII: a character outside a console's code page would break the JSON.
     return json.dumps(tree, indent=2) + "\n"
 
 

@@ -1,4 +1,4 @@
-"""For whatever reads test results: a suite for each file, a failed test for each finding, a passed one where is none.
+"""For whatever reads test results: a suite for each file, a failed test for each finding, a passed one for none.
 
 Notes do not make a check fail; they are skipped tests. The elements are those of junit-10.xsd of Jenkins' xUnit plugin.
 """
@@ -17,7 +17,7 @@ from clickgen.problems.report.frames import Renderer
 from clickgen.text.source import Span
 
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
-"""What XML 1.0 has no way to write (production Char, https://www.w3.org/TR/xml/#charsets)."""
+"""Characters that XML 1.0 cannot hold (production Char, https://www.w3.org/TR/xml/#charsets)."""
 
 
 def render(report: Report) -> str:
@@ -30,7 +30,7 @@ def render(report: Report) -> str:
         for finding in findings:
             names[_name(finding)] += 1
             again = names[_name(finding)]
-            # GitLab ignores a test with a name that it had before.
+            # GitLab ignores a test with the name of an earlier one.
             case = _case(suite, path, f"{_name(finding)} ({again})" if again > 1 else _name(finding))
             severity = report.severity(finding)
             result = ET.SubElement(case, "skipped" if severity is Severity.INFO else "failure", type=severity.value)
@@ -50,7 +50,7 @@ def render(report: Report) -> str:
 
 
 def _texts(report: Report) -> Callable[[Diagnostic], str]:
-    """Findings as a person reads them, with paths as machines want them."""
+    """Findings as a person reads them, with paths for machines."""
     named: dict[str, str] = {}
 
     def shown(span: Span) -> Span:
@@ -67,7 +67,7 @@ def _texts(report: Report) -> Callable[[Diagnostic], str]:
 
 
 def _suites(report: Report) -> dict[str, list[Diagnostic]]:
-    """The findings of every file by its shown path; those without a place under ``clickgen``."""
+    """The findings of every file by its shown path; those without a place are under ``clickgen``."""
     suites: dict[str, list[Diagnostic]] = {shown_path(path): [] for path in report.checked}
     for path, findings in by_file(report.findings).items():
         suites.setdefault(shown_path(path) if path else "clickgen", []).extend(findings)

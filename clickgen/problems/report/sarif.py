@@ -18,11 +18,12 @@ from clickgen.problems.codes import CODES, Severity
 from clickgen.problems.diagnostics import Diagnostic, Label
 from clickgen.problems.report import Report, message_of, shown_path
 from clickgen.problems.report.fingerprints import fingerprints
+from clickgen.rules.registry import declared
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
 PAGES = ""
-"""Where the pages of docs/problems/ can be read, as an absolute address without a slash at the end; "" for nowhere."""
+"""The absolute address of the pages of docs/problems/, without a slash at the end; "" if they are not published."""
 
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
@@ -71,7 +72,7 @@ def _driver() -> Tree:
 
 def _rule(code: str) -> Tree:
     entry = CODES[code]
-    page = _without_links(explanation(code))
+    page = _without_links(explanation(declared(code)))
     rule: Tree = {
         "id": code,
         "shortDescription": {"text": entry.title},
@@ -86,18 +87,21 @@ def _rule(code: str) -> Tree:
 
 
 def _without_links(page: str) -> str:
-    """The page of a code as it can stand alone: its links lead to pages beside it, its comments are for tests."""
+    """The page of a code on its own: without its links, which lead to pages beside it, and its comments for tests."""
     return re.sub(r"\[([^\]]+)\]\([^)]+\)", r"\1", re.sub(r"<!--.*?-->\n", "", page))
 
 
 def _first_words(page: str) -> str:
-    """The first paragraph behind the title, in one line, without the word for the severity."""
+    """The first paragraph after the title, in one line, without the word for the severity."""
     paragraph = " ".join(plain(page).split("\n\n")[1].split())
     text = paragraph.partition(". ")[2] or paragraph
     return text if len(text) <= _DESCRIPTION_MAX else text[: _DESCRIPTION_MAX - 1] + "\N{HORIZONTAL ELLIPSIS}"
 
 
-_INDEX = {code: index for index, code in enumerate(CODES)}
+def _index(code: str) -> int:
+    """The place of a code in the list of rules."""
+    return list(CODES).index(code)
+
 
 # -- results ----------------------------------------------------------------------------------------------------------
 
@@ -105,7 +109,7 @@ _INDEX = {code: index for index, code in enumerate(CODES)}
 def _result(report: Report, finding: Diagnostic, mark: str) -> Tree:
     result: Tree = {
         "ruleId": finding.code,
-        "ruleIndex": _INDEX[finding.code],
+        "ruleIndex": _index(finding.code),
         "level": LEVELS[report.severity(finding)],
         "message": {"text": "\n".join(_message(finding))},
         # No primaryLocationLineHash: GitHub's upload-sarif computes it from the source, and complains about any other
@@ -123,7 +127,7 @@ def _result(report: Report, finding: Diagnostic, mark: str) -> Tree:
 
 
 def _beginning(report: Report) -> Span | None:
-    """Where a finding without a place stands: GitHub shows no result without a location."""
+    """The place for a finding that has none: GitHub shows no result without a location."""
     return Span(report.checked[0], 1, 1, 1, 1) if report.checked else None
 
 
@@ -176,12 +180,12 @@ def _location(span: Span) -> Tree:
 
 
 def _region(span: Span) -> dict[str, int]:
-    """Counted from 1, the end exclusive, as spans are."""
+    """Counted from 1, the end exclusive, as in spans."""
     return {"startLine": span.line, "startColumn": span.col, "endLine": span.end_line, "endColumn": span.end_col}
 
 
 def _file(path: str) -> Tree:
-    """Below the folder in which clickgen runs, GitHub's root of the repository, a relative address."""
+    """A relative address below the folder in which clickgen runs, which is GitHub's root of the repository."""
     shown = shown_path(path)
     if PurePath(shown).is_absolute():
         return {"uri": PurePath(shown).as_uri()}

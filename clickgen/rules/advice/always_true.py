@@ -1,4 +1,4 @@
-"""A condition that every state of the machine makes true: it looks like a test and is none."""
+"""A condition that every state of the machine makes true: it looks like a test but is none."""
 
 from __future__ import annotations
 
@@ -8,20 +8,19 @@ from itertools import combinations
 from clickgen.facts.facts import Facts
 from clickgen.ir.conditions import All, Any, Compare, Condition
 from clickgen.logic.conditions import MANY, always_holds, decided, may_meet, value_of
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG508"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for condition in facts.conditions:
         for part in _always(condition):
-            problems.add(CODE, part.span, _fault(facts, part), _help(condition, part))
+            yield finding(CODE, part.span, _fault(facts, part), _help(facts, condition, part))
 
 
 def _always(part: Condition) -> Iterator[Compare | Any]:
-    """The innermost parts that are always true; all(...) is, only where each of its terms is."""
+    """Yield the innermost parts that are always true; all(...) is, only if each of its terms is."""
     if isinstance(part, All | Any):
         inside = [found for term in part.terms for found in _always(term)]
         if inside:
@@ -41,14 +40,16 @@ def _fault(facts: Facts, part: Compare | Any) -> str:
     return f"one of the alternatives of {facts.described(part)} is always true"
 
 
-def _help(condition: Condition, part: Compare | Any) -> str:
-    correct = "correct it" if isinstance(part, Compare) else "correct one of them; where both must hold write all(...)"
-    return f"{correct}; if it is meant, {'write True' if part is condition else 'leave it out'}"
+def _help(facts: Facts, condition: Condition, part: Compare | Any) -> str:
+    both = f"correct one of them; where both must hold write {facts.spell.every('...')}"
+    correct = "correct it" if isinstance(part, Compare) else both
+    return f"{correct}; if it is meant, {f'write {facts.spell.always}' if part is condition else 'leave it out'}"
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a condition is always true",
     """
 A test that is always true lets through what it seems to hold back. The classic is "neither 1 nor 2" written with
 `any(...)`: of two different numbers the register always differs from one. Write `all(ds.Mode != 1, ds.Mode != 2)`.
@@ -106,3 +107,5 @@ if any(re(x.Switch), nc(x.Switch)):
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -1,4 +1,4 @@
-"""A value that is kept over a power cycle and cleared in the first scan all the same."""
+"""A value that is kept over a power cycle but cleared in the first scan."""
 
 from __future__ import annotations
 
@@ -8,22 +8,18 @@ from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
 from clickgen.facts.uses import addresses_of
 from clickgen.facts.written import left_in
-from clickgen.instructions.coils import RESET
-from clickgen.instructions.counters import SPECS as COUNTERS
-from clickgen.instructions.timers import SPECS as TIMERS
 from clickgen.ir.conditions import All, Condition, Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import implies, looked_at
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 # click-facts [scan.power-up]
 CODE = "CG557"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     said: set[Address] = set()
     for placed in facts.actions:
         lost: dict[Address, Span] = {}
@@ -33,43 +29,42 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 said.add(bit)
                 lost[bit] = span
         if lost:
-            _report(facts, problems, lost)
+            yield from _report(facts, lost)
 
 
-def _report(facts: Facts, problems: Diagnostics, lost: Mapping[Address, Span]) -> None:
-    """One finding for all that one instruction clears."""
+def _report(facts: Facts, lost: Mapping[Address, Span]) -> Findings:
+    """Report one finding for everything that one instruction clears."""
     first, span = next(iter(lost.items()))
-    name, bank = facts.nickname(first) or "Total", first.bank.lower()
-    written = f"{bank}.{name}" if name.isidentifier() else f'{bank}["{name}"]'
+    written = facts.spell.name(first.bank, facts.nickname(first) or "Total")
+    declared = facts.spell.declaration(written, facts.spell.cell(first), retentive="False")
     one = len(lost) == 1
     are, they, them = ("is", "it", "it") if one else ("are", "they", "them")
-    problems.add(
+    yield finding(
         CODE,
         span,
         f"{facts.listed([*lost])} {are} retentive and cleared here in the first scan: what {they} kept is lost at "
         "every power-up",
-        f"clear {them} on a condition of its own to keep the value; where {they} {are} to begin anew, declare that"
-        f"{'' if one else ' for each'}:  nickname({written}, {bank}[{first.number}], retentive=False)",
+        f"clear {them} on a condition of its own to keep the value; if {they} should start again, declare that"
+        f"{'' if one else ' for each'}: {declared}",
     )
 
 
 def _cleared(facts: Facts, placed: Placed) -> Iterator[tuple[Address, Span]]:
-    """What an action clears in the first scan, and where that is written."""
-    if placed.spec in (*COUNTERS, *TIMERS):
-        owned = placed.action.args.get("counter") or placed.action.args.get("timer")
-        pin = placed.action.pin("reset")
-        if pin is not None and isinstance(owned, Cell) and _holds_at_start(facts, placed, pin):
+    """The addresses that an action clears in the first scan, and where that is written."""
+    if placed.effects.done is not None:
+        owned, pin = placed.action.owned, placed.action.pin(placed.effects.reset_by)
+        if pin is not None and owned is not None and _holds_at_start(facts, placed, pin):
             yield owned.address, pin.span
     elif _holds_at_start(facts, placed, placed.condition):
         for touch in touches(placed.action):
             if touch.is_written:
                 for address in addresses_of(touch.operand):
-                    if placed.spec is RESET or left_in(placed, address, 1) == 0:
+                    if placed.action.turns is False or left_in(placed, address, 1) == 0:
                         yield address, placed.action.span
 
 
 def _holds_at_start(facts: Facts, placed: Placed, condition: Condition) -> bool:
-    """True for what the first scan alone makes true, in a subroutine that is called then."""
+    """True for a condition that only the first scan makes true, in a subroutine that is called then."""
     call, seen = facts.sometimes(placed.routine), facts.seen_through(condition)
     whole = seen if call is None else All((seen, call), condition.span)
     first = Contact(Cell(FIRST_SCAN, condition.span), condition.span)
@@ -77,7 +72,7 @@ def _holds_at_start(facts: Facts, placed: Placed, condition: Condition) -> bool:
 
 
 def _is_meant(facts: Facts, address: Address) -> bool:
-    """True where retention is no accident: a counter's, one that the source declares, one that the bank does not have.
+    """True if retention is intended: a counter's, one that the source declares, one that is not the bank's default.
 
     Most registers are retentive because CLICK makes them so, and clearing a step in the first scan is good practice.
     """
@@ -91,15 +86,16 @@ def _is_meant(facts: Facts, address: Address) -> bool:
     return bool(declared and declared.retentive) or in_block
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a value that is to be kept is cleared in the first scan",
     """
-A counter is retentive in CLICK unless the table says No: it goes on counting after a power failure. With the first
-scan in its reset that is undone, and a batch or an hour meter begins anew after every short dip of the supply. The same
-holds for a bit or register that was declared `retentive=True`.
+A counter is retentive in CLICK unless the table says No: it goes on counting after a power failure. The first scan in
+its reset undoes that, and a batch or an hour meter starts again after every short dip of the supply. The same holds for
+a bit or register that was declared `retentive=True`.
 
-If it is to begin anew, `retentive=False` says so, and the rule is silent. Registers that are retentive only because
+If it should start again, `retentive=False` says so, and the rule is silent. Registers that are retentive only because
 CLICK makes them so are left alone: to clear a step in the first scan is good practice.
 """,
     wrong=(
@@ -175,3 +171,5 @@ if all(c.Alarm, ds.Step == 3):
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

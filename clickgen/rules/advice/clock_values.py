@@ -8,55 +8,53 @@ from clickgen.facts.copied import put_in
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of
 from clickgen.formula.values import value_of
-from clickgen.instructions.maths import CALC
 from clickgen.ir.conditions import MIRRORED, Compare
 from clickgen.ir.operands import Cell, Integer, Real
 from clickgen.ir.program import FormulaText
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import HOLDS
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [system.clock, system.clock-set]
 CODE = "CG552"
 
 _COPIES_MAX = 8
-"""A register that gets its value through more copies than this is not looked into."""
+"""A register that gets its value through more copies than this is not examined."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     parts: _Parts = {}
     for compare in facts.comparisons:
-        _check_comparison(facts, compare, parts, problems)
+        yield from _check_comparison(facts, compare, parts)
     for placed in facts.actions:
         for touch in touches(placed.action):
             if touch.is_written:
                 for address in SETS_CLOCK.intersection(addresses_of(touch.operand)):
-                    formula = placed.action.args.get("formula")
+                    formula = placed.action.moved
                     put = put_in(placed, address)
                     value: float | None = None
                     if isinstance(put, Integer | Real):
                         value = put.value
-                    elif placed.spec is CALC and isinstance(formula, FormulaText):
+                    elif isinstance(formula, FormulaText):
                         value = value_of(formula.formula.root)
                     part = CLOCK[address]
                     if value is not None and not part.low <= value <= part.high:
                         span = put.span if isinstance(put, Integer | Real) else touch.operand.span
                         fault = f"{facts.shown(address)} takes the {part.name}, {_range(part)}, and not {value:g}"
-                        problems.add(CODE, span, fault, f"write a number from {part.low} to {part.high}")
+                        yield finding(CODE, span, fault, f"write a number from {part.low} to {part.high}")
 
 
 _Parts = dict[Address, Part | None]
-"""What is known of the registers that were asked for."""
+"""The known parts of the registers that were asked for."""
 
 
-def _check_comparison(facts: Facts, compare: Compare, parts: _Parts, problems: Diagnostics) -> None:
+def _check_comparison(facts: Facts, compare: Compare, parts: _Parts) -> Findings:
     left, op, right = compare.left, compare.op, compare.right
     if not isinstance(left, Cell):
         left, op, right = right, MIRRORED[op], left
     if not isinstance(left, Cell) or not isinstance(right, Integer | Real):
         return
-    # A register alone is compared with a 0 that stands nowhere.
+    # A register alone is compared with an unwritten 0.
     if right.span == left.span:
         return
     if left.address not in parts:
@@ -67,7 +65,7 @@ def _check_comparison(facts: Facts, compare: Compare, parts: _Parts, problems: D
     outcome = _outcome(part, op, right.value)
     if outcome is not None:
         shown = facts.shown(left.address)
-        problems.add(
+        yield finding(
             CODE,
             compare.span,
             f"{facts.described(compare)} is {'always' if outcome else 'never'} true: {shown} is the {part.name}, "
@@ -77,7 +75,7 @@ def _check_comparison(facts: Facts, compare: Compare, parts: _Parts, problems: D
 
 
 def _outcome(part: Part, op: str, value: float) -> bool | None:
-    """What a comparison with the clock always is; None where it depends, or where it only bounds a range."""
+    """The constant result of a comparison with the clock; None if it varies, or only bounds a range."""
     outcomes = {HOLDS[op](one, value) for one in range(part.low, part.high + 1)}
     if len(outcomes) > 1:
         return None
@@ -88,7 +86,7 @@ def _outcome(part: Part, op: str, value: float) -> bool | None:
 
 
 def _part(facts: Facts, address: Address) -> Part | None:
-    """The part of the time that a register holds: one of the clock's own, or one that copies of it alone write."""
+    """The part of the time that a register holds: one of the clock's own, or one that only copies of it write."""
     for _ in range(_COPIES_MAX):
         if address in CLOCK:
             return CLOCK[address] if address not in SETS_CLOCK else None
@@ -107,9 +105,10 @@ def _range(part: Part) -> str:
     return f"{part.low} to {part.high}" + (f" ({part.note})" if part.note else "")
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "the clock has no such value",
     """
 The registers of the clock hold hours from 0 to 23, minutes and seconds from 0 to 59, months from 1 to 12, days from 1
 to 31, and weekdays from 1, which is Sunday, to 7. A comparison with another number is never true, or always, so that a
@@ -167,3 +166,5 @@ if ds.Hour == 30:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -11,26 +11,25 @@ from clickgen.facts.facts import STARTING, Facts, Placed
 from clickgen.facts.idle import never_run
 from clickgen.facts.pulses import Pulses
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.coils import OUT, RESET, SET
 from clickgen.ir.operands import Cell, Immediate, form_of
 from clickgen.ir.walk import condition_operands
 from clickgen.logic.conditions import are_exclusive, implies, looked_at
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG543"
 
 _MANY = 100
-"""Of more coils or latches of one bit than this the rest is not compared."""
+"""If one bit has more coils or latches than this, the rest is not compared."""
 
 
 class _Latch(NamedTuple):
-    """A set or reset of a bit, with where it comes among all actions of the program."""
+    """A set or reset of a bit, with its place among all actions of the program."""
 
     placed: Placed
     at: int
     is_range: bool
-    """True where it is one of several bits that one instruction sets or resets."""
+    """True if it is one of several bits that one instruction sets or resets."""
 
 
 class _Loss(NamedTuple):
@@ -40,27 +39,27 @@ class _Loss(NamedTuple):
     coil: Placed
     latch: Placed
     is_later: bool
-    """True when the latch comes after the coil."""
+    """True if the latch comes after the coil."""
     is_held: bool
     """True for a reset that works for as long as its rung is on."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     coils: dict[Address, list[tuple[Placed, int]]] = defaultdict(list)
     idle = never_run(facts)
     for at, placed in enumerate(facts.actions):
-        if placed.spec is OUT and id(placed.action) not in idle:
-            for bit in addresses_of(placed.action.args["address"]):
+        if placed.effects.follows_power and id(placed.action) not in idle:
+            for bit in addresses_of(placed.action.driven):
                 coils[bit].append((placed, at))
     latches: dict[Address, list[_Latch]] = defaultdict(list)
     for at, placed in enumerate(facts.actions):
-        if placed.spec in (SET, RESET) and id(placed.action) not in idle:
-            bits = addresses_of(placed.action.args["address"])
+        if placed.action.turns is not None and id(placed.action) not in idle:
+            bits = addresses_of(placed.action.driven)
             for bit in bits:
                 if bit in coils:
                     latches[bit].append(_Latch(placed, at, len(bits) > 1))
     judge = _Judge(facts)
-    # A range is spoken of once, with all bits in which it is undone, a single bit once with each coil.
+    # A range is reported once, with all bits in which it is undone, a single bit once with each coil.
     losses: dict[tuple[int, ...], list[_Loss]] = defaultdict(list)
     for bit, own in coils.items():
         for coil, at in own[:_MANY] if bit in latches else ():
@@ -71,29 +70,29 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                     losses[(action,) if latch.is_range else (action, id(coil.action))].append(loss)
                     break
     for group in losses.values():
-        _report(facts, problems, group)
+        yield from _report(facts, group)
 
 
 class _Judge:
-    """Says which latches a coil undoes."""
+    """Decides which latches a coil undoes."""
 
     def __init__(self, facts: Facts) -> None:
         self._facts, self._pulses = facts, Pulses(facts)
         self._reset: dict[Address, bool] = {}
 
     def loss(self, bit: Address, coil: Placed, at: int, latch: _Latch) -> _Loss | None:
-        """How out undoes the latch, in the same scan or in a later one; None where the two work together."""
+        """How out undoes the latch, in the same scan or in a later one; None if the two work together."""
         facts, placed = self._facts, latch.placed
         if placed.depends_only_on(STARTING) or not self._runs_with(coil, placed):
             return None
-        # A coil that seals itself in takes up what the latch did.
+        # A coil that seals itself in keeps what the latch did.
         if any(bit in addresses_of(operand) for way in facts.ways_to(coil) for operand in condition_operands(way)):
             return None
         loss = _Loss(bit, coil, placed, latch.at > at, False)
         is_short = self._has_pulse(placed)
         if latch.at < at:
-            is_lost = placed.spec is SET or not latch.is_range or bit.bank == "Y" or not self._serves_others(placed)
-        elif placed.spec is SET:
+            is_lost = placed.action.turns or not latch.is_range or bit.bank == "Y" or not self._serves_others(placed)
+        elif placed.action.turns:
             # Below the coil a level overrides it for as long as it is there: a lamp test.
             is_lost = is_short or not latch.is_range or self._is_reset(bit)
         else:
@@ -105,25 +104,26 @@ class _Judge:
         return loss if is_lost else None
 
     def _is_answered(self, coil: Placed, latch: Placed) -> bool:
-        """True where what turns the coil off also takes away what the coil waits for: it does not come on again."""
+        """True if whatever turns the coil off also removes what the coil waits for: it does not come on again."""
         for address in looked_at(coil.condition):
             for writer in self._facts.writers(address) if isinstance(address, Address) else ():
-                if writer.spec not in (OUT, SET) and implies(latch.condition, writer.condition):
+                turns_on = writer.effects.follows_power or writer.action.turns
+                if not turns_on and implies(latch.condition, writer.condition):
                     return True
         return False
 
     def _runs_with(self, coil: Placed, placed: Placed) -> bool:
-        """True where both are in one routine, or where the coil runs in every scan and the latch may run in the same.
+        """True if both are in one routine, or if the coil runs in every scan and the latch may run in the same.
 
-        An output that several routines drive is CG522's. A reset in another routine turns off what a subroutine that is
-        no longer called has left on.
+        CG522 reports an output that several routines drive. A reset in another routine turns off what a subroutine
+        that is no longer called has left on.
         """
         facts = self._facts
         if coil.routine is placed.routine:
             return coil.routine.name not in facts.left_early
-        if addresses_of(coil.action.args["address"])[0].bank == "Y" or facts.sometimes(coil.routine) is not None:
+        if addresses_of(coil.action.driven)[0].bank == "Y" or facts.sometimes(coil.routine) is not None:
             return False
-        return (placed.spec is SET or self._has_pulse(placed)) and not facts.run_apart(coil.routine, placed.routine)
+        return (placed.action.turns or self._has_pulse(placed)) and not facts.run_apart(coil.routine, placed.routine)
 
     def _has_pulse(self, placed: Placed) -> bool:
         return self._pulses.has(placed.condition, placed.routine)
@@ -134,41 +134,41 @@ class _Judge:
         return bool(operands) and all(form_of(operand) == "X" for operand in operands)
 
     def _is_reset(self, bit: Address) -> bool:
-        """True where something resets this bit alone."""
+        """True if something resets this bit alone."""
         if bit not in self._reset:
-            resets = (one for one in self._facts.writers(bit) if one.spec is RESET)
+            resets = (one for one in self._facts.writers(bit) if one.action.turns is False)
             alone = (one for one in resets if isinstance(_target(one), Cell))
             self._reset[bit] = any(not one.depends_only_on(STARTING) for one in alone)
         return self._reset[bit]
 
     def _serves_others(self, reset: Placed) -> bool:
-        """True where a reset of a range has bits to turn off that something else than out turns on."""
-        return not self._latched.isdisjoint(addresses_of(reset.action.args["address"]))
+        """True if a reset of a range has bits to turn off that something other than out turns on."""
+        return not self._latched.isdisjoint(addresses_of(reset.action.driven))
 
     @cached_property
     def _latched(self) -> frozenset[Address]:
-        """The bits that something else than out and reset writes."""
+        """The bits that something other than out and reset writes."""
         return frozenset(
             address
             for use in self._facts.uses.every
-            if use.is_written and use.action and use.action.spec not in (OUT, RESET)
+            if use.is_written and use.action and not (use.action.effects.follows_power or use.action.turns is False)
             for address in addresses_of(use.operand)
         )
 
 
 def _target(placed: Placed) -> object:
-    operand = placed.action.args["address"]
+    operand = placed.action.driven
     return operand.target if isinstance(operand, Immediate) else operand
 
 
-def _report(facts: Facts, problems: Diagnostics, losses: list[_Loss]) -> None:
+def _report(facts: Facts, losses: list[_Loss]) -> Findings:
     _, coil, latch, is_later, is_held = losses[0]
     bits = list(dict.fromkeys(loss.bit for loss in losses))
     others = len({id(loss.coil.action) for loss in losses}) - 1
     name, it, word = facts.listed(bits), "it" if len(bits) == 1 else "them", latch.spec.name
     here, there = (latch, coil) if is_later or others else (coil, latch)
     place = there.action.span.seen_from(here.action.span) + (f" and {others} more" if others else "")
-    state = "off while its rung is off" if latch.spec is SET else "on while its rung is on"
+    state = "off while its rung is off" if latch.action.turns else "on while its rung is on"
     help = (
         "drive the bit by set and reset alone, or by one out that seals itself in, or give the latch a bit of its own"
     )
@@ -179,12 +179,13 @@ def _report(facts: Facts, problems: Diagnostics, losses: list[_Loss]) -> None:
         fault = f"{word} does not hold {name}: out in {place} writes {it} again in every scan, {state}"
     else:
         fault = f"this out writes {name} in every scan, so {word} in {place} does not hold {it}, {state}"
-    problems.add(CODE, here.action.span, fault, help, (Label(there.action.span, f"{there.spec.name} is here"),))
+    yield finding(CODE, here.action.span, fault, help, (Label(there.action.span, f"{there.spec.name} is here"),))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "out and set or reset drive one bit",
     """
 `out` writes its bit in every scan in which its rung is looked at: on when the rung is on, off when it is off. `set` and
 `reset` write only while their rung is on, and leave the bit as it is otherwise. On one bit the two do not mix: what was
@@ -348,3 +349,5 @@ def auto():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -5,10 +5,8 @@ from __future__ import annotations
 import re
 
 from clickgen.facts.facts import Facts
-from clickgen.instructions.data import SEARCH
 from clickgen.ir.program import Word
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
@@ -17,16 +15,17 @@ CODE = "CG524"
 _LITERAL = re.compile(r"""(["']{1,3})(eq|ne|lt|le|gt|ge)\1""")
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for placed in facts.actions:
-        condition = placed.action.args.get("condition")
-        if placed.spec is not SEARCH or not isinstance(condition, Word):
+        finds = placed.effects.finds
+        condition = placed.action.args.get(finds.comparison) if finds is not None else None
+        if not isinstance(condition, Word):
             continue
         match = _LITERAL.fullmatch(facts.text(condition.span))
         if match:
             path, line, col, *_ = condition.span
             word = Span(path, line, col + match.start(2), line, col + match.end(2))
-            problems.add(
+            yield finding(
                 CODE,
                 condition.span,
                 f'this search compares with "{match[2]}"; conditions and CLICK write {condition.value}',
@@ -35,9 +34,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.INFO,
+    "a comparison is written as a word",
     """
 Conditions, CLICK's own window for a search and the listing all write a comparison as a sign. One way to write it is
 easier to read and to look for.
@@ -64,5 +64,6 @@ if c.Find:
     search(txt[1:10] == "e", result=ds.At, found=c.Seen)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -10,38 +10,36 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import STARTING, Facts, Placed
 from clickgen.facts.idle import never_run
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions import communication, drums
-from clickgen.instructions.coils import OUT, RESET, SET
-from clickgen.instructions.data import SHIFT
+from clickgen.instructions.effects import Keeps, Shape
 from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.modbus import RtuTarget, TcpTarget
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action, actions_in
 from clickgen.ir.walk import leaves
 from clickgen.logic.conditions import are_exclusive, terms_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG546"
 
 _MANY = 50
-"""A message is compared with so many others on its port before it."""
+"""A message is compared with this many others on its port before it."""
 _READY = frozenset(Address("SC", number) for number in (90, 100, 102))
-"""_Port_1_Ready_Flag to _Port_3_Ready_Flag: who asks one of them waits for the port (click-facts [system.ready])."""
+"""_Port_1_Ready_Flag to _Port_3_Ready_Flag: whoever looks at one waits for the port (click-facts [system.ready])."""
 _OWN_FLAGS = ("sending", "receiving", "success", "error")
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     on_port: dict[object, list[Placed]] = defaultdict(list)
     idle = never_run(facts)
     for placed in facts.actions:
-        if placed.spec not in communication.SPECS or id(placed.action) in idle:
+        if placed.effects.shape is not Shape.MESSAGE or id(placed.action) in idle:
             continue
         port = _port(placed)
         before = on_port[port][:_MANY]
         other = next((one for one in before if _may_meet(facts, one, placed)), None)
         if other is not None:
-            _report(problems, placed, other)
+            yield from _report(facts, placed, other)
         on_port[port].append(placed)
 
 
@@ -69,7 +67,7 @@ _Way = tuple[Condition, ...]
 
 
 def _ways(facts: Facts, placed: Placed) -> list[_Way]:
-    """What must hold for a message to go out, for each call that leads to it."""
+    """The conditions for a message to go out, for each call that leads to it."""
     own = facts.ways_to(placed)
     if placed.routine.is_main:
         return [own]
@@ -77,41 +75,43 @@ def _ways(facts: Facts, placed: Placed) -> list[_Way]:
 
 
 def _waits(way: _Way, other: Placed) -> bool:
-    """True where a message looks at what the other one reports, or at whether the port is ready."""
+    """True if a message looks at what the other one reports, or at whether the port is ready."""
     flags = {bit for name in _OWN_FLAGS for bit in addresses_of(other.action.args.get(name))} | _READY
     contacts = (leaf for condition in way for leaf in leaves(condition) if isinstance(leaf, Contact))
     return any(isinstance(one.operand, Cell) and one.operand.address in flags for one in contacts)
 
 
 def _hangs_on_step(facts: Facts, way: _Way) -> bool:
-    """True where a bit that is handed on decides: whoever sets it resets another one in the same rung."""
+    """True if a token bit decides: whatever sets it resets another one in the same rung."""
     for term in terms_of(*way):
         if not isinstance(term, Contact) or not isinstance(term.operand, Cell) or term.negated:
             continue
         writers = facts.writers(term.operand.address)
-        if any(writer.spec is SHIFT or writer.spec in drums.SPECS for writer in writers):
+        if not all(writer.effects.keeps.isdisjoint((Keeps.STEP, Keeps.BITS)) for writer in writers):
             return True
-        sets = [writer for writer in writers if writer.spec is SET and not writer.depends_only_on(STARTING)]
-        if sets and OUT not in {writer.spec for writer in writers} and all(_resets(writer) for writer in sets):
+        sets = [writer for writer in writers if writer.action.turns and not writer.depends_only_on(STARTING)]
+        has_coil = any(writer.effects.follows_power for writer in writers)
+        if sets and not has_coil and all(_resets(writer) for writer in sets):
             return True
     return False
 
 
 def _resets(writer: Placed) -> bool:
-    return any(action.spec is RESET for action in actions_in(writer.rung.items))
+    return any(action.turns is False for action in actions_in(writer.rung.items))
 
 
-def _report(problems: Diagnostics, placed: Placed, other: Placed) -> None:
+def _report(facts: Facts, placed: Placed, other: Placed) -> Findings:
+    turn = facts.spell.name("DS", "Turn")
     here, there = placed.action, other.action
     target = here.args["target"]
     port = f"port {target.com_port}" if isinstance(target, RtuTarget) else f"the connection to {_ip(here)}"
-    problems.add(
+    yield finding(
         CODE,
         here.span,
         f"this {here.spec.name} and the {there.spec.name} in {there.span.seen_from(here.span)} may both be on, and "
         f"{port} carries one message at a time",
-        "let them take turns: compare a register, ds.Turn == 0 there and ds.Turn == 1 here, and count it on when a "
-        "message has ended",
+        f"let them take turns: compare a register, {facts.spell.compared(turn, '==', '0')} there and "
+        f"{facts.spell.compared(turn, '==', '1')} here, and count it on when a message has ended",
         (Label(there.span, "wants the same port"),),
     )
 
@@ -121,9 +121,10 @@ def _ip(action: Action) -> str:
     return target.ip if isinstance(target, TcpTarget) else ""
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "two messages may want one port at the same time",
     """
 A message takes many scans: the other device has to answer. While one is under way on a port, another one on that port
 is not sent, or one of the two fails, and it depends on chance which. It works on the bench with one device and fails on
@@ -215,3 +216,5 @@ if any(c.ScaleDone, c.ScaleLost):
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

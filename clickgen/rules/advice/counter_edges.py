@@ -1,44 +1,45 @@
-"""A counter whose inputs are levels: vendor and simulator disagree whether it counts scans or edges
+"""A counter whose inputs are levels: vendor and simulator disagree on whether it counts scans or edges
 (click-facts [counter.edges])."""
 
 from __future__ import annotations
 
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.pulses import Pulses
-from clickgen.instructions import counters
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.instructions.effects import Keeps
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG513"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     pulses = Pulses(facts)
     for placed in facts.actions:
-        if placed.spec in counters.SPECS:
+        if Keeps.COUNT in placed.effects.keeps:
             for place, span in _levels(pulses, placed):
-                problems.add(
+                yield finding(
                     CODE,
                     span,
                     f"{place} of this {placed.spec.name} is a level, not an edge: sources disagree whether CLICK then "
                     "counts once or in every scan",
-                    "count edges: re(...) on the bit that is counted",
+                    f"count edges: {facts.spell.rising('...')} on the bit that is counted",
                 )
 
 
 def _levels(pulses: Pulses, placed: Placed) -> list[tuple[str, Span]]:
     """The counted inputs that may be on for longer than a scan."""
     found = [] if pulses.has(placed.condition, placed.routine) else [("the rung", placed.action.span)]
-    down = placed.action.pin("count_down")
-    if down is not None and not pulses.has(down, placed.routine):
-        found.append(("count_down", down.span))
+    for param in placed.spec.pins:
+        counted = placed.action.pin(param.name) if param.name != placed.effects.reset_by else None
+        if counted is not None and not pulses.has(counted, placed.routine):
+            found.append((param.name, counted.span))
     return found
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a counter counts without an edge",
     """
 The vendor's help says that a counter counts once for each time its rung turns on; other sources, simulators among
 them, count in every scan while it is on. With an edge on the counted bit both say the same, and a person who reads the
@@ -85,5 +86,6 @@ if t.Minute:
     ctu(ct.Minutes, setpoint=480, reset=lambda: c.NewShift)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

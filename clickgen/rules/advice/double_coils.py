@@ -8,34 +8,33 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.idle import never_run
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.coils import OUT
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [coil.two-outs]
 CODE = "CG501"
 
 _COILS_MAX = 100
-"""A coil is compared with so many coils of the same bit before it."""
+"""A coil is compared with this many coils of the same bit before it."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     driven: dict[Address, list[Placed]] = defaultdict(list)
     idle = never_run(facts)
     for placed in facts.actions:
-        if placed.spec is not OUT or id(placed.action) in idle:
+        if not placed.effects.follows_power or id(placed.action) in idle:
             continue
-        bits = addresses_of(placed.action.args["address"])
+        bits = addresses_of(placed.action.driven)
         for address in bits:
             before = driven[address][:_COILS_MAX]
             earlier = next((one for one in before if not facts.run_apart(one.routine, placed.routine)), None)
             if earlier is not None:
-                problems.add(
+                yield finding(
                     CODE,
                     placed.action.span,
                     f"{facts.shown(address)} is driven by out in {earlier.action.span.seen_from(placed.action.span)} "
                     "already: whichever runs last decides, also when it turns the bit off",
-                    "join the conditions in one rung with any(...), or use set and reset",
+                    f"join the conditions in one rung with {facts.spell.some('...')}, or use set and reset",
                     (Label(earlier.action.span, "driven here first"),),
                 )
                 break
@@ -43,19 +42,20 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             driven[address].append(placed)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "an output coil is driven in two places",
     """
 `out` writes its bit in every scan in which its rung is looked at: on when the rung is true and off when it is false.
 With two of them the later rung decides alone, and the earlier one does nothing but flicker: a classic reason why a
 motor does not start although its rung is green. CLICK warns about it too (C1001).
 
-Subroutines that are never called in the same scan may drive the same bit: their calls must stand on conditions that
+Subroutines that are never called in the same scan may drive the same bit: their calls must have conditions that
 exclude each other; a coil of main that `out` alone drives counts as its condition. When one of them changes the step
 that the calls look at, both run in that one scan; the rule takes this for intended, because a sequence hands over so.
-What never runs, a subroutine that nothing calls or a rung behind an unconditional `end()`, drives nothing: rules of
-their own speak of these.
+A subroutine that nothing calls, or a rung after an unconditional `end()`, never runs and drives nothing: other rules
+report these.
 """,
     wrong=(
         Wrong(
@@ -114,5 +114,6 @@ def manual():
         return
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

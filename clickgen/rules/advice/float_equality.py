@@ -1,4 +1,4 @@
-"""Floating-point values compared with == or !=: what was calculated is seldom exactly the number that is expected."""
+"""Floating-point values compared with == or !=: a calculated number is seldom exactly the expected one."""
 
 from __future__ import annotations
 
@@ -7,13 +7,12 @@ from collections.abc import Iterator
 from clickgen.device.banks import BANKS, Address, Kind
 from clickgen.facts.copied import origin_registers, origins, put_in
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions.copies import COPY
+from clickgen.instructions.effects import Shape
 from clickgen.ir.conditions import Compare
 from clickgen.ir.formula_nodes import Binary, Call, Node, Number, Operand, Pi, Sum, walk
 from clickgen.ir.operands import Cell, Integer, Pointer, Real, Single
 from clickgen.ir.program import FormulaText
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [value.floats]
 CODE = "CG520"
@@ -21,7 +20,7 @@ CODE = "CG520"
 _WHOLE = (Kind.INT16, Kind.INT32, Kind.HEX)
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     compares = [compare for compare in facts.comparisons if compare.op in ("==", "!=") and _has_float(compare)]
     by_pointer = [placed for placed in facts.actions if _goes_by_pointer(placed)] if compares else []
     for compare in compares:
@@ -29,7 +28,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         register = next((one for one, other in sides if _is_inexact(facts, by_pointer, one, other)), None)
         if isinstance(register, Cell) and not any(_meets_surely(facts, *pair) for pair in sides):
             name = facts.shown(register.address)
-            problems.add(
+            yield finding(
                 CODE,
                 compare.span,
                 f"{name} is a floating-point number: a measured or calculated value is seldom exactly equal to another",
@@ -43,12 +42,13 @@ def _has_float(compare: Compare) -> bool:
 
 def _help(facts: Facts, compare: Compare, register: Cell) -> str:
     name = facts.text(register.span)
-    margin = f"all({name} > ..., {name} < ...)" if compare.op == "==" else f"any({name} < ..., {name} > ...)"
+    above, below = (facts.spell.compared(name, sign, "...") for sign in (">", "<"))
+    margin = facts.spell.every(above, below) if compare.op == "==" else facts.spell.some(below, above)
     return f"compare with a margin: {margin}"
 
 
 def _meets_surely(facts: Facts, one: Single, other: Single) -> bool:
-    """True where equality comes for sure: with 0, with a number that is copied in, with a copy of the register."""
+    """True if equality is certain to come: with 0, with a number that is copied in, with a copy of the register."""
     if not isinstance(one, Cell):
         return False
     if isinstance(other, Integer | Real):
@@ -59,19 +59,19 @@ def _meets_surely(facts: Facts, one: Single, other: Single) -> bool:
 
 
 def _given_numbers(facts: Facts, address: Address) -> Iterator[int | float]:
-    """The constants that copies put into a register, and what it and those that it is a copy of begin with."""
+    """The constants that copies put into a register, and the initial values of it and of those that it is a copy of."""
     yield from (put.value for put in origins(facts, address) if isinstance(put, Integer | Real))
     yield from (float(facts.initial(one) or 0) for one in origin_registers(facts, address) if one.bank == "DF")
 
 
-# -- where a value comes from -----------------------------------------------------------------------------------------
+# -- the origin of a value --------------------------------------------------------------------------------------------
 
 
 def _is_inexact(facts: Facts, by_pointer: list[Placed], one: Single, other: Single) -> bool:
     """True for a register that may hold a measured or calculated value.
 
-    It does not where copies alone write it, and give it constants, what a panel writes, or whole numbers. These are no
-    use where it is compared with a fraction.
+    It does not if only copies write it, and give it constants, a panel's values, or whole numbers. These are no
+    use if it is compared with a fraction.
     """
     if not isinstance(one, Cell) or one.bank != "DF":
         return False
@@ -95,7 +95,7 @@ def _is_inexact(facts: Facts, by_pointer: list[Placed], one: Single, other: Sing
 
 
 def _goes_by_pointer(placed: Placed) -> bool:
-    target = placed.action.args["destination"] if placed.spec is COPY else None
+    target = placed.action.moved_to if placed.effects.shape is Shape.VALUE else None
     return isinstance(target, Pointer) and target.bank == "DF"
 
 
@@ -115,9 +115,10 @@ def _stays_whole(node: Node) -> bool:
     return not isinstance(node, Pi | Call) and not (isinstance(node, Binary) and node.op not in ("+", "-", "*"))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "floating-point values are compared for equality",
     """
 A floating-point register holds about seven digits, and a measured or calculated value is almost never exactly the
 number that is asked for: `df.Level == 2.5` may stay off for ever at 2.4999998, and `!=` is then always on. Ask for a
@@ -178,5 +179,6 @@ if ds.Percent == 50:
     set(c.Half)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

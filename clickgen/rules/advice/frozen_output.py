@@ -1,4 +1,4 @@
-"""An output coil or a timer in a subroutine that does not run in every scan: it stays as it is while nobody looks."""
+"""An output coil or a timer in a subroutine that does not run in every scan: it stays unchanged meanwhile."""
 
 from __future__ import annotations
 
@@ -8,28 +8,24 @@ from clickgen.device.banks import Address, current_value
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.meanwhile import Watch
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.drums import SPECS as DRUMS
-from clickgen.instructions.spec import Spec
-from clickgen.instructions.timers import RTOF, RTON, TOF, TON
 from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Routine
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import are_exclusive, can_hold, implies
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [scan.skipped]
 CODE = "CG545"
 
 _LABELS_MAX = 5
-"""So many further places a finding names."""
+"""A finding names this many further places."""
 
 _Frozen = list[tuple[Placed, Address]]
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     watch = Watch(facts)
     for routine in facts.program.subroutines:
         if routine.name not in watch.sometimes:
@@ -41,21 +37,19 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             stay, left, on = ("stays", "it", "it was") if len(_bits(outputs)) == 1 else ("stay", "them", "they were")
             fault = f"while {routine.name} is not called, {named} {stay} as the last call left {left}, on if {on} on"
             help = "drive outputs in a rung that every scan looks at, or reset them where the subroutine is not called"
-            _report(facts, problems, routine, outputs, fault, help)
+            yield from _report(facts, routine, outputs, fault, help)
         if timers:
             named = facts.listed(_bits(timers))
-            stand, go = ("stands", "goes") if len(_bits(timers)) == 1 else ("stand", "go")
-            fault = (
-                f"while {routine.name} is not called, {named} {stand} still, and {go} on from there with the next call"
-            )
+            stop, go = ("stops", "goes") if len(_bits(timers)) == 1 else ("stop", "go")
+            fault = f"while {routine.name} is not called, {named} {stop}, and {go} on from there with the next call"
             help = "put the timer into a rung that every scan looks at, with the condition of the call in its own"
-            _report(facts, problems, routine, timers, fault, help)
+            yield from _report(facts, routine, timers, fault, help)
         if lasting:
             named = facts.listed(_bits(lasting))
             count, reset = ("counts", "resets") if len(_bits(lasting)) == 1 else ("count", "reset")
             fault = f"while {routine.name} is not called, {named} neither {count} nor {reset}"
             help = "put the timer into a rung that every scan looks at, with the condition of the call in its own"
-            _report(facts, problems, routine, lasting, fault, help)
+            yield from _report(facts, routine, lasting, fault, help)
 
 
 def _bits(frozen: _Frozen) -> list[Address]:
@@ -64,8 +58,6 @@ def _bits(frozen: _Frozen) -> list[Address]:
 
 def _outputs(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
     for placed in facts.actions_of(routine):
-        if placed.spec not in (OUT, *DRUMS):
-            continue
         for bit in _driven(placed):
             if facts.uses.is_pointed(bit.bank, is_written=True) or watch.is_written_meanwhile(bit, routine):
                 continue
@@ -78,14 +70,15 @@ def _outputs(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Pla
 
 def _driven(placed: Placed) -> list[Address]:
     """The bits that an out or a drum turns on and off."""
-    if placed.spec is OUT:
-        return addresses_of(placed.action.args["address"])
-    operands = (touch.operand for touch in touches(placed.action) if touch.param.name == "outputs")
+    drives = placed.effects.drives
+    if drives is None or placed.action.turns is not None:
+        return []
+    operands = (touch.operand for touch in touches(placed.action) if touch.param.name == drives.target)
     return [bit for operand in operands for bit in addresses_of(operand)]
 
 
 def _timers(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
-    for placed, timer in _timers_of(facts, routine, (TON, TOF)):
+    for placed, timer in _timers_of(facts, routine, is_retentive=False):
         bit, value = timer.address, current_value(timer.address)
         # A timer that looks at its own bit restarts by itself.
         if implies(placed.condition, Contact(timer, timer.span, negated=True)):
@@ -98,35 +91,37 @@ def _timers(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Plac
 def _lasting_timers(facts: Facts, watch: Watch, routine: Routine) -> Iterator[tuple[Placed, Address]]:
     """The retentive timers that somebody watches while they wait, or whose reset waits for the subroutine to end."""
     when = watch.sometimes[routine.name]
-    for placed, timer in _timers_of(facts, routine, (RTON, RTOF)):
-        bit, reset = timer.address, placed.action.pin("reset")
+    for placed, timer in _timers_of(facts, routine, is_retentive=True):
+        bit, reset = timer.address, placed.action.pin(placed.effects.reset_by)
         is_felt = watch.is_felt(bit, routine) or watch.is_felt(current_value(bit), routine)
         if is_felt or (reset is not None and can_hold(reset) and are_exclusive(when, reset)):
             yield placed, bit
 
 
-def _timers_of(facts: Facts, routine: Routine, specs: tuple[Spec, ...]) -> Iterator[tuple[Placed, Cell]]:
+def _timers_of(facts: Facts, routine: Routine, is_retentive: bool) -> Iterator[tuple[Placed, Cell]]:
     """The timers of a routine whose current values nothing else writes."""
     for placed in facts.actions_of(routine):
-        timer = placed.action.args.get("timer")
-        if placed.spec not in specs or not isinstance(timer, Cell):
+        effects, timer = placed.effects, placed.action.owned
+        is_timer = effects.is_timed and effects.done is not None and bool(effects.reset_by) is is_retentive
+        if not is_timer or timer is None:
             continue
-        # Whoever writes the current value starts it anew.
+        # Any instruction that writes the current value starts it again.
         others = (one for one in facts.writers(current_value(timer.address)) if one.action is not placed.action)
         if not any(others) and not facts.uses.is_pointed("TD", is_written=True):
             yield placed, timer
 
 
-def _report(facts: Facts, problems: Diagnostics, routine: Routine, frozen: _Frozen, fault: str, help: str) -> None:
+def _report(facts: Facts, routine: Routine, frozen: _Frozen, fault: str, help: str) -> Findings:
     first, *others = dict.fromkeys(placed.action.span for placed, _ in frozen)
     call = facts.calls[routine.name][0].action.span
     labels = [Label(call, "called under a condition"), *(Label(span, "this one too") for span in others[:_LABELS_MAX])]
-    problems.add(CODE, first, fault, help, tuple(labels))
+    yield finding(CODE, first, fault, help, tuple(labels))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "an output or timer may freeze in a subroutine that does not always run",
     """
 Rungs of a subroutine that is not called are not looked at. An `out` there writes nothing then, not even off: its bit
 stays as the last call left it, and the motor runs on after the mode was switched. The outputs of a drum do the same. A
@@ -141,7 +136,7 @@ The rule goes by the harm:
 - A Y stays on, whoever looks at it.
 - A C bit matters where a rung looks at it while the subroutine is not called, and where nothing in the program reads
   it: then it is for a panel. A bit that only its own subroutine reads matters where the next call looks at it before it
-  is written anew. A coil that seals itself in starts by itself then.
+  is written again. A coil that seals itself in then starts by itself.
 - `ton` and `tof` go on from where they were, which makes the next delay too short, also where only their own subroutine
   reads them.
 - `rton` and `rtof` are meant to wait. They matter where something outside looks at them, because their reset does not
@@ -344,3 +339,5 @@ def night():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -14,15 +14,14 @@ from clickgen.ir.conditions import Compare, Condition
 from clickgen.ir.formula_nodes import Binary, Call, Node, walk
 from clickgen.ir.operands import Cell, Integer, Real
 from clickgen.logic.conditions import are_exclusive, can_hold
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [math.no-value]
 CODE = "CG553"
 
 
 class _Domain(NamedTuple):
-    """The values that a function takes: from ``low`` to ``high``, ``low`` itself only where it is not open."""
+    """The values that a function takes: from ``low`` to ``high``, ``low`` itself only if it is not open."""
 
     words: str
     low: float
@@ -33,7 +32,7 @@ class _Domain(NamedTuple):
         return self.low <= value <= self.high and not (self.is_open and value == self.low)
 
     def asks(self, cell: Cell) -> list[Condition]:
-        """What must hold of a register for the function to take its value."""
+        """The conditions on a register for the function to take its value."""
         span = cell.span
         asked: list[Condition] = [Compare(">" if self.is_open else ">=", cell, Integer(int(self.low), span), span)]
         if self.high < math.inf:
@@ -52,7 +51,7 @@ _DOMAINS: Mapping[str, _Domain] = {
 }
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for calculation in calculations(facts):
         for node in walk(calculation.formula.formula):
             if isinstance(node, Call) and node.name in _DOMAINS:
@@ -67,7 +66,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 destination = calculation.destination
                 name = facts.shown(destination.address) if destination else "the destination"
                 said = f"{fault}: nobody knows what CLICK puts into {name}"
-                problems.add(CODE, place_of(facts, calculation.formula, place), said, help)
+                yield finding(CODE, place_of(facts, calculation.formula, place), said, help)
 
 
 def _function(facts: Facts, calculation: Calculation, name: str, argument: Node) -> tuple[str, str]:
@@ -81,7 +80,7 @@ def _function(facts: Facts, calculation: Calculation, name: str, argument: Node)
     shown = facts.shown(cell.address)
     condition = calculation.placed.condition
     if can_hold(condition) and are_exclusive(condition, *domain.asks(cell)):
-        return f"{takes}, and the condition of this rung holds only while {shown} is none", "turn the comparison round"
+        return f"{takes}, and the condition of this rung holds only while {shown} is none", "reverse the comparison"
     put = _only_put(facts, cell)
     if put and not any(map(domain.takes, put)):
         listed = ", ".join(f"{number:g}" for number in put)
@@ -90,7 +89,7 @@ def _function(facts: Facts, calculation: Calculation, name: str, argument: Node)
 
 
 def _only_put(facts: Facts, cell: Cell) -> list[float]:
-    """The numbers that a register gets, where it gets nothing else; none where it may get any."""
+    """The numbers that a register gets, if it gets nothing else; none if it may get any."""
     if facts.uses.is_pointed(cell.bank, is_written=True):
         return []
     writers = facts.writers(cell.address)
@@ -109,9 +108,10 @@ def _power(base: float | None, exponent: float | None) -> tuple[str, str]:
     return "", ""
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a formula has no result",
     """
 The square root of a negative number, the logarithm of 0 or less, and the arc sine or arc cosine of more than 1 have no
 value. CLICK does not say what it stores then, so a controlled variable may jump to anything. A fault that looks like
@@ -155,3 +155,5 @@ if df.Ratio > 0:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -1,4 +1,4 @@
-"""A step that nothing leaves: its number is written, and no rung that goes on runs while it is there."""
+"""A step that nothing leaves: its number is written, and no rung that moves on runs while it is there."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import Cell, Hex, Integer
 from clickgen.ir.walk import leaves
 from clickgen.logic.conditions import terms_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG556"
 
 _BANKS = ("DS", "DD", "DH")
 _STEPS_MAX = 128
-"""A register with more numbers, or more instructions that write it, is no step register that a person wrote."""
+"""A register with more numbers, or more instructions that write it, is not a step register that a person wrote."""
 _GUARDED_MIN = 2
-"""So many transitions ask for the step that they leave: else the register is a mode or a setpoint."""
+"""At least this many transitions test the step that they leave: else the register is a mode or a setpoint."""
 
 
 class _Writer(NamedTuple):
@@ -32,11 +32,11 @@ class _Writer(NamedTuple):
     is_start: bool
 
     def leads_out(self, address: Address, step: int) -> bool:
-        """True when it may run in a step and leave another number."""
+        """True if it may run in a step and leave another number."""
         return not self.is_start and self.asked.may_be(step) and left_in(self.placed, address, step) != step
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     compared = {
         side.address: None
         for compare in facts.comparisons
@@ -47,10 +47,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
     for address in compared:
         placed = facts.writers(address)
         if len(placed) <= _STEPS_MAX and not facts.uses.is_pointed(address.bank, is_written=True):
-            _check(facts, address, placed, problems)
+            yield from _check(facts, address, placed)
 
 
-def _check(facts: Facts, address: Address, placed: Sequence[Placed], problems: Diagnostics) -> None:
+def _check(facts: Facts, address: Address, placed: Sequence[Placed]) -> Findings:
     writers = [_Writer(one, Asked(facts, one, address), runs_at_start_only(facts, one)) for one in placed]
     steps, known = _steps(facts, address, writers)
     if len(known) > _STEPS_MAX or not _is_sequence(address, writers, known):
@@ -64,20 +64,21 @@ def _check(facts: Facts, address: Address, placed: Sequence[Placed], problems: D
         shown = facts.shown(address)
         cell = _cell(facts, address)
         name = facts.text(cell) if cell else str(address)
+        goes_on = facts.spell.every(facts.spell.compared(name, "==", str(step)), "...")
         labels = tuple(Label(writer.placed.action.span, "this ends any step") for writer in ways)
         but = f", but for line {ways[0].placed.action.span.line}, which ends any step" if ways else ""
-        problems.add(
+        yield finding(
             CODE,
             span,
             f"step {step} of {shown} is never left: no rung that asks for it writes another number{but}",
-            f"add the rung that goes on, if all({name} == {step}, ...):, or write # clickgen: ignore[{CODE}] where the "
+            f"add the rung that goes on, {facts.spell.rung(goes_on)}, or write {facts.spell.ignore(CODE)} where the "
             "sequence ends here or a panel goes on",
             labels,
         )
 
 
 def _steps(facts: Facts, address: Address, writers: Sequence[_Writer]) -> tuple[dict[int, Span], set[int]]:
-    """The numbers that the program puts into the register, with where it does so first, and those of its start too."""
+    """The numbers that the program puts into the register, each with its first place, and those of its start too."""
     steps: dict[int, Span] = {}
     home = _begins(facts, address)
     waiting = [home]
@@ -101,7 +102,7 @@ def _steps(facts: Facts, address: Address, writers: Sequence[_Writer]) -> tuple[
 
 
 def _is_sequence(address: Address, writers: Sequence[_Writer], steps: Iterable[int]) -> bool:
-    """True when several transitions go from one step to another."""
+    """True if several transitions go from one step to another."""
     left: set[frozenset[int]] = set()
     for writer in writers:
         at = frozenset(step for step in {0, *steps} if writer.asked.may_be(step))
@@ -116,9 +117,9 @@ def _begins(facts: Facts, address: Address) -> int:
 
 
 def _is_abort(facts: Facts, writer: _Writer, address: Address, home: int) -> bool:
-    """True for what holds the register at a number whatever the step is, which is no way on.
+    """True for an action that holds the register at a number whatever the step is, which is no way on.
 
-    It asks for no step and for no edge, and leads elsewhere than home, such as to a step for faults; or it runs while
+    It tests no step and no edge, and leads elsewhere than home, such as to a step for faults; or it runs while
     something is missing, such as a guard or automatic mode. A level that leads home may be a reset button.
     """
     if writer.asked.is_asked:
@@ -141,18 +142,19 @@ def _cell(facts: Facts, address: Address) -> Span | None:
     return None
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a step is never left",
     """
-A sequence whose step register gets a number that no transition asks for stands still there, and the machine with it,
-until somebody presses stop. It is mostly a transition that was never written, or one that compares with a wrong number.
+A sequence stops, and the machine with it, when its step register gets a number that no transition asks for, until
+somebody presses stop. It is mostly a transition that was never written, or one that compares with a wrong number.
 
 A register counts as one of steps when at least two rungs ask for a step with `==` and write another. A way out is
 every write that may run in the step: one that asks for it or for a range of steps, a calculated step, or one that does
-not ask at all, such as the edge of a start or reset button. What the first scan writes is none, nor is what holds the
-register at one number whatever the step is: at that of a fault, or at 0 while a guard or automatic mode is missing
-(`nc(...)`).
+not ask at all, such as the edge of a start or reset button. A write in the first scan does not count, nor does one that
+holds the register at one number whatever the step is: at that of a fault, or at 0 while a guard or automatic mode is
+missing (`nc(...)`).
 """,
     wrong=(
         Wrong(
@@ -229,3 +231,5 @@ if ds.Ready == 0:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

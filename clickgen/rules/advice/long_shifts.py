@@ -6,8 +6,7 @@ from clickgen.facts.facts import Facts
 from clickgen.facts.formulas import calculations, place_of
 from clickgen.formula.values import value_of
 from clickgen.ir.formula_nodes import Binary, walk
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [math.shift-counts]
 CODE = "CG558"
@@ -17,14 +16,14 @@ _SHIFTS = ("LSH", "RSH")
 _ROTATIONS = ("LRO", "RRO")
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for calculation in calculations(facts):
         for node in walk(calculation.formula.formula):
             if isinstance(node, Binary) and node.op in (*_SHIFTS, *_ROTATIONS):
                 count = value_of(node.right)
                 if count is not None and not 0 <= count < _BITS:
                     place = place_of(facts, calculation.formula, node.right)
-                    problems.add(CODE, place, *_fault(node.op, int(count)))
+                    yield finding(CODE, place, *_fault(node.op, int(count)))
 
 
 def _fault(op: str, count: int) -> tuple[str, str]:
@@ -38,9 +37,10 @@ def _fault(op: str, count: int) -> tuple[str, str]:
     return f"{said}: what CLICK does then is not known", f"write {count % _BITS}"
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a shift is longer than the word",
     """
 A hexadecimal word has 16 bits. Shifted by 16 or more nothing of it is left, and how CLICK takes such a number, or a
 negative one, is not documented. In a hexadecimal formula CLICK reads numbers as hexadecimal: `10h` is 16.
@@ -62,5 +62,6 @@ if True:
     math_hex("RSH(dh.Word, 0x8) OR LRO(dh.Word, dh.Count)", dh.Low)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

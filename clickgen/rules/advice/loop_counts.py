@@ -7,37 +7,37 @@ from collections.abc import Sequence
 from clickgen.device.banks import Address
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
 from clickgen.facts.written import equals, is_relative, left_in, whole_condition
-from clickgen.instructions.control import FOR
+from clickgen.instructions.effects import Flow
 from clickgen.ir.conditions import MIRRORED, All, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Integer
 from clickgen.logic.conditions import are_exclusive, implies, looked_at, terms_of
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [control.for-count]
 CODE = "CG528"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for placed in facts.actions:
         count = placed.action.args.get("count")
-        if placed.spec is not FOR or not isinstance(count, Cell):
+        if placed.effects.flow is not Flow.LOOP or not isinstance(count, Cell):
             continue
         zero_or_less = Compare("<=", count, Integer(0, count.span), count.span)
         if any(are_exclusive(way, zero_or_less) for way in facts.ways_to(placed)):
             continue
+        above = facts.spell.compared(facts.text(count.span), ">", "0")
         reason = _why_not_positive(facts, placed, count.address)
         if reason:
-            problems.add(
+            yield finding(
                 CODE,
                 count.span,
-                f"{facts.shown(count.address)} may be 0 or less: {reason}, and what CLICK does then, no source says",
-                f"run the loop only above 0: if {facts.with_test(placed, f'{facts.text(count.span)} > 0')}:",
+                f"{facts.shown(count.address)} may be 0 or less: {reason}, and no source says what CLICK does then",
+                f"run the loop only above 0: {facts.spell.rung(facts.with_test(placed, above))}",
             )
 
 
 def _why_not_positive(facts: Facts, loop: Placed, count: Address) -> str:
-    """What gives the register such a number, or may; "" where the program keeps it above 0. Pointers lead elsewhere."""
+    """What gives the register such a number, or may; "" if the program keeps it above 0. Pointers lead elsewhere."""
     writers = facts.writers(count)
     values = {id(writer): _value(writer, count) for writer in writers}
     good = [writer for writer in writers if (values[id(writer)] or 0) > 0]
@@ -62,7 +62,7 @@ def _value(writer: Placed, count: Address) -> int | None:
 
 
 def _begins_positive(facts: Facts, count: Address) -> bool:
-    """True where the source or the table gives the register a number above 0 to begin with."""
+    """True if the source or the table gives the register an initial value above 0."""
     initial = facts.initial(count)
     return initial.isdecimal() and int(initial) > 0
 
@@ -79,7 +79,7 @@ def _asks_for_too_few(condition: Condition, count: Address) -> bool:
     return (op == "<" and right.value > 0) or (op == "<=" and right.value >= 0)
 
 
-# -- what ran before the loop -----------------------------------------------------------------------------------------
+# -- actions before the loop ------------------------------------------------------------------------------------------
 
 _Moment = tuple[int, int]
 """When an action runs in a scan: its place in main, or that of the call and its own place in the subroutine."""
@@ -92,7 +92,7 @@ def _moments(facts: Facts, placed: Placed) -> list[_Moment]:
 
 
 def _comes_before(facts: Facts, writer: Placed, loop: Placed) -> bool:
-    """True where the writer is looked at before the loop, each time that the loop is."""
+    """True if the writer is looked at before the loop, each time that the loop is."""
     if writer.routine is loop.routine:
         return facts.places[id(writer.action)] < facts.places[id(loop.action)]
     first = min(_moments(facts, writer))
@@ -100,14 +100,14 @@ def _comes_before(facts: Facts, writer: Placed, loop: Placed) -> bool:
 
 
 def _gets_ready(facts: Facts, writer: Placed, loop: Placed, count: Address) -> bool:
-    """True for what writes the register in the first scan, or while it is still 0: ``if sc[2]: copy(3, ds.Rows)``."""
+    """True for a write of the register in the first scan, or while it is still 0: ``if sc[2]: copy(3, ds.Rows)``."""
     span = writer.action.span
     at_start = All((Contact(Cell(FIRST_SCAN, span), span), equals(count, 0, span)), span)
     return _comes_before(facts, writer, loop) and implies(at_start, whole_condition(facts, writer))
 
 
 def _is_fresh(facts: Facts, writer: Placed, loop: Placed, others: Sequence[Placed]) -> bool:
-    """True where the writer runs whenever the loop does, in the same scan before it, and none of the others between."""
+    """True if the writer runs whenever the loop does, in the same scan before it, and none of the others between."""
     if writer.action.flag("oneshot") or not _comes_before(facts, writer, loop):
         return False
     is_repeated = loop.loop is not None or any(call.loop for call in facts.calls.get(loop.routine.name, ()))
@@ -124,13 +124,13 @@ def _is_fresh(facts: Facts, writer: Placed, loop: Placed, others: Sequence[Place
 
 
 def _is_above(writer: Placed, loop: Placed) -> bool:
-    """True in the loop's own rung, where every condition is looked at once: it runs under all that the writer needs."""
+    """True in the loop's own rung, where conditions are looked at once, if the loop's include all the writer's."""
     held = {id(term) for term in terms_of(loop.condition)}
     return writer.rung is loop.rung and all(id(term) in held for term in terms_of(writer.condition))
 
 
 def _runs_between(facts: Facts, other: Placed, writer: Placed, loop: Placed) -> bool:
-    """True where it may run after the writer and before the loop."""
+    """True if it may run after the writer and before the loop."""
     if writer.routine is loop.routine:
         first, last = facts.places[id(writer.action)], facts.places[id(loop.action)]
         spots = [facts.places[id(other.action)]] if other.routine is loop.routine else []
@@ -143,11 +143,12 @@ def _runs_between(facts: Facts, other: Placed, writer: Placed, loop: Placed) -> 
     )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a loop's count may be 0 or less",
     """
-A loop runs as often as its register says. What CLICK does when the register is 0 or negative, its vendor does not say:
+A loop runs as often as its register says. The vendor does not say what CLICK does when the register is 0 or negative:
 the loop may be skipped, run once, or run until the watchdog stops the PLC. An empty list, a recipe that nobody has
 loaded or a register that was cleared brings such a number soon enough.
 
@@ -231,3 +232,5 @@ if c.Again:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

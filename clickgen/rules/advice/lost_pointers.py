@@ -9,47 +9,44 @@ from typing import NamedTuple
 from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import FIRST_SCAN, Facts, Placed
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
-from clickgen.instructions.copies import COPY, COPY_FILL
-from clickgen.instructions.raw import RAW
+from clickgen.instructions.effects import Shape
 from clickgen.ir.conditions import All, Any, Compare, Condition, Contact, Edge
 from clickgen.ir.operands import Cell, Immediate, Integer, Operand, Pointer, form_of
 from clickgen.ir.program import Routine
 from clickgen.ir.reach import touches
 from clickgen.ir.walk import condition_operands, leaves
 from clickgen.logic.conditions import are_exclusive, implies, terms_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG518"
 
-_BARRIERS = (CALL, END, RETURN, FOR, NEXT)
 _WRITERS_MAX = 8
-"""Of more instructions that write a register only the nearest are looked at."""
+"""If more instructions write a register, only the nearest are looked at."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     through = {id(use.action) for use in facts.uses.every if isinstance(use.operand, Pointer)}
-    # Where pointers write DS registers, any of them may write the pointer's own.
+    # If pointers write DS registers, any of them may write the pointer's own.
     if not through or facts.uses.is_pointed("DS", True):
         return
     registers = _Registers(facts)
     rung, since = None, 0
     for place, placed in enumerate(facts.actions):
-        if placed.rung is not rung or placed.spec in _BARRIERS:
+        if placed.rung is not rung or placed.effects.diverts:
             rung, since = placed.rung, place
-        if id(placed.action) in through and placed.loop is None and placed.spec is not RAW:
+        if id(placed.action) in through and placed.loop is None and not placed.effects.is_unknown:
             pointers = {touch.operand: None for touch in touches(placed.action) if isinstance(touch.operand, Pointer)}
             for pointer in pointers:
                 if isinstance(pointer.register, Cell):
                     use = _Use(placed, place, since, pointer, pointer.register)
                     found = _find(facts, use, registers.of(pointer.register.address))
                     if found:
-                        _report(facts, problems, use, *found)
+                        yield from _report(facts, use, *found)
 
 
 class _Use(NamedTuple):
-    """A pointer and where it stands. ``since``: from that place on, only its own rung's instructions run before it."""
+    """A pointer and its place. From ``since`` on, only its own rung's instructions run before it."""
 
     placed: Placed
     place: int
@@ -65,7 +62,7 @@ class _Use(NamedTuple):
         return number is not None and not BANKS[self.pointer.bank].has(number)
 
     def finds(self, writer: _Writer) -> Condition:
-        """That the use runs and finds the writer's number, for all that its own rung asks of the register."""
+        """The condition that the use runs and finds the writer's number, by its rung's conditions on the register."""
         assert writer.number is not None
         span = self.register.span
         return All((self.condition, Compare("==", self.register, Integer(writer.number, span), span)), span)
@@ -78,15 +75,15 @@ class _Writer(NamedTuple):
     condition: Condition
     place: int
     number: int | None
-    """None when it is not always the same."""
+    """None if it is not always the same."""
 
     @property
     def clears_block(self) -> bool:
-        """A block is cleared whoever fills it."""
-        return self.placed.spec is COPY_FILL and self.number == 0
+        """True for an action that clears a block, whoever fills the block."""
+        return self.placed.effects.shape is Shape.FILL and self.number == 0
 
     def surely_runs_with(self, use: _Use) -> bool:
-        """True when the writer runs whenever the use does, as far as their conditions are looked at together."""
+        """True if the writer runs whenever the use does, as far as their conditions are looked at together."""
         if self.placed.action.flag("oneshot"):
             return False
         held = {id(term) for term in terms_of(use.condition)}
@@ -95,25 +92,25 @@ class _Writer(NamedTuple):
 
 
 class _Register(NamedTuple):
-    """What the program does with the register of a pointer; ``home`` is None where some number is not known."""
+    """What the program does with the register of a pointer; ``home`` is None if some number is unknown."""
 
     writers: tuple[_Writer, ...] = ()
     home: Routine | None = None
-    """The routine that has all writers outside of loops, when every scan runs it."""
+    """The routine that has all writers outside of loops, if every scan runs it."""
     end: int = 0
-    """The place in it from which on an ``end()`` or ``return`` may keep things from running; no writer is behind."""
+    """The place in it from which an ``end()`` or ``return`` may stop actions from running; no writer comes after it."""
     is_open: bool = False
-    """True when nothing that the program writes decides which writers run."""
+    """True if nothing that the program writes decides which writers run."""
     asked: frozenset[int] = frozenset()
     """The contacts and comparisons that look at the register."""
 
 
-def _report(facts: Facts, problems: Diagnostics, use: _Use, writer: _Writer, is_sure: bool) -> None:
+def _report(facts: Facts, use: _Use, writer: _Writer, is_sure: bool) -> Findings:
     span, bank, number = use.pointer.span, BANKS[use.pointer.bank], writer.number
     there = writer.placed.action.span.seen_from(span)
     said = f"is {number} after {there}" if is_sure else f"may still be {number} from {there}"
     # What CLICK does then: click-facts [copy.wild-pointer]
-    problems.add(
+    yield finding(
         CODE,
         span,
         f"{facts.shown(use.register.address)} {said}, and there is no {bank.name}{number}: "
@@ -132,9 +129,9 @@ class _Registers:
         self._known: dict[Address, _Register] = {}
         self._places = facts.places
         self._ends: dict[int, int] = {}
-        """The place of each routine's first ``end()`` or ``return``: what stands behind it may not run."""
+        """The place of each routine's first ``end()`` or ``return``: the actions after it may not run."""
         for place, placed in enumerate(facts.actions):
-            if placed.spec in (END, RETURN):
+            if placed.effects.leaves:
                 self._ends.setdefault(id(placed.routine), place)
 
     def of(self, address: Address) -> _Register:
@@ -145,9 +142,8 @@ class _Registers:
     def _look_at(self, address: Address) -> _Register:
         writers = []
         for placed in self._facts.writers(address):
-            source = placed.action.args.get("source")
-            is_known = placed.spec in (COPY, COPY_FILL) and isinstance(source, Integer)
-            number = source.value if is_known and isinstance(source, Integer) else None
+            moved = placed.action.moved if placed.effects.shape in (Shape.VALUE, Shape.FILL) else None
+            number = moved.value if isinstance(moved, Integer) else None
             writers.append(_Writer(placed, placed.condition, self._places[id(placed.action)], number))
         if not writers:
             return _Register()
@@ -168,7 +164,7 @@ class _Registers:
         return home if home.is_main or (calls and all(call.is_unconditional for call in calls)) else None
 
 
-# -- which number arrives ---------------------------------------------------------------------------------------------
+# -- the number that arrives ------------------------------------------------------------------------------------------
 
 
 def _find(facts: Facts, use: _Use, register: _Register) -> tuple[_Writer, bool] | None:
@@ -200,7 +196,7 @@ def _find(facts: Facts, use: _Use, register: _Register) -> tuple[_Writer, bool] 
 
 
 def _comes_from(writer: _Writer, use: _Use, later: Sequence[Condition]) -> bool:
-    """True when the writer may run and the use find its number, while none of the later writers runs."""
+    """True if the writer may run and the use find its number, while none of the later writers runs."""
     condition = All((use.finds(writer), writer.condition), use.register.span)
     return not writer.clears_block and _is_possible(condition, later)
 
@@ -222,10 +218,11 @@ def _left_from_before(use: _Use, writers: Sequence[_Writer], index: int) -> tupl
 
 
 def _is_left_alone(use: _Use, register: _Register) -> bool:
-    """True when the program gives the register good numbers too, and looks at it nowhere but in the use's condition.
+    """True if the program gives the register good numbers too, and looks at it only in the use's condition.
 
-    What the program only clears is a panel's, and another condition may keep wrong numbers from the use. A bit that is
-    looked at both for its edge and its level goes on and off in an order that the conditions alone do not tell.
+    A register that the program only clears is a panel's, and another condition may keep wrong numbers from the use. A
+    bit that is looked at both for its edge and its level goes on and off in an order that the conditions alone do not
+    show.
     """
     own = {id(leaf) for leaf in leaves(use.condition)}
     has_good = not all(use.leads_nowhere(writer.number) for writer in register.writers)
@@ -244,7 +241,7 @@ def _edges_agree(conditions: Iterable[Condition]) -> bool:
 
 
 def _is_free(facts: Facts, condition: Condition, besides: Address | None = None) -> bool:
-    """True when a condition looks at nothing that the program or CLICK changes, one register and the start aside."""
+    """True if a condition looks at nothing that the program or CLICK changes, except one register and the start."""
     return all(
         _stays(facts, operand) or addresses_of(operand) == [besides] for operand in condition_operands(condition)
     )
@@ -257,13 +254,14 @@ def _stays(facts: Facts, operand: Operand) -> bool:
 
 
 def _is_possible(condition: Condition, others: Sequence[Condition] = ()) -> bool:
-    """True when the condition may hold while none of the others does."""
+    """True if the condition may hold while none of the others does."""
     return not implies(condition, Any(tuple(others), condition.span))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a pointer may lead to no address",
     """
 A pointer whose register holds 0, or a number beyond the bank, leads nowhere: CLICK skips the copy, sets SC44 and goes
 on with the old value. Nothing on the panel says why a recipe did not load.
@@ -337,3 +335,5 @@ if c.Show:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

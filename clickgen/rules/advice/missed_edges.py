@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
-from clickgen.instructions import communication
 from clickgen.ir.conditions import Any, Contact, Edge
 from clickgen.ir.operands import Cell
 from clickgen.ir.walk import leaves
 from clickgen.logic.conditions import implies
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [scan.edges]
 CODE = "CG514"
@@ -19,7 +18,7 @@ _CLOCKS = frozenset(Address("SC", number) for number in range(3, 10))
 """CLICK's clocks: a tick that nobody saw is not missed (click-facts [system.clocks])."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     sometimes = {
         routine.name: condition for routine in facts.program.subroutines if (condition := facts.sometimes(routine))
     }
@@ -34,7 +33,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             continue
         call = facts.calls[name][0].action.span
         went = "on" if edge is Edge.RISE else "off"
-        problems.add(
+        yield finding(
             CODE,
             contacts[0].span,
             f"{name} does not run in every scan: when {facts.shown(address)} goes {went} in between, this edge "
@@ -48,21 +47,22 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 
 def _changes_without(facts: Facts, address: Address, name: str, sometimes: dict[str, Any]) -> bool:
-    """True when a bit may change in a scan in which the subroutine does not run."""
+    """True if a bit may change in a scan in which the subroutine does not run."""
     uses = facts.uses.writes(address)
     writers = {use.routine.name for use in uses}
     if not writers or facts.uses.is_pointed(address.bank, True):
         return True
-    if any(use.action and use.action.spec in communication.SPECS for use in uses):
+    if any(use.action and use.action.effects.is_late for use in uses):
         return True  # A message ends in its own time.
     return not all(
         writer == name or (writer in sometimes and implies(sometimes[writer], sometimes[name])) for writer in writers
     )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "an edge may be missed in a subroutine that does not always run",
     """
 An edge contact compares a bit with what it was when CLICK last looked at this contact. In a subroutine that is not
 called, nobody looks. A button that is pressed and released meanwhile is missed; one that is pressed and held makes its
@@ -72,7 +72,7 @@ Take the edge in main, where every scan sees it. `set` a bit there when the pres
 subroutine reset it; `out` a bit there when a press in another mode must count for nothing.
 
 Bits that change only while the subroutine runs too, and the ticks of CLICK's clocks, are left alone. What `send` and
-`receive` report changes in its own time, so it may change in between wherever they stand. A conditional `end()` or
+`receive` report changes in its own time, so it may change in between wherever they are. A conditional `end()` or
 `return` in front is not seen.
 """,
     wrong=(
@@ -202,3 +202,5 @@ def lamps():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -6,33 +6,31 @@ from collections import defaultdict
 from typing import NamedTuple
 
 from clickgen.device.banks import Address
-from clickgen.dialects.if_rungs.spelling import Spellings
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import Use
-from clickgen.instructions.coils import RESET
-from clickgen.instructions.raw import RAW
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.problems.name_slips import Spellings
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG540"
 
 _BANKS = ("X", "Y", "C", "DS", "DD", "DH", "DF", "TXT")
-"""A timer or counter that no instruction drives is CG521's."""
+"""CG521 reports a timer or counter that no instruction drives."""
 
 
 class _Name(NamedTuple):
-    """A name of the program and what is done with it."""
+    """A name of the program and its uses."""
 
     name: str
     address: Address
     reads: list[Use]
     writes: list[Use]
     is_given: bool
-    """True where something gives it a value: an instruction, a declaration, the world outside."""
+    """True if something gives it a value: an instruction, a declaration, the world outside."""
     is_declared: bool
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     by_bank: dict[str, dict[str, _Name]] = defaultdict(dict)
     for address in facts.uses.addresses:
         nickname = facts.nickname(address)
@@ -41,66 +39,62 @@ def check(facts: Facts, problems: Diagnostics) -> None:
     for bank, names in by_bank.items():
         spellings = Spellings(names)
         said: set[str] = set()
-        # What reads a misspelled name waits in vain: it is told first, and the pair once.
+        # A reader of a misspelled name waits in vain: it is reported first, and the pair once.
         for one in sorted(names.values(), key=lambda name: not name.reads or name.is_given):
             if one.is_declared or one.name in said:
                 continue
             for other in (names[near] for near in spellings.near(one.name)):
                 if _is_suspect(bank, one, other):
                     said.update((one.name, other.name))
-                    _report(facts, problems, one, other)
+                    yield from _report(facts, one, other)
                     break
 
 
 def _described(facts: Facts, address: Address, nickname: str) -> _Name:
     reads, writes = facts.uses.reads(address), facts.uses.writes(address)
     is_given = facts.uses.is_pointed(address.bank, is_written=True) or facts.is_set_up(address)
-    # A reset gives a bit nothing: what is only reset is never on. Nobody knows what a kept instruction does.
-    is_given = is_given or any(use.action is None or use.action.spec is not RESET for use in writes)
+    # A reset gives a bit nothing: a bit that is only reset is never on. Nobody knows what a kept instruction does.
+    is_given = is_given or any(use.action is None or use.action.turns is not False for use in writes)
     return _Name(nickname, address, reads, writes, is_given, address in facts.declared)
 
 
 def _is_suspect(bank: str, one: _Name, other: _Name) -> bool:
-    """True where one of two names that look alike lacks a half that the other has, and nobody declared it."""
-    if any(use.action and use.action.spec is RAW for use in (*one.reads, *one.writes)):
+    """True if one of two names that look alike lacks a half that the other has, and nobody declared it."""
+    if any(use.action and use.action.effects.is_unknown for use in (*one.reads, *one.writes)):
         return False
     if bank == "X":
-        # An input is given from outside; what is not declared beside what is, a build has chosen.
+        # An input is given from outside; a build has chosen an undeclared name beside a declared one.
         return other.is_declared
     if one.reads and not one.is_given:
         return other.is_given or not other.reads
     if bank == "Y":
-        # An output acts by itself: it is suspect only where the other one waits for it.
+        # An output acts by itself: it is suspect only if the other one waits for it.
         return bool(one.writes) and not one.reads and bool(other.reads) and not other.is_given
     return bool(one.writes) and not one.reads and bool(other.reads)
 
 
-def _report(facts: Facts, problems: Diagnostics, one: _Name, other: _Name) -> None:
+def _report(facts: Facts, one: _Name, other: _Name) -> Findings:
     is_read = bool(one.reads)
     use = one.reads[0] if is_read else one.writes[0]
     there = next(iter((other.writes if is_read else other.reads) or [*other.writes, *other.reads]))
-    bank = one.address.bank.lower()
+    declared = facts.spell.declaration(facts.spell.name(one.address.bank, one.name), facts.spell.cell(one.address))
     what = "never written" if is_read else "never read"
     if one.address.bank == "X":
         what = "not declared"
-    problems.add(
+    yield finding(
         CODE,
         use.operand.span,
         f"{facts.shown(one.address)} is {what}, and {facts.shown(other.address)} in "
         f"{there.operand.span.seen_from(use.operand.span)} has a name that looks like it",
-        f"write {other.name} in both places; where both are meant, declare this one: "
-        f"nickname({_written(bank, one.name)}, {bank}[{one.address.number}])",
+        f"write {other.name} in both places; where both are meant, declare this one: {declared}",
         (Label(there.operand.span, f"{other.name} is here"),),
     )
 
 
-def _written(bank: str, name: str) -> str:
-    return f"{bank}.{name}" if name.isidentifier() else f'{bank}["{name}"]'
-
-
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a name looks like a misspelling of another",
     """
 clickgen gives every new name an address. A misspelled name is a new name, so it builds: the contact on it waits for
 ever for a bit that nobody sets, and the guard that was to stop the machine does not.
@@ -195,3 +189,5 @@ def main():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -1,4 +1,4 @@
-"""A condition that no state of the machine makes true: what hangs on it never comes on."""
+"""A condition that no state of the machine makes true: whatever depends on it never comes on."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from itertools import combinations
 from clickgen.facts.facts import Facts, Site
 from clickgen.ir.conditions import All, Any, Compare, Condition
 from clickgen.logic.conditions import MANY, are_exclusive, can_hold, decided, looked_at, may_meet, terms_of, value_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG507"
 
 _NAMED_MAX = 4
-"""So many terms that exclude each other a message names."""
+"""A message names at most this many terms that exclude each other."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for site in facts.sites:
         if may_meet((*site.above, site.condition)):
             # A branch of a dead rung is found with the rung.
@@ -27,18 +27,18 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         else:
             found = _never_alone(site.condition, False)
         for part, beside, is_leg in found:
-            _report(facts, problems, site, part, beside, is_leg)
+            yield from _report(facts, site, part, beside, is_leg)
 
 
 _PARTS_MAX = 1_000
-"""No condition that a person wrote has so many parts; of more the rule finds what the first ones say."""
+"""No condition that a person wrote has this many parts; in a larger one the rule looks only at the first ones."""
 
 _Found = tuple[Condition, tuple[Condition, ...], bool]
-"""A part that is never true, what is in series with it, and whether it is one of several alternatives."""
+"""A part that is never true, the conditions in series with it, and whether it is one of several alternatives."""
 
 
 class _Patience:
-    """How many parts of one condition are still looked at: alternatives inside each other double at every level."""
+    """How many parts of one condition may still be looked at: nested alternatives double at every level."""
 
     def __init__(self) -> None:
         self._left = _PARTS_MAX
@@ -50,7 +50,7 @@ class _Patience:
 
 
 def _never(part: Condition, beside: tuple[Condition, ...], is_leg: bool, patience: _Patience) -> Iterator[_Found]:
-    """The innermost parts that are never true beside these others."""
+    """Yield the innermost parts that are never true beside these others."""
     if patience.is_over:
         return
     if isinstance(part, All):
@@ -87,7 +87,7 @@ def _near(part: Condition, beside: tuple[Condition, ...]) -> tuple[Condition, ..
 
 
 def _never_alone(part: Condition, is_leg: bool) -> Iterator[_Found]:
-    """The same where no part says anything of another: only a comparison can be never true by itself."""
+    """The same if all parts are independent: only a comparison can be never true by itself."""
     if isinstance(part, All | Any):
         for term in part.terms:
             yield from _never_alone(term, is_leg or (isinstance(part, Any) and len(part.terms) > 1))
@@ -95,10 +95,8 @@ def _never_alone(part: Condition, is_leg: bool) -> Iterator[_Found]:
         yield part, (), is_leg
 
 
-def _report(
-    facts: Facts, problems: Diagnostics, site: Site, part: Condition, beside: tuple[Condition, ...], is_leg: bool
-) -> None:
-    help = "correct one of them; for one or the other write any(...)"
+def _report(facts: Facts, site: Site, part: Condition, beside: tuple[Condition, ...], is_leg: bool) -> Findings:
+    help = f"correct one of them; for one or the other write {facts.spell.some('...')}"
     labels: tuple[Label, ...] = ()
     if isinstance(part, Compare) and decided(part) is False:
         fault = f"{facts.described(part)} is never true ({value_of(part)})"
@@ -112,11 +110,11 @@ def _report(
         above = terms_of(*site.above)
         if any(term is one for term in outer for one in above):
             help = "correct one of them, or give the branch a rung of its own"
-    problems.add(CODE, part.span, f"{fault}, so {_consequence(site, is_leg)}", help, labels)
+    yield finding(CODE, part.span, f"{fault}, so {_consequence(site, is_leg)}", help, labels)
 
 
 def _at_odds(own: tuple[Condition, ...], beside: tuple[Condition, ...]) -> list[Condition]:
-    """The fewest of these terms that are still never true together: two where two say it."""
+    """The fewest of these terms that are still never true together: two if two are enough."""
     near, far = own[:MANY], beside[:MANY]
     pairs = [*combinations(near, 2), *((one, other) for other in far for one in near)]
     for pair in pairs:
@@ -145,9 +143,10 @@ def _consequence(site: Site, is_leg: bool) -> str:
     return f"the {'branch' if site.above else 'rung'} never comes on"
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a condition can never be true",
     """
 What hangs on a condition that is never true does not run, whatever the machine does, and in CLICK the rung just never
 turns blue. It is mostly `all(...)` where `any(...)` was meant, a comparison turned the wrong way, or a copied line in
@@ -218,3 +217,5 @@ if all(x.Door.immediate, nc(x.Door)):
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

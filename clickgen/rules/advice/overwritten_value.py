@@ -9,11 +9,8 @@ from clickgen.device.banks import Address, parse_address
 from clickgen.facts.changes import Changes, Extent, extents_written
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.uses import Use, addresses_of, extents_of
-from clickgen.instructions import copies, maths
-from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
-from clickgen.instructions.copies import COPY, COPY_PACK
-from clickgen.instructions.raw import RAW
-from clickgen.instructions.spec import BITS, COPY_FLAGS, MATH_FLAGS, TEXT
+from clickgen.instructions.effects import COPY_FLAGS, MATH_FLAGS, Effects, Shape
+from clickgen.instructions.spec import BITS, TEXT
 from clickgen.instructions.spec import CODE as CHARACTER
 from clickgen.ir.conditions import Condition, Contact
 from clickgen.ir.formula_nodes import Binary, Call, walk
@@ -21,27 +18,24 @@ from clickgen.ir.operands import Cell, Constant, Operand, Pointer, Range, form_o
 from clickgen.ir.program import Action, FormulaText
 from clickgen.ir.walk import condition_operands, leaves
 from clickgen.logic.conditions import can_hold, implies, terms_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG510"
 
-_WRITERS = frozenset(spec.name for spec in (*copies.SPECS, *maths.SPECS))
-_BARRIERS = frozenset(spec.name for spec in (CALL, END, RETURN, FOR, NEXT, RAW))
-"""What runs behind these is not what stands behind them, or nobody knows what they read."""
 _BANKS = ("C", "DS", "DD", "DH", "DF", "TXT")
 _CERTAIN = ("+", "-", "*", "/", "AND", "OR", "XOR", "LSH", "RSH", "LRO", "RRO")
 """The operators that give a result whatever their operands are (click-facts [math.division, math.overflow])."""
 _COPY_FLAGS = frozenset(filter(None, map(parse_address, COPY_FLAGS)))
 _FLAGS = _COPY_FLAGS | frozenset(filter(None, map(parse_address, (*MATH_FLAGS, "SC46"))))
-"""The system bits that a write may be there for, its value aside; SC46 is CLICK's _Math_Operation_Error
+"""The system bits that may be the purpose of a write, apart from its value; SC46 is CLICK's _Math_Operation_Error
 (click-facts [scan.flags])."""
 _RUNGS_MAX = 20
 _RANGES_MAX = 8
-"""A write further back is not looked for."""
+"""An earlier write is not considered."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     looked_at: dict[int, list[Operand]] = defaultdict(list)
     touched: dict[int, list[Use]] = defaultdict(list)
     changes = Changes(facts)
@@ -50,15 +44,15 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             looked_at[id(use.rung)].append(use.operand)
         else:
             touched[id(use.action)].append(use)
-    walk = _Walk(facts, problems, changes)
+    walk = _Walk(facts, changes)
     routine, rung = None, None
     for placed in facts.actions:
         if placed.routine is not routine:
-            walk, routine = _Walk(facts, problems, changes), placed.routine
+            walk, routine = _Walk(facts, changes), placed.routine
         if placed.rung is not rung:
             rung = placed.rung
             walk.enter(looked_at[id(rung)])
-        walk.run(placed, touched[id(placed.action)])
+        yield from walk.run(placed, touched[id(placed.action)])
 
 
 class _Write(NamedTuple):
@@ -73,27 +67,27 @@ class _Write(NamedTuple):
 class _Walk:
     """One routine from its first rung to its last, with the values that nothing has read so far."""
 
-    def __init__(self, facts: Facts, problems: Diagnostics, changes: Changes) -> None:
+    def __init__(self, facts: Facts, changes: Changes) -> None:
         self._facts = facts
-        self._problems = problems
         self._changes = changes
         self._flags = frozenset(flag for flag in _FLAGS if facts.uses.reads(flag))
         """The flags that the program looks at anywhere."""
         self._cells: dict[str, dict[int, _Write]] = defaultdict(dict)
         self._ranges: dict[str, list[_Write]] = defaultdict(list)
         self._changed: list[list[Extent]] = []
-        """What each rung has written: bank, first and last number."""
+        """The stretches that each rung has written: bank, first and last number."""
         self._left: set[int] = set()
-        """The rungs with a call or a loop: behind it their conditions may not hold any more."""
+        """The rungs with a call or a loop: after it their conditions may not hold any more."""
 
     def enter(self, looked_at: list[Operand]) -> None:
-        """Every condition of a rung is looked at before its first action, those of pins too."""
+        """Enter a rung: all its conditions are looked at before its first action, those of pins too."""
         self._changed.append([])
         for operand in looked_at:
             self._read(operand)
 
-    def run(self, placed: Placed, touched: list[Use]) -> None:
-        if placed.spec.name in _BARRIERS or placed.loop:
+    def run(self, placed: Placed, touched: list[Use]) -> Findings:
+        # What runs after these is not what is written after them, or nobody knows what they read.
+        if placed.effects.diverts or placed.effects.is_unknown or placed.loop:
             self._forget()
             self._left.add(id(placed.rung))
             return
@@ -102,7 +96,7 @@ class _Walk:
                 self._read(use.operand)
         for use in touched:
             if use.is_written:
-                self._write(placed, use.operand)
+                yield from self._write(placed, use.operand)
 
     # -- reading ------------------------------------------------------------------------------------------------------
 
@@ -134,16 +128,16 @@ class _Walk:
 
     # -- writing ------------------------------------------------------------------------------------------------------
 
-    def _write(self, placed: Placed, operand: Operand) -> None:
+    def _write(self, placed: Placed, operand: Operand) -> Findings:
         self._changed[-1] += extents_written(operand)
         if isinstance(operand, Pointer):
             return
-        is_copied = placed.spec.name in _WRITERS
+        is_copied = _puts_value(placed.effects)
         for bank, first, last in extents_of(operand):
             if bank not in _BANKS:
                 continue
             if is_copied and _replaces(placed.action):
-                self._judge(placed, bank, first, last)
+                yield from self._judge(placed, bank, first, last)
             self._drop(bank, first, last)
             if not is_copied or _becomes_text(placed.action):
                 continue
@@ -153,7 +147,7 @@ class _Walk:
             else:
                 self._ranges[bank] = [*self._ranges[bank][1 - _RANGES_MAX :], write]
 
-    def _judge(self, placed: Placed, bank: str, first: int, last: int) -> None:
+    def _judge(self, placed: Placed, bank: str, first: int, last: int) -> Findings:
         lost = self._cells_in(bank, first, last)
         lost += [write for write in self._ranges.get(bank, ()) if first <= write.first and write.last <= last]
         for write in lost:
@@ -162,7 +156,7 @@ class _Walk:
             here, there = write.placed.action.span, placed.action.span
             ends = [Address(bank, number) for number in sorted({write.first, write.last})]
             shown = " to ".join(map(self._facts.shown, ends))
-            self._problems.add(
+            yield finding(
                 CODE,
                 here,
                 f"the value for {shown} is overwritten in {there.seen_from(here)} before anything reads it: "
@@ -172,12 +166,12 @@ class _Walk:
             )
 
     def _is_for_flags(self, lost: Action, action: Action) -> bool:
-        """True when the program looks at a flag that the lost action may raise, or that the other one leaves alone."""
+        """True if the program looks at a flag that the lost action may raise, or that the other one leaves alone."""
         looked_at = _flags_of(lost) & self._flags
         return bool(looked_at) and (_may_raise_flags(lost) or not looked_at <= _flags_of(action))
 
     def _always_follows(self, write: _Write, placed: Placed) -> bool:
-        """True when the second write runs in every scan in which the first one does."""
+        """True if the second write runs in every scan in which the first one does."""
         one, other = write.placed.condition, placed.condition
         if len(self._changed) - write.rung > _RUNGS_MAX:
             return False
@@ -191,60 +185,66 @@ class _Walk:
             changed = [extent for rung in self._changed[write.rung - 1 :] for extent in rung]
             if any(self._changes.may_change(operand, changed) for operand in condition_operands(other)):
                 return False
-        # What never runs at all is CG507's.
+        # CG507 reports a write that never runs at all.
         return implies(one, other) and can_hold(one)
 
 
 def _begins_with(path: Condition, other: Condition) -> bool:
-    """True when ``path`` is ``other``, or a branch below it: one power flow decides both."""
+    """True if ``path`` is ``other``, or a branch below it: one power flow decides both."""
     terms = {id(term) for term in terms_of(path)}
     return all(id(term) in terms for term in terms_of(other))
 
 
+def _puts_value(effects: Effects) -> bool:
+    """True for what puts a value into its target whenever it runs, and does nothing else."""
+    return effects.shape is not None and effects.needs_power
+
+
 def _replaces(action: Action) -> bool:
-    """True when the instruction, once it runs, surely writes its whole target."""
-    if action.flag("oneshot") or "options" in action.args or isinstance(action.args.get("source"), Pointer):
+    """True if the instruction, once it runs, certainly writes its whole target."""
+    if action.flag("oneshot") or "options" in action.args or isinstance(action.moved, Pointer):
         return False
-    formula = action.args.get("formula")
-    if isinstance(formula, FormulaText):
-        nodes = list(walk(formula.formula))
+    source, target = action.moved, form_of(action.moved_to)
+    if isinstance(source, FormulaText):
+        nodes = list(walk(source.formula))
         return not any(
             isinstance(node, Call) or (isinstance(node, Binary) and node.op not in _CERTAIN) for node in nodes
         )
-    source, target = action.args["source"], form_of(action.args["destination"])
-    if action.spec is COPY_PACK and isinstance(source, Range) and form_of(source) in BITS:
-        # What becomes of the bits above those that are packed is not certain (click-facts [copy.pack-high-bits]).
+    if action.effects.shape is Shape.PACK and isinstance(source, Range) and form_of(source) in BITS:
+        # It is not certain what happens to the bits above the packed ones (click-facts [copy.pack-high-bits]).
         return len(source) == (32 if target in ("DD", "DF") else 16)
-    # A text that is no number leaves the target as it is (click-facts [copy.no-number]).
+    # A text that is not a number leaves the target unchanged (click-facts [copy.no-number]).
     return not _becomes_text(action) and (form_of(source) != "TXT" or target == "TXT")
 
 
 def _becomes_text(action: Action) -> bool:
-    """True for a number that is copied to a text without a word about how: no source says how much that fills
+    """True for a number that is copied to a text without an option: no source says how much that fills
     (click-facts [value.number-text-length])."""
-    if action.spec is not COPY or "options" in action.args or form_of(action.args["destination"]) != "TXT":
-        return False
-    return form_of(action.args["source"]) not in ("TXT", TEXT, CHARACTER)
+    is_copy = action.effects.shape is Shape.VALUE and "options" not in action.args
+    return is_copy and form_of(action.moved_to) == "TXT" and form_of(action.moved) not in ("TXT", TEXT, CHARACTER)
 
 
 def _flags_of(action: Action) -> frozenset[Address]:
-    """The flags that an instruction may change; a formula changes those of copies too where it reads pointers."""
-    return _FLAGS if action.spec in maths.SPECS else _COPY_FLAGS
+    """The flags that an instruction may change; a formula also changes those of copies if it reads pointers."""
+    if action.effects.shape is Shape.FORMULA:
+        return _FLAGS
+    return frozenset(filter(None, map(parse_address, action.effects.flags)))
 
 
 def _may_raise_flags(action: Action) -> bool:
-    """False for what cannot fail: a constant, or a value of the target's own bank, is copied as it is."""
-    source = action.args.get("source")
-    if isinstance(source, Cell | Range) and source.bank == form_of(action.args["destination"]):
+    """False for a copy that cannot fail: a constant, or a value of the target's own bank, is copied unchanged."""
+    moved = action.moved
+    if isinstance(moved, Cell | Range) and moved.bank == form_of(action.moved_to):
         return False
-    return not isinstance(source, Constant)
+    return not isinstance(moved, Constant)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a value is overwritten before anything reads it",
     """
-Two instructions write the same address, and whenever the first one runs, the second one runs behind it, in the same
+Two instructions write the same address, and whenever the first one runs, the second one runs after it, in the same
 rung or a few rungs further down, before anything has looked at the value. The first one does nothing. Mostly a line
 was copied and its address not changed, so another address misses its value.
 
@@ -313,3 +313,5 @@ if c.Start:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -1,14 +1,13 @@
-"""A timer or counter that is looked at and that no instruction drives."""
+"""A timer or counter that is looked at but that no instruction drives."""
 
 from __future__ import annotations
 
 from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Address, current_value
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.drums import TIME_DRUM
 from clickgen.ir.operands import Operand, form_of
-from clickgen.problems.diagnostics import Diagnostics, did_you_mean
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import did_you_mean
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [timer.unowned]
 CODE = "CG521"
@@ -16,7 +15,7 @@ CODE = "CG521"
 _INSTRUCTIONS = {"T": "ton, tof, rton or rtof", "CT": "ctu, ctd or ctud"}
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     said: set[Address] = set()
     for use in facts.uses.every:
         bank = form_of(use.operand)
@@ -27,7 +26,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         if said.issuperset(map(_number, addresses)) or any(_is_driven(facts, address) for address in addresses):
             continue
         said.update(map(_number, addresses))
-        _report(facts, problems, use.operand, addresses)
+        yield from _report(facts, use.operand, addresses)
 
 
 def _number(address: Address) -> Address:
@@ -36,21 +35,23 @@ def _number(address: Address) -> Address:
 
 
 def _is_driven(facts: Facts, address: Address) -> bool:
-    """True for what an instruction owns, and for a current value that any other writes."""
+    """True if an instruction owns it, and for a current value that any other instruction writes."""
     return bool(facts.uses.writes(address)) or facts.uses.is_pointed(address.bank, is_written=True)
 
 
-def _report(facts: Facts, problems: Diagnostics, operand: Operand, addresses: list[Address]) -> None:
+def _report(facts: Facts, operand: Operand, addresses: list[Address]) -> Findings:
     first, number = addresses[0], _number(addresses[0])
     value = current_value(first)
-    if len(addresses) == 1 and any(placed.spec is TIME_DRUM for placed in facts.writers(value)):
-        fault = f"{facts.shown(value)} belongs to a time_drum, which has no bit: {first} never comes on"
+    without_bit = (one.spec.name for one in facts.writers(value) if one.spec.owns and one.effects.done is None)
+    owner = next(without_bit, "") if len(addresses) == 1 else ""
+    if owner:
+        fault = f"{facts.shown(value)} belongs to a {owner}, which has no bit: {first} never comes on"
         help = "use the completion flag of the drum, or compare its current value"
     else:
         fate = "the bit never comes on" if first == number else "the value never changes"
         fault = f"no {_INSTRUCTIONS[number.bank]} drives {facts.listed(addresses)}: {fate} (C1002)"
         help = _near_name(facts, number) or "add its instruction, or correct the address"
-    problems.add(CODE, operand.span, fault, help)
+    yield finding(CODE, operand.span, fault, help)
 
 
 def _near_name(facts: Facts, number: Address) -> str:
@@ -58,9 +59,10 @@ def _near_name(facts: Facts, number: Address) -> str:
     return did_you_mean(facts.nickname(number), filter(None, map(facts.nickname, others)))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a timer's or counter's bit is used without its instruction",
     """
 A contact on a timer or counter that has no instruction anywhere stays as it is for ever: the delay never ends, the
 batch is never full. CLICK warns of it too (C1002). Mostly the name is a little wrong, or the timer's rung was removed
@@ -121,3 +123,5 @@ if ctd[5] > 10:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

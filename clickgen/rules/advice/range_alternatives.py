@@ -4,43 +4,43 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from clickgen.device.banks import BANKS
 from clickgen.facts.facts import Facts
 from clickgen.ir.conditions import All, Any, Condition, Contact
 from clickgen.ir.operands import Immediate, Range
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
 
 CODE = "CG526"
 
 _BITS_MAX = 16
-"""The fix writes out no longer range than this."""
+"""The fix writes out ranges up to this length."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for condition in facts.conditions:
         for contact in _alternatives(condition, False):
             bits = _bits(facts, contact)
             if len(bits) > 1:
                 state = "off, not that one of them is" if contact.negated else "on, not that one of them is"
                 every = "both" if len(bits) == 2 else f"all {len(bits)}"
-                each = f"{bits[0]}, {bits[1]}" + ("" if len(bits) == 2 else ", ...")
+                each = [*bits[:2], *(["..."] if len(bits) > 2 else [])]
+                group = facts.spell.some("...")
                 text = facts.text(contact.span)
                 # A comment between the brackets would be lost.
                 is_plain = len(bits) <= _BITS_MAX and "\n" not in text
                 fix = Fix((Edit(contact.span, ", ".join(bits)),), is_safe=False) if is_plain else None
-                problems.add(
+                yield finding(
                     CODE,
                     contact.span,
-                    f"{text} in any(...) means that {every} bits are {state}",
-                    f"for one of them write any({each}); for all of them say so with all({text})",
+                    f"{text} in {group} means that {every} bits are {state}",
+                    f"for one of them write {facts.spell.some(*each)}; for all of them say so with "
+                    f"{facts.spell.every(text)}",
                     fix=fix,
                 )
 
 
 def _alternatives(condition: Condition, is_alternative: bool) -> Iterator[Contact]:
-    """The contacts that are a term of any(...) by themselves."""
+    """Yield the contacts that are a term of any(...) by themselves."""
     if isinstance(condition, All | Any):
         for term in condition.terms:
             yield from _alternatives(term, isinstance(condition, Any))
@@ -49,26 +49,27 @@ def _alternatives(condition: Condition, is_alternative: bool) -> Iterator[Contac
 
 
 def _bits(facts: Facts, contact: Contact) -> list[str]:
-    """The contacts that a range stands for, as a program writes them; none for what is no range."""
+    """The contacts for a range, as a program writes them; none if it is not a range."""
     operand = contact.operand
     target = operand.target if isinstance(operand, Immediate) else operand
     if not isinstance(target, Range):
         return []
-    end = ".immediate" if isinstance(operand, Immediate) else ""
-    bits = [f"{bit}{end}" for bit in _members(facts.text(target.span), target)]
-    return [f"nc({bit})" for bit in bits] if contact.negated else bits
+    end = facts.spell.immediate if isinstance(operand, Immediate) else ""
+    bits = [f"{bit}{end}" for bit in _members(facts, facts.text(target.span), target)]
+    return list(map(facts.spell.off, bits)) if contact.negated else bits
 
 
-def _members(text: str, bits: Range) -> list[str]:
+def _members(facts: Facts, text: str, bits: Range) -> list[str]:
     """Each bit of a range: by its number, or as a member of the block that the text names as a whole."""
-    if "[" not in text and "." in text:
-        return [f"{text}[{index}]" for index in range(len(bits))]
-    return [f"{BANKS[bits.bank].dsl}[{address.number}]" for address in bits.addresses()]
+    if facts.spell.is_name(text):
+        return [facts.spell.member(text, index) for index in range(len(bits))]
+    return list(map(facts.spell.cell, bits.addresses()))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a range among alternatives means all of its bits",
     """
 A range as a contact means every bit of it in series: `c[1:5]` is on when C1, C2, C3 and C4 all are, and `nc(c[1:5])`
 when all of them are off. Inside `any(...)` it reads as if one bit were enough, as in Python, and a horn that should
@@ -116,5 +117,6 @@ if all(c[1:5], nc(c[11:15])):
     out(y.Pump)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

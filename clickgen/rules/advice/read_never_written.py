@@ -1,4 +1,4 @@
-"""An address that is read and never written: it keeps the value it began with."""
+"""An address that is read and never written: it keeps its initial value."""
 
 from __future__ import annotations
 
@@ -6,16 +6,15 @@ from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of, extents_of
 from clickgen.ir.operands import form_of
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG504"
 
 _BANKS = ("Y", "C", "DS", "DD", "DH", "DF", "TXT")
-"""Inputs and system points come from outside; timers and counters without their instruction are CG521's."""
+"""Inputs and system points come from outside; CG521 reports timers and counters without their instruction."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     judged: set[tuple[str, int, int]] = set()
     said: set[Address] = set()
     for use in facts.uses.every:
@@ -32,19 +31,21 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             continue
         said.update(addresses)
         one = len(addresses) == 1
-        problems.add(
+        declared = facts.spell.declaration("...", initial="...", retentive="False")
+        yield finding(
             CODE,
             use.operand.span,
             f"{facts.listed(addresses)} {'is' if one else 'are'} read here and nothing in the program writes "
             f"{'it' if one else 'them'}",
-            "correct the name, declare a value with nickname(..., initial=..., retentive=False), or write "
-            f"# clickgen: ignore[{CODE}] where a panel or another device writes it",
+            f"correct the name, declare a value with {declared}, or write {facts.spell.ignore(CODE)} where a panel or "
+            "another device writes it",
         )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.INFO,
+    "an address is read and never written",
     """
 Nothing in the program gives this address a value. Either a panel or another device does, or its name is misspelled and
 the program works with 0 for ever. A declaration with an initial value or a retentive setting tells that it is meant.
@@ -92,4 +93,7 @@ if ds[105] == 5:
     out(y.Lamp)
 """,
     ),
+    is_on=False,
 )
+
+RULE = Rule(find, (ABOUT,))

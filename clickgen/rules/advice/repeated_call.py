@@ -1,37 +1,33 @@
-"""A subroutine that runs twice in one scan and holds what must run once: timers, counters, edges, one-shots."""
+"""A subroutine that runs twice in one scan but holds things that must run once: timers, counters, edges, one-shots."""
 
 from __future__ import annotations
 
 from itertools import combinations
 
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions import counters, timers
-from clickgen.instructions.data import SHIFT
-from clickgen.instructions.drums import EVENT_DRUM, TIME_DRUM
 from clickgen.ir.conditions import Contact
 from clickgen.ir.program import Routine
 from clickgen.ir.walk import leaves
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG527"
 
-_BOXES = (*timers.SPECS, *counters.SPECS, EVENT_DRUM, TIME_DRUM, SHIFT)
 
-
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for routine in facts.program.subroutines:
         again = _second_run(facts, facts.calls.get(routine.name, ()))
         held = _once(facts, routine) if again else None
         if again and held:
             call, other = again
             span, what = held
-            problems.add(
+            yield finding(
                 CODE,
                 call.action.span,
                 f"{routine.name} may run more than once in a scan, and {what}",
-                "call it in one rung, with any(...) of the conditions, or give each place a subroutine of its own"
+                f"call it in one rung, with {facts.spell.some('...')} of the conditions, or give each place a "
+                "subroutine of its own"
                 if not call.loop
                 else "call it outside the loop, or move what must run once out of the subroutine",
                 (Label(other, "the loop" if call.loop else "called here too"), Label(span, "this one")),
@@ -39,7 +35,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
 
 
 def _second_run(facts: Facts, calls: tuple[Placed, ...]) -> tuple[Placed, Span] | None:
-    """A call that may run the subroutine once more in a scan, and the loop or the earlier call that makes it so."""
+    """A call that may run the subroutine once more in a scan, and the loop or the earlier call that causes it."""
     for call in calls:
         if call.loop:
             return call, call.loop.span
@@ -50,10 +46,10 @@ def _second_run(facts: Facts, calls: tuple[Placed, ...]) -> tuple[Placed, Span] 
 
 
 def _once(facts: Facts, routine: Routine) -> tuple[Span, str] | None:
-    """The first thing in a routine that must run once in a scan, and what becomes of it."""
+    """The first thing in a routine that must run once in a scan, and its effect otherwise."""
     for placed in facts.actions:
         if placed.routine is routine:
-            if placed.spec in _BOXES:
+            if placed.effects.keeps:
                 return placed.action.span, f"each run may advance its {placed.spec.name}"
             if placed.action.flag("oneshot"):
                 return placed.action.span, f"only one run does its one-shot {placed.spec.name}"
@@ -65,11 +61,12 @@ def _once(facts: Facts, routine: Routine) -> tuple[Span, str] | None:
     return None
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a subroutine with timers or edges may run twice in a scan",
     """
-A subroutine keeps one memory, however often it is called. When two calls run in one scan, or a call stands in a loop, a
+A subroutine keeps one memory, however often it is called. When two calls run in one scan, or a call is in a loop, a
 timer in it may add the time of the scan twice, a counter may count twice, and an edge or a one-shot is there for the
 first of the runs and gone for the others. It is the fault of a timer inside a loop (CG423) by another door.
 
@@ -152,3 +149,5 @@ def note():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

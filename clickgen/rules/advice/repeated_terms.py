@@ -1,4 +1,4 @@
-"""A term that says again what another one in series or in parallel with it says: mostly a copied line."""
+"""A term that repeats another one in series or in parallel with it: mostly a copied line."""
 
 from __future__ import annotations
 
@@ -21,32 +21,33 @@ from clickgen.logic.conditions import (
     shape,
     terms_of,
 )
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Diagnostic, Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
 CODE = "CG509"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
-    judge = _Judge(facts, problems)
+def find(facts: Facts) -> Findings:
+    judge = _Judge(facts)
     for site in facts.sites:
         if may_meet((*site.above, site.condition)):
             judge.series(site.condition, terms_of(*site.above))
+    yield from judge.found
 
 
 _Pair = tuple[Condition, Condition]
-"""A term that is too much, and the one that makes it so."""
+"""A redundant term, and the one that makes it so."""
 
 
 class _Judge:
-    def __init__(self, facts: Facts, problems: Diagnostics) -> None:
+    def __init__(self, facts: Facts) -> None:
         self._facts = facts
-        self._problems = problems
+        self.found: list[Diagnostic] = []
 
     def series(self, part: Condition, beside: tuple[Condition, ...]) -> None:
-        """Terms that all must hold, beside others that hold too."""
+        """Judge terms that all must hold, beside others that hold too."""
         kept = self._without_repeats(part, terms_of(part), beside)
         if len(kept) + len(beside) <= MANY and not are_exclusive(*beside, part):
             pairs = [(term, cause) for term in kept for cause in beside] + _both_ways(kept)
@@ -58,7 +59,7 @@ class _Judge:
                 self.parallel(term, (*beside, *(other for other in kept if other is not term)))
 
     def parallel(self, part: Any, beside: tuple[Condition, ...]) -> None:
-        """Alternatives, and what holds beside each of them."""
+        """Judge alternatives, and the conditions beside each of them."""
         kept = self._without_repeats(part, _alternatives(part), ())
         if len(kept) <= MANY and not always_holds(part):
             for term, cause in _too_much(_both_ways(kept), lambda term, cause: implies(term, cause) and can_hold(term)):
@@ -71,14 +72,14 @@ class _Judge:
     def _without_repeats(
         self, part: Condition, terms: tuple[Condition, ...], beside: tuple[Condition, ...]
     ) -> list[Condition]:
-        """The terms that are not word for word an earlier one; the others are reported, in one finding with one fix."""
+        """Return the terms that are not word for word an earlier one; report the others in one finding with one fix."""
         above = {shape(term): term for term in reversed(beside)}
         seen: dict[object, Condition] = {}
         again: list[_Pair] = []
         for term in terms:
             said = above.get(shape(term))
             if said is not None:
-                self._report(term, said, "the same stands in series with it")
+                self._report(term, said, "the same is in series with it")
                 continue
             first = seen.setdefault(shape(term), term)
             if first is not term:
@@ -86,21 +87,23 @@ class _Judge:
         if again:
             wiring = "parallel" if isinstance(part, Any) else "series"
             named = dict.fromkeys(self._facts.described(term) for term, _ in again)
-            verb = "stand" if len(named) > 1 else "stands"
-            self._problems.add(
-                CODE,
-                again[0][0].span,
-                f"{' and '.join(named)} {verb} twice in {wiring}: the second time changes nothing",
-                "leave it out, or name the address that was meant",
-                tuple(Label(first.span, "the first time") for _, first in again),
-                _removal(self._facts, part, again),
+            verb = "are" if len(named) > 1 else "is"
+            self.found.append(
+                finding(
+                    CODE,
+                    again[0][0].span,
+                    f"{' and '.join(named)} {verb} twice in {wiring}: the second time changes nothing",
+                    "leave it out, or name the address that was meant",
+                    tuple(Label(first.span, "the first time") for _, first in again),
+                    _removal(self._facts, part, again),
+                )
             )
         return list(seen.values())
 
     def _report(self, term: Condition, cause: Condition, reason: str) -> None:
         fault = f"{self._facts.described(term)} changes nothing: {reason}"
         help = "leave it out, or correct what is not meant so"
-        self._problems.add(CODE, term.span, fault, help, (Label(cause.span, "this one"),))
+        self.found.append(finding(CODE, term.span, fault, help, (Label(cause.span, "this one"),)))
 
 
 def _alternatives(part: Any) -> tuple[Condition, ...]:
@@ -108,7 +111,7 @@ def _alternatives(part: Any) -> tuple[Condition, ...]:
 
 
 def _both_ways(terms: list[Condition]) -> list[_Pair]:
-    """Every pair, the later one first as what is too much; none of ds.Step == 1 and ds.Step == 2, which is common."""
+    """Every pair, the later one first as the redundant one; not ds.Step == 1 and ds.Step == 2, which is common."""
     equations = [isinstance(term, Compare) and term.op == "==" for term in terms]
     pairs = combinations(zip(terms, equations, strict=True), 2)
     return [
@@ -144,26 +147,26 @@ def _has_edge(condition: Condition) -> bool:
 
 
 def _removal(facts: Facts, part: Condition, again: list[_Pair]) -> Fix | None:
-    """Take terms that say an earlier one again out of a series or a parallel; None where more would go."""
+    """Remove terms that repeat an earlier one from a series or a parallel; None if more would go."""
     gone = {id(term) for term, _ in again}
     lines = range(part.span.line, part.span.end_line + 1)
     has_comment = len(lines) > 1 and any("#" in facts.sources[part.span.path].line(line) for line in lines)
     cuts = None if has_comment or not isinstance(part, All | Any) else _cuts(facts, part, gone)
     if cuts is None:
         return None
-    # Two words for one address are so by the table of this program.
+    # Two words for one address are equal only by the table of this program.
     rests_on_names = any(_words(facts, term) != _words(facts, first) for term, first in again)
     return Fix(tuple(Edit(cut, "") for cut in cuts), rests_on_names=rests_on_names)
 
 
 def _words(facts: Facts, term: Condition) -> set[str]:
-    """How a term writes its addresses."""
+    """The words with which a term writes its addresses."""
     operands = (operand for operand in condition_operands(term) if isinstance(operand, Cell | Range | Immediate))
     return {"".join(facts.text(operand.span).split()) for operand in operands}
 
 
 def _cuts(facts: Facts, part: All | Any, gone: set[int]) -> list[Span] | None:
-    """What to cut out of all(...) or any(...), and out of the same inside it."""
+    """The stretches to cut from all(...) or any(...), and from the same inside it."""
     cuts: list[Span] = []
     kept = [term for term in part.terms if not _is_gone(part, term, gone)]
     for term in kept:
@@ -195,7 +198,7 @@ def _cuts(facts: Facts, part: All | Any, gone: set[int]) -> list[Span] | None:
 
 
 def _is_gone(part: All | Any, term: Condition, gone: set[int]) -> bool:
-    """True also for a group of the same kind that keeps nothing."""
+    """True also for a group of the same kind of which nothing is left."""
     inside = term.terms if isinstance(term, All | Any) and type(term) is type(part) else ()
     return id(term) in gone or (bool(inside) and all(_is_gone(part, inner, gone) for inner in inside))
 
@@ -216,9 +219,10 @@ def _cut(part: Condition, start: _Point, end: _Point) -> Span:
     return Span(part.span.path, *start, *end)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a condition repeats a term",
     """
 A second contact on the same bit in one series changes nothing, so it is mostly a copied term in which the address was
 not changed: the guard of the other door that nobody checks. The same goes for two equal alternatives, for a branch that
@@ -227,7 +231,7 @@ asks again what its rung asks already, and for a comparison that another one inc
 
 Word-for-word repeats in one `all(...)` or `any(...)` are taken out by the fix. What only follows from another term is
 left to you: either the term or its number is wrong. Edges count as equal within one rung, since all of it is looked at
-in one moment; immediate contacts do not, since each reads the terminal anew. A level beside an edge of the same bit is
+in one moment; immediate contacts do not, since each reads the terminal again. A level beside an edge of the same bit is
 left alone.
 """,
     wrong=(
@@ -306,5 +310,6 @@ if all(c.Run, re(c.Run)):
     set(c.Started)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -7,23 +7,22 @@ from collections.abc import Iterable
 from clickgen.device.banks import Address
 from clickgen.facts.facts import STARTING, Facts, Placed
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.coils import RESET
 from clickgen.ir.conditions import Contact
 from clickgen.ir.operands import Cell
 from clickgen.ir.reach import touches
 from clickgen.ir.walk import condition_operands
 from clickgen.logic.conditions import implies
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG503"
 
 _WRITERS_MAX = 2000
-"""Beyond so many instructions the way back from a reset is not followed."""
+"""Beyond this many instructions the way back from a reset is not followed."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
-    resets = [(placed, addresses_of(placed.action.args["address"])) for placed in facts.actions if placed.spec is RESET]
+def find(facts: Facts) -> Findings:
+    turning_off = (placed for placed in facts.actions if placed.action.turns is False)
+    resets = [(placed, addresses_of(placed.action.driven)) for placed in turning_off]
     never_on = {bit for bit in {bit for _, bits in resets for bit in bits} if _stays_off(facts, bit)}
     answers = _Answers(facts)
     asked = {bit for placed, bits in resets for bit in answers.of(placed, never_on.intersection(bits))}
@@ -32,17 +31,17 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         # A range may hold spare bits beside those that are set.
         if said.issuperset(bits) or not never_on.issuperset(bits) or not asked.isdisjoint(bits):
             continue
-        # Cleared in the first scan: what a panel sets begins in a known state.
+        # Cleared in the first scan: a bit that a panel sets begins in a known state.
         if placed.depends_only_on(STARTING) and any(facts.uses.reads(bit) for bit in bits):
             continue
         said.update(bits)
         one = len(bits) == 1
-        problems.add(
+        yield finding(
             CODE,
             placed.action.span,
             f"{facts.listed(bits)} {'is' if one else 'are'} reset here and never set: "
             f"nothing in the program turns {'it' if one else 'them'} on",
-            f"add the set, or correct the name; where a panel turns it on, write # clickgen: ignore[{CODE}]",
+            f"add the set, or correct the name; where a panel turns it on, write {facts.spell.ignore(CODE)}",
         )
 
 
@@ -51,7 +50,7 @@ def _stays_off(facts: Facts, bit: Address) -> bool:
         return False
     if facts.initial(bit) == "1":
         return False
-    return all(placed.spec is RESET for placed in facts.writers(bit))
+    return all(placed.action.turns is False for placed in facts.writers(bit))
 
 
 class _Answers:
@@ -60,12 +59,12 @@ class _Answers:
     def __init__(self, facts: Facts) -> None:
         self._facts = facts
         self._behind: dict[int, set[Address]] = {}
-        """What each action depends on, by its id."""
+        """The addresses that each action depends on, by its id."""
 
     def of(self, placed: Placed, bits: set[Address]) -> set[Address]:
-        """Those of the bits whose reset waits for them, or for what the program does on account of them.
+        """Those of the bits whose reset waits for them, or for what the program does because of them.
 
-        The way may be long: a step, a timer, the end of a batch. Where it is too long, it is taken to lead to the bits.
+        The way may be long: a step, a timer, the end of a batch. If it is too long, it is assumed to lead to the bits.
         """
         if not bits:
             return bits
@@ -112,9 +111,10 @@ def _read_by(placed: Placed) -> set[Address]:
     }
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a bit is reset and never set",
     """
 A `reset` of a bit that no rung ever turns on does nothing, and every contact on that bit waits forever. Most often
 the name is a little wrong here or where the bit is set, or the rung that sets it is gone.
@@ -195,3 +195,5 @@ def main():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

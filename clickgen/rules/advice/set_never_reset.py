@@ -5,21 +5,19 @@ from __future__ import annotations
 from clickgen.device.banks import Address
 from clickgen.facts.facts import STARTING, Facts
 from clickgen.facts.uses import addresses_of
-from clickgen.instructions.coils import SET
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG502"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     seen: set[Address] = set()
     for placed in facts.actions:
-        # What the first scan sets is meant to stay on.
-        if placed.spec is not SET or placed.depends_only_on(STARTING):
+        # A bit that the first scan sets is meant to stay on.
+        if placed.action.turns is not True or placed.depends_only_on(STARTING):
             continue
-        bits = [bit for bit in addresses_of(placed.action.args["address"]) if bit not in seen]
-        # So is what is set once, whatever happens.
+        bits = [bit for bit in addresses_of(placed.action.driven) if bit not in seen]
+        # So is a bit that is set once, whatever happens.
         if len(bits) == 1 and placed.depends_only_on(STARTING.union(bits)):
             continue
         seen.update(bits)
@@ -29,12 +27,12 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             is_for_good = all(map(facts.is_retentive, held))
             until = "for good" if is_for_good else "until the PLC restarts"
             meant = "where a panel turns it off" + ("" if is_for_good else ", or where only a restart is to end it")
-            problems.add(
+            yield finding(
                 CODE,
                 placed.action.span,
                 f"{facts.listed(held)} {'is' if one else 'are'} set here and never reset: once on, "
                 f"{'it stays' if one else 'they stay'} on {until}",
-                f"add the reset that ends it; {meant}, write # clickgen: ignore[{CODE}]",
+                f"add the reset that ends it; {meant}, write {facts.spell.ignore(CODE)}",
             )
 
 
@@ -42,15 +40,16 @@ def _stays_on(facts: Facts, bit: Address) -> bool:
     # Some SC bits are commands to the CLICK, which turns them off itself (click-facts [bank.writable-sc]).
     if bit.bank not in ("Y", "C") or facts.uses.is_pointed(bit.bank, is_written=True):
         return False
-    return all(placed.spec is SET for placed in facts.writers(bit))
+    return all(placed.action.turns for placed in facts.writers(bit))
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a bit is set and never reset",
     """
 `set` turns a bit on and nobody turns it off again: the machine runs on although its stop button is pressed, or an alarm
-can never be acknowledged. Look for a `reset` that was forgotten, or that stands on a bit with a similar name.
+can never be acknowledged. Look for a `reset` that was forgotten, or that is on a bit with a similar name.
 
 Any other instruction that writes the bit counts as a reset: `out`, a copy, a pointer, a drum. A bit that is set in the
 first scan, or by nothing but itself, is meant to stay on.
@@ -106,3 +105,5 @@ if x.Restart:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -1,4 +1,4 @@
-"""A slice of 15 or 31 bits into or out of a word: it looks as if its end had been meant to be included."""
+"""A slice of 15 or 31 bits into or out of a word: its end looks as if it was meant to be included."""
 
 from __future__ import annotations
 
@@ -6,11 +6,10 @@ import re
 
 from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions.copies import COPY_PACK, COPY_UNPACK
+from clickgen.instructions.effects import Shape
 from clickgen.instructions.spec import BITS
 from clickgen.ir.operands import Range
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
@@ -20,7 +19,7 @@ CODE = "CG519"
 _SHORT = (15, 31)
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for placed in facts.actions:
         bits = _short_bits(placed)
         if bits is None:
@@ -29,27 +28,27 @@ def check(facts: Facts, problems: Diagnostics) -> None:
         if not BANKS[bits.bank].has(behind.number) or _has_neighbour(facts, bits):
             continue
         first = Address(bits.bank, bits.first)
-        problems.add(
+        yield finding(
             CODE,
             bits.span,
-            f"these are {len(bits)} bits, {first} to {Address(bits.bank, bits.last)}: the end of a slice is not "
-            f"included, so {facts.shown(behind)} stays out",
-            f"for {first} to {behind} write {bits.bank.lower()}[{bits.first}:{behind.number + 1}]",
+            f"these are {len(bits)} bits, {first} to {Address(bits.bank, bits.last)}: "
+            f"{f'{facts.spell.range_end}, so ' if facts.spell.range_end else ''}{facts.shown(behind)} stays out",
+            f"for {first} to {behind} write {facts.spell.range(bits.bank, bits.first, behind.number)}",
             fix=_fix(facts, bits),
         )
 
 
 def _short_bits(placed: Placed) -> Range | None:
-    if placed.spec is not COPY_PACK and placed.spec is not COPY_UNPACK:
+    if placed.effects.shape not in (Shape.PACK, Shape.UNPACK):
         return None
-    bits = placed.action.args["source" if placed.spec is COPY_PACK else "destination"]
+    bits = placed.action.moved if placed.effects.shape is Shape.PACK else placed.action.moved_to
     if isinstance(bits, Range) and bits.bank in BITS and len(bits) in _SHORT and not bits.is_reversed:
         return bits
     return None
 
 
 def _has_neighbour(facts: Facts, bits: Range) -> bool:
-    """True when another slice begins where this one ends, or ends where it begins: they are counted on purpose."""
+    """True if another slice begins where this one ends, or ends where it begins: they are counted on purpose."""
     before = facts.uses.at(Address(bits.bank, bits.first - 1))
     behind = facts.uses.at(Address(bits.bank, bits.last + 1))
     return any(isinstance(use.operand, Range) and use.operand.last == bits.first - 1 for use in before) or any(
@@ -58,7 +57,7 @@ def _has_neighbour(facts: Facts, bits: Range) -> bool:
 
 
 def _fix(facts: Facts, bits: Range) -> Fix | None:
-    # On one line: then the number stands where its text says.
+    # On one line: then the number is where its text says.
     match = re.fullmatch(r"[^\n]*:[^\S\n]*([1-9][0-9]*)[^\S\n]*\]", facts.text(bits.span))
     if match is None or int(match[1]) != bits.last + 1:
         return None
@@ -67,9 +66,10 @@ def _fix(facts: Facts, bits: Range) -> Fix | None:
     return Fix((Edit(place, str(bits.last + 2)),), is_safe=False)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a range looks one address short",
     """
 The end of a slice is not included: `c[1:16]` is C1 to C15, fifteen bits. Whoever packs a status word means sixteen, and
 the highest bit of the word then stays 0 without a word from CLICK.
@@ -115,5 +115,6 @@ if True:
     copy_pack(x[2:17], dh.AllButFirst)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

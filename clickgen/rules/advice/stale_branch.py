@@ -10,47 +10,41 @@ from clickgen.device.banks import parse_address
 from clickgen.facts.changes import Changes, Extent, meets
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of, extents_of
-from clickgen.instructions import communication, drums, timers
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import CALL, END, RETURN
-from clickgen.instructions.raw import RAW
+from clickgen.instructions.effects import Effects, Flow, Keeps
 from clickgen.ir.conditions import Compare, Condition, Contact
 from clickgen.ir.operands import Immediate, Operand
 from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung
 from clickgen.ir.walk import condition_operands, leaves
 from clickgen.logic.conditions import are_exclusive
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG542"
-
-_IN_THEIR_OWN_TIME = (*timers.SPECS, *drums.SPECS, *communication.SPECS, RAW)
-"""What these write changes in some later scan anyway; what a kept instruction writes, nobody knows."""
 
 
 class _Write(NamedTuple):
     action: Action
     path: tuple[Condition, ...]
-    """The conditions that it stands under, its rung's first."""
+    """The conditions above it, its rung's first."""
     extents: list[Extent]
 
 
 class _Look(NamedTuple):
     condition: Condition
     path: tuple[Condition, ...]
-    """What is in series with it."""
+    """The conditions in series with it."""
     what: str
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     writes = _Writes(facts)
     for routine in facts.program.routines:
         for rung in _rungs_with_several(routine.rungs):
-            _judge(facts, problems, writes, rung)
+            yield from _judge(facts, writes, rung)
 
 
 def _rungs_with_several(rungs: tuple[Rung, ...]) -> Iterator[Rung]:
-    """The rungs, those of loops' bodies too, in which something can come before a branch or a box."""
+    """Yield the rungs, those of loops' bodies too, in which something can come before a branch or a box."""
     for rung in rungs:
         if len(rung.items) > 1 or any(isinstance(item, Branch) for item in rung.items):
             yield rung
@@ -59,14 +53,14 @@ def _rungs_with_several(rungs: tuple[Rung, ...]) -> Iterator[Rung]:
                 yield from _rungs_with_several(item.body or ())
 
 
-def _judge(facts: Facts, problems: Diagnostics, writes: _Writes, rung: Rung) -> None:
+def _judge(facts: Facts, writes: _Writes, rung: Rung) -> Findings:
     written = _Written()
     for step in _steps(rung.items, (rung.condition,)):
         if isinstance(step, _Look):
             for leaf in leaves(step.condition):
                 write = next((one for one in written.near(leaf) if _is_stale(step, leaf, one)), None)
                 if write is not None:
-                    _report(facts, problems, step, leaf, write)
+                    yield from _report(facts, step, leaf, write)
         else:
             action, path = step
             extents = writes.of(action)
@@ -75,13 +69,13 @@ def _judge(facts: Facts, problems: Diagnostics, writes: _Writes, rung: Rung) -> 
 
 
 class _Written:
-    """What the actions of a rung have written so far, by address: a contact asks those alone that may concern it."""
+    """The writes of a rung's actions so far, by address: a contact asks only for those that may concern it."""
 
     def __init__(self) -> None:
         self._writes: list[_Write] = []
         self._at: dict[tuple[str, int], list[int]] = {}
         self._wide: dict[str, list[int]] = {}
-        """Those that write a long stretch of a bank."""
+        """The writes over a long stretch of a bank."""
 
     def add(self, write: _Write) -> None:
         index = len(self._writes)
@@ -108,7 +102,7 @@ _Step = tuple[Action, tuple[Condition, ...]] | _Look
 
 
 def _steps(items: tuple[Item, ...], path: tuple[Condition, ...]) -> Iterator[_Step]:
-    """What a rung does and looks at, in the order of the source."""
+    """Yield what a rung does and looks at, in the order of the source."""
     for item in items:
         if isinstance(item, Branch):
             yield _Look(item.condition, (*path, item.condition), "branch")
@@ -126,7 +120,7 @@ def _is_stale(look: _Look, leaf: Contact | Compare, write: _Write) -> bool:
     seen = [one for one in operands if meets(write.extents, one)]
     if not seen:
         return False
-    # Steps and toggles in the branches of one rung want the value from before.
+    # Steps and toggles in the branches of one rung want the earlier value.
     if any(_reads(condition, seen) for condition in write.path):
         return False
     return not are_exclusive(*write.path, *look.path)
@@ -137,8 +131,13 @@ def _reads(condition: Condition, operands: Iterable[Operand]) -> bool:
     return any(meets(extents, operand) for operand in operands)
 
 
+def _takes_its_time(effects: Effects) -> bool:
+    """True where what is written changes in some later scan anyway, or where nobody knows when."""
+    return effects.is_late or effects.is_unknown or not effects.keeps.isdisjoint((Keeps.TIME, Keeps.STEP))
+
+
 class _Writes:
-    """What an action surely writes in this scan: flags of CLICK too, and for a call what its routine always writes."""
+    """The addresses that an action certainly writes in this scan: CLICK's flags too, and a called routine's writes."""
 
     def __init__(self, facts: Facts) -> None:
         self._facts = facts
@@ -146,11 +145,11 @@ class _Writes:
         self._by_routine: dict[str, list[Extent]] = {}
 
     def of(self, action: Action) -> list[Extent]:
-        if action.spec in _IN_THEIR_OWN_TIME:
+        if _takes_its_time(action.effects):
             return []
-        if action.spec is CALL:
-            return self._of_routine(action.word("subroutine"))
-        flags = filter(None, map(parse_address, action.spec.sets_flags))
+        if action.effects.flow is Flow.CALL:
+            return self._of_routine(action.called)
+        flags = filter(None, map(parse_address, action.effects.flags))
         return [*self._changes.surely(action), *((flag.bank, flag.number, flag.number) for flag in flags)]
 
     def _of_routine(self, name: str) -> list[Extent]:
@@ -162,20 +161,20 @@ class _Writes:
         return self._by_routine[name]
 
     def _surely(self, routine: Routine) -> Iterator[Extent]:
-        """What a run of a subroutine writes in any case, down to where it may be left."""
+        """The addresses that a run of a subroutine writes in any case, up to where it may be left."""
         for placed in self._facts.actions_of(routine):
-            if placed.spec in (END, RETURN):
+            if placed.effects.leaves:
                 return
-            always_writes = placed.is_unconditional or placed.spec is OUT
-            if always_writes and not placed.loop and placed.spec not in _IN_THEIR_OWN_TIME:
+            always_writes = placed.is_unconditional or placed.effects.follows_power
+            if always_writes and not placed.loop and not _takes_its_time(placed.effects):
                 yield from self._changes.surely(placed.action)
 
 
-def _report(facts: Facts, problems: Diagnostics, look: _Look, leaf: Contact | Compare, write: _Write) -> None:
+def _report(facts: Facts, look: _Look, leaf: Contact | Compare, write: _Write) -> Findings:
     operand = next(one for one in condition_operands(leaf) if meets(write.extents, one))
     name = facts.listed(addresses_of(operand))
     place = write.action.span.seen_from(leaf.span)
-    problems.add(
+    yield finding(
         CODE,
         leaf.span,
         f"this {look.what} sees {name} as it was before the {write.action.spec.name} in {place}: CLICK looks at all "
@@ -187,9 +186,10 @@ def _report(facts: Facts, problems: Diagnostics, look: _Look, leaf: Contact | Co
     )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a branch looks at what its own rung writes",
     """
 CLICK looks at all conditions of a rung, those of its branches and of the inputs of its boxes too, before the first
 action of the rung runs. A branch below an action sees what was there before that action: where the rung stays on, it
@@ -199,7 +199,7 @@ Give the branch a rung of its own below, with the condition of the first one in 
 rungs above it have written.
 
 Branches that step on from each other, `if c.A: reset(c.A)` beside `if nc(c.A): set(c.A)`, want the value from before:
-where the action stands under a condition on the same address itself, the rule is silent. It is silent too about timers,
+if the action's own condition looks at the same address, the rule is silent. It is silent too about timers,
 drums and messages, which change in some later scan in any case.
 """,
     wrong=(
@@ -275,5 +275,6 @@ if y.Motor:
         out(y.Ready)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

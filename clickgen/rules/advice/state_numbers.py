@@ -1,13 +1,13 @@
-"""Bare numbers of states that stand in many places: whoever renumbers a step misses one."""
+"""Bare numbers of states in many places: whoever renumbers a step misses one."""
 
 from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
-from clickgen.instructions.copies import COPY
+from clickgen.instructions.effects import Shape
+from clickgen.instructions.offered import COIL
 from clickgen.ir.operands import Cell, Integer
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 CODE = "CG523"
@@ -15,30 +15,32 @@ CODE = "CG523"
 _PLACES_MIN = 3
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     places: dict[Address, dict[int, list[Span]]] = {}
     pairs = [
         pair for one in facts.comparisons if one.op == "==" for pair in ((one.left, one.right), (one.right, one.left))
     ]
-    copies = [placed.action.args for placed in facts.actions if placed.spec is COPY]
-    for register, number in (*pairs, *((args["destination"], args["source"]) for args in copies)):
+    copies = [placed.action for placed in facts.actions if placed.effects.shape is Shape.VALUE]
+    for register, number in (*pairs, *((action.moved_to, action.moved) for action in copies)):
         if isinstance(register, Cell) and isinstance(number, Integer) and number.value:
             places.setdefault(register.address, {}).setdefault(number.value, []).append(number.span)
     for address, numbers in places.items():
         often = {number: spans for number, spans in numbers.items() if len(spans) >= _PLACES_MIN}
         if often:
             listed = ", ".join(map(str, sorted(often)))
-            problems.add(
+            coil = facts.spell.call(COIL, facts.spell.name("C", "Filling"))
+            yield finding(
                 CODE,
                 min(span for spans in often.values() for span in spans),
                 f"{facts.shown(address)} is compared with or set to {listed} in {_PLACES_MIN} or more places each",
-                "give each state a bit of its own in one rung, out(c.Filling) on the comparison, and ask the bit",
+                f"give each state a bit of its own in one rung, {coil} on the comparison, and ask the bit",
             )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.INFO,
+    "a state number is repeated",
     """
 A state that is written as a number in many places has to be changed in all of them, and a reader has to know what 30
 means. One rung that turns the number into a bit with a name, `if ds.Step == 30: out(c.Filling)`, says both once.
@@ -73,5 +75,7 @@ if ds.Step == 0:
     out(y.Lamp)
 """,
     ),
-    holds_in_parts=True,
+    is_on=False,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -1,4 +1,4 @@
-"""A running current value compared with == or !=: a timer leaps over values, a counter goes on where nobody looks."""
+"""A running current value compared with == or !=: a timer skips values, a counter counts on when nobody looks."""
 
 from __future__ import annotations
 
@@ -7,36 +7,35 @@ from collections.abc import Mapping
 from clickgen.device.banks import Address, current_value
 from clickgen.facts.copied import origin_registers
 from clickgen.facts.facts import Facts
-from clickgen.instructions import drums, timers
+from clickgen.instructions.timers import PRESET_MAX, UNIT
 from clickgen.ir.conditions import Compare, Contact
 from clickgen.ir.operands import Cell, Integer, Single
 from clickgen.ir.program import Routine
 from clickgen.ir.walk import leaves
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 
 CODE = "CG511"
 
-_RESTS = (0, timers.PRESET_MAX)
-"""The values at which a timer stands still: at rest, and where it counts no further (click-facts [timer.on-delay])."""
+_RESTS = (0, PRESET_MAX)
+"""The values at which a timer stops: at rest, and at its end (click-facts [timer.on-delay])."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
-    _check_timers(facts, problems)
-    _check_counters(facts, problems)
+def find(facts: Facts) -> Findings:
+    yield from _check_timers(facts)
+    yield from _check_counters(facts)
 
 
-def _check_counters(facts: Facts, problems: Diagnostics) -> None:
-    """A counter that counts on while the subroutine that asks for one of its values is not called."""
+def _check_counters(facts: Facts) -> Findings:
+    """Check for a counter that counts on while the subroutine that tests one of its values is not called."""
     for site in facts.sites:
         if site.routine.is_main:
             continue
         for leaf in leaves(site.condition):
             counter = _counter_in(leaf)
             if counter and facts.sometimes(site.routine) and _counts_elsewhere(facts, counter.address, site.routine):
-                problems.add(
+                yield finding(
                     CODE,
                     leaf.span,
                     f"{facts.shown(counter.address)} counts on while {site.routine.name} is not called: the value may "
@@ -46,7 +45,7 @@ def _check_counters(facts: Facts, problems: Diagnostics) -> None:
 
 
 def _counter_in(leaf: Contact | Compare) -> Cell | None:
-    """The counter's value that is asked for a number by equality."""
+    """The counter whose value is compared for equality with a number."""
     if isinstance(leaf, Compare) and leaf.op == "==":
         for side, other in ((leaf.left, leaf.right), (leaf.right, leaf.left)):
             if isinstance(side, Cell) and side.bank == "CTD" and isinstance(other, Integer) and other.value:
@@ -59,7 +58,7 @@ def _counts_elsewhere(facts: Facts, value: Address, routine: Routine) -> bool:
     return bool(writers) and all(writer.routine is not routine for writer in writers)
 
 
-def _check_timers(facts: Facts, problems: Diagnostics) -> None:
+def _check_timers(facts: Facts) -> Findings:
     compares = [compare for compare in facts.comparisons if compare.op in ("==", "!=") and _has_timer(compare)]
     if not compares:
         return
@@ -67,18 +66,18 @@ def _check_timers(facts: Facts, problems: Diagnostics) -> None:
     for compare in compares:
         for side, other in ((compare.left, compare.right), (compare.right, compare.left)):
             if isinstance(side, Cell) and side.address in running and not _meets(facts, side.address, other):
-                _report(facts, problems, compare, side)
+                yield from _report(facts, compare, side)
                 break
 
 
-def _report(facts: Facts, problems: Diagnostics, compare: Compare, timer: Cell) -> None:
+def _report(facts: Facts, compare: Compare, timer: Cell) -> Findings:
     leaps = f"{facts.shown(timer.address)} counts milliseconds, several in each scan, and leaps over values"
     if compare.op == "==":
         fix = _fix(facts, compare, is_left=timer is compare.left)
-        problems.add(CODE, compare.span, f"{leaps}: it may never be equal", "compare with >=", fix=fix)
+        yield finding(CODE, compare.span, f"{leaps}: it may never be equal", "compare with >=", fix=fix)
     else:
-        # < and > are both something else than what is written, so neither is offered as a fix.
-        problems.add(CODE, compare.span, f"{leaps}: it is nearly always different", "compare with < or >")
+        # < and > both differ from what is written, so neither is offered as a fix.
+        yield finding(CODE, compare.span, f"{leaps}: it is nearly always different", "compare with < or >")
 
 
 def _has_timer(compare: Compare) -> bool:
@@ -86,7 +85,7 @@ def _has_timer(compare: Compare) -> bool:
 
 
 def _meets(facts: Facts, timer: Address, other: Single) -> bool:
-    """True where equality comes for sure: at the values where a timer rests, and with a copy of the timer."""
+    """True if equality is certain to come: at the values where a timer rests, and with a copy of the timer."""
     if isinstance(other, Integer):
         return other.value in _RESTS
     return isinstance(other, Cell) and timer in origin_registers(facts, other.address)
@@ -96,10 +95,9 @@ def _counting_milliseconds(facts: Facts) -> Mapping[Address, None]:
     """The current values of timers and time drums whose unit is the millisecond."""
     found: dict[Address, None] = {}
     for placed in facts.actions:
-        if placed.spec in timers.SPECS or placed.spec is drums.TIME_DRUM:
-            owner = placed.action.args.get("timer") or placed.action.args.get("accumulator")
-            if isinstance(owner, Cell) and (placed.action.word("unit") or timers.UNIT.default) == "Tms":
-                found[current_value(owner.address)] = None
+        owner = placed.action.owned if placed.effects.is_timed else None
+        if owner is not None and (placed.action.word("unit") or UNIT.default) == "Tms":
+            found[current_value(owner.address)] = None
     return found
 
 
@@ -112,9 +110,10 @@ def _fix(facts: Facts, compare: Compare, is_left: bool) -> Fix | None:
     return Fix((Edit(gap, text.replace(compare.op, ">=" if is_left else "<=")),), is_safe=False)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a running value is compared for equality",
     """
 The current value of a timer in milliseconds grows by the length of a scan: 0, 7, 15, 22. It passes most values without
 ever being equal to them, so a step that waits for `td.Cycle == 500` comes on some days and not on others. Ask `>=`
@@ -203,5 +202,6 @@ if ctd.Parts == 6:
     out(y.Divider)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from clickgen.facts.facts import Facts
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG515"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for routine in facts.program.subroutines:
         if routine.name not in facts.calls:
             is_own = routine.span.path == facts.program.source.path
-            problems.add(
+            yield finding(
                 CODE,
                 routine.span,
                 f"{routine.name} is in the program and nothing calls it: its rungs never run",
@@ -21,9 +20,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a subroutine is never called",
     """
 The subroutine goes into the CLICK, and no rung of main calls it. Whatever it does, alarms or an emergency sequence
 among it, does not happen. Its outputs stay as they are, and its timers do not run.
@@ -78,3 +78,5 @@ def auto():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -15,31 +15,25 @@ from clickgen.facts.pulses import Pulses
 from clickgen.facts.scan import Step, scans
 from clickgen.facts.uses import addresses_of
 from clickgen.facts.written import is_relative, left_in
-from clickgen.instructions import maths
-from clickgen.instructions.coils import RESET, SET
-from clickgen.instructions.control import CALL, END, FOR, NEXT, RETURN
-from clickgen.instructions.copies import COPY, COPY_FILL
-from clickgen.instructions.raw import NOT_IMPORTED, RAW
+from clickgen.instructions.effects import Effects, Flow, Shape
 from clickgen.ir.conditions import All, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Operand, Real, Single
 from clickgen.ir.program import Rung
 from clickgen.ir.walk import condition_operands
 from clickgen.logic.conditions import are_exclusive, implies, terms_of
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Diagnostic, Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 # click-facts [scan.conditions]
 CODE = "CG544"
 
-_BARRIERS = (END, RETURN, FOR, NEXT, RAW, NOT_IMPORTED)
-"""Past these nobody knows whether the next rung runs in the same scan, or what it finds."""
 _BITS_MAX = 16
-"""A set or reset of more bits than this is no toggle."""
+"""A set or reset of more bits than this is not a toggle."""
 _BEFORE_MAX = 4
-"""So many writes of one address before an action are looked at."""
+"""This many writes of one address before an action are looked at."""
 _RUNGS_MAX = 20
-"""A rung further up is not looked for."""
+"""A rung further up is not considered."""
 
 
 @dataclass(eq=False, slots=True)
@@ -75,33 +69,35 @@ class _Write(NamedTuple):
 
 
 class _Slot(NamedTuple):
-    """A rung in its scan: what it looks at and what it has written, with the ids of the actions that did."""
+    """A rung in its scan: its reads and its writes, with the ids of the actions that wrote."""
 
     rung: Rung
     looked_at: list[list[Extent]]
     changed: list[tuple[int, list[Extent]]]
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
-    shared = _Shared(facts, problems)
+def find(facts: Facts) -> Findings:
+    shared = _Shared(facts)
     for steps in scans(facts):
         walk = _Walk(shared)
         for step in steps:
             walk.run(step)
+    yield from shared.found
 
 
 class _Shared:
-    """What the walks through a program look up."""
+    """Shared look-ups of the walks through a program."""
 
-    def __init__(self, facts: Facts, problems: Diagnostics) -> None:
-        self.facts, self.problems = facts, problems
+    def __init__(self, facts: Facts) -> None:
+        self.facts = facts
+        self.found: list[Diagnostic] = []
         self.changes, self.pulses = Changes(facts), Pulses(facts)
         self.said: set[int] = set()
-        """The rungs that were spoken of."""
+        """The rungs that were reported."""
         self.reads: dict[int, list[Extent]] = defaultdict(list)
-        """What each rung looks at and reads."""
+        """The stretches that each rung looks at and reads."""
         self.reads_of: dict[str, list[Extent]] = defaultdict(list)
-        """The same of each routine."""
+        """The same for each routine."""
         for use in facts.uses.every:
             if not use.is_written:
                 extents = extents_written(use.operand)
@@ -125,7 +121,7 @@ class _Walk:
     def run(self, step: Step) -> None:
         placed, frame = step.placed, self._enter(step)
         self._at += 1
-        if placed.spec in _BARRIERS or placed.loop:
+        if _is_barrier(placed.effects) or placed.loop:
             frame.barrier = self._at
             return
         slot = self._slots[-1]
@@ -135,8 +131,8 @@ class _Walk:
                 self._judge(address, earlier, write)
             self._writes[address] = [*self._writes[address][1 - _BEFORE_MAX :], write]
         slot.changed.append((id(placed.action), self._changes.of(placed.action)))
-        if placed.spec is CALL:
-            slot.looked_at.append(self._shared.reads_of[placed.action.word("subroutine")])
+        if placed.effects.flow is Flow.CALL:
+            slot.looked_at.append(self._shared.reads_of[placed.action.called])
 
     def _enter(self, step: Step) -> _Frame:
         is_new = step.call is not self._call
@@ -168,7 +164,7 @@ class _Walk:
             self._report(address, first, second)
 
     def _comes_next(self, address: Address, first: _Write, second: _Write) -> bool:
-        """True for one in a rung further down that runs in the same scan, as far as loops, returns and ends go."""
+        """True for a write in a rung further down that runs in the same scan, as far as loops, returns and ends go."""
         if max(first.frame.barrier, self._base.barrier) > first.at:
             return False
         if first.frame is second.frame:
@@ -180,7 +176,7 @@ class _Walk:
         return first.step.rung is not second.step.rung or (call is not None and not _looks(call.condition, address))
 
     def _seen_through(self, condition: Condition, first: _Write, second: _Write) -> Condition:
-        """A condition with what drives it in the place of each coil whose rung stands between the two writes."""
+        """A condition with each coil whose rung is between the two writes replaced by what drives it."""
         if isinstance(condition, All):
             return All(tuple(self._seen_through(term, first, second) for term in condition.terms), condition.span)
         driven = self._facts.seen_through(condition)
@@ -190,7 +186,7 @@ class _Walk:
         return driven if first.slot < self._slot_of.get(id(writer.rung), -1) < second.slot else condition
 
     def _follows(self, address: Address, first: _Write, second: _Write, condition: Condition) -> bool:
-        """True when the second action, under this condition, always runs in a scan in which the first one has run."""
+        """True if the second action, under this condition, always runs in a scan in which the first one has run."""
         own, span = id(first.placed.action), second.placed.action.span
         after = _holds(address, first, span)
         between = self._slots[first.slot : second.slot]
@@ -210,7 +206,7 @@ class _Walk:
             return False
         if self._has_pulse(first.step) and self._has_pulse(second.step):
             return True
-        # On a level the second rung may be one that takes back what the first did for the rungs between.
+        # On a level, the second rung may undo what the first did for the rungs between.
         is_put_back = implies(first.placed.condition, _holds(address, second, span))
         return is_put_back and not self._is_read_between(address, first, second)
 
@@ -225,7 +221,7 @@ class _Walk:
         return meets(changed, operand)
 
     def _is_read_between(self, address: Address, first: _Write, second: _Write) -> bool:
-        """True when a rung between the two looks at the address, or a subroutine may."""
+        """True if a rung between the two looks at the address, or a subroutine may."""
         cell = Cell(address, second.placed.action.span)
         own = {id(rung) for write in (first, second) for rung in (write.step.rung, write.placed.rung)}
         between = (slot for slot in self._slots[first.slot + 1 : second.slot] if id(slot.rung) not in own)
@@ -233,7 +229,7 @@ class _Walk:
 
     def _report(self, address: Address, first: _Write, second: _Write) -> None:
         call, there = second.step.call, first.placed.action.span
-        # Where the call asks, its rung is the one to change.
+        # If the call has the condition, its rung is the one to change.
         rung = call.rung if call and not _looks(second.step.own.condition, address) else second.placed.rung
         if id(rung) in self._shared.said:
             return
@@ -241,15 +237,20 @@ class _Walk:
         here, name = rung.head, self._facts.shown(address)
         is_back = implies(first.placed.condition, _holds(address, second, here))
         what = "goes back at once" if is_back else "goes through both"
-        self._shared.problems.add(
-            CODE,
-            here,
+        fault = (
             f"this rung acts in the same scan as {there.seen_from(here)}: that has just {_done(first, name)}, and this "
-            f"one {_does(second)}, so {name} {what}",
-            "make them two branches of one rung, below the condition that they share: CLICK looks at both before "
-            "either acts",
-            (Label(there, "changed here first"),),
+            f"one {_does(second)}, so {name} {what}"
         )
+        help = (
+            "make them two branches of one rung, below the condition that they share: CLICK looks at both before "
+            "either acts"
+        )
+        self._shared.found.append(finding(CODE, here, fault, help, (Label(there, "changed here first"),)))
+
+
+def _is_barrier(effects: Effects) -> bool:
+    """True where nobody knows whether the next rung runs in the same scan, or what it finds."""
+    return effects.is_unknown or (effects.diverts and effects.flow is not Flow.CALL)
 
 
 def _looks(condition: Condition, address: Address) -> bool:
@@ -257,23 +258,24 @@ def _looks(condition: Condition, address: Address) -> bool:
 
 
 def _constants(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
-    """The addresses into which an action puts a constant, or turns on or off."""
-    if placed.spec in (SET, RESET):
-        bits = addresses_of(placed.action.args["address"])
-        yield from ((bit, None, placed.spec is SET) for bit in bits[:_BITS_MAX] if len(bits) <= _BITS_MAX)
-    elif placed.spec in (COPY, COPY_FILL) and "options" not in placed.action.args:
-        targets = addresses_of(placed.action.args["destination"])
+    """The addresses into which an action puts a constant, or which it turns on or off."""
+    turns = placed.action.turns
+    if turns is not None:
+        bits = addresses_of(placed.action.driven)
+        yield from ((bit, None, turns) for bit in bits[:_BITS_MAX] if len(bits) <= _BITS_MAX)
+    elif placed.effects.shape in (Shape.VALUE, Shape.FILL) and "options" not in placed.action.args:
+        targets = addresses_of(placed.action.moved_to)
         for address in targets[:_BITS_MAX] if len(targets) <= _BITS_MAX else ():
             value = put_in(placed, address)
             if isinstance(value, Integer | Hex | Real):
                 yield address, value, False
-    elif placed.spec in maths.SPECS:
+    elif placed.effects.shape is Shape.FORMULA:
         yield from _calculated(placed)
 
 
 def _calculated(placed: Placed) -> Iterator[tuple[Address, Single | None, bool]]:
-    """A register that gets a constant, or is worked out of its own number where the condition says which: a step."""
-    target = placed.action.args["destination"]
+    """A register that gets a constant, or is calculated from its own number if the condition fixes that: a step."""
+    target = placed.action.moved_to
     if not isinstance(target, Cell):
         return
     address = target.address
@@ -296,7 +298,7 @@ def _same(one: _Write, other: _Write) -> bool:
 
 
 def _holds(address: Address, write: _Write, span: Span) -> Condition:
-    """What a write leaves behind, as a condition."""
+    """The result of a write, as a condition."""
     cell = Cell(address, span)
     if write.value is None:
         return Contact(cell, span, negated=not write.is_on)
@@ -315,14 +317,15 @@ def _does(write: _Write) -> str:
     return f"puts {getattr(write.value, 'value', '')} there"
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a rung undoes in the same scan what a rung before it did",
     """
 A rung sees what the rungs above it have written in the same scan, and an edge is there for all of them. Two rungs that
-are to take turns, one that turns a bit on when it is off and one that turns it off when it is on, both run in one scan:
+should take turns, one that turns a bit on when it is off and one that turns it off when it is on, both run in one scan:
 the first turns the bit on, the second finds it on and turns it off again. The lamp never comes on, whatever is pressed.
-In the same way one press walks through all steps of a sequence whose rungs stand in the order of the steps.
+In the same way one press walks through all steps of a sequence whose rungs are in the order of the steps.
 
 Make branches of one rung of them, below the condition that they share. CLICK looks at all conditions of a rung before
 the first action of the rung runs, so only one branch acts. For steps it is enough to put the last step first.
@@ -479,3 +482,5 @@ if all(ds.Step == 2, x.Open):
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -4,35 +4,34 @@ from __future__ import annotations
 
 from clickgen.facts.facts import Facts
 from clickgen.facts.idle import Missed, unreached
-from clickgen.instructions.coils import OUT
-from clickgen.instructions.control import END, NOP, RETURN
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.instructions.effects import Flow
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [scan.skipped]
 CODE = "CG516"
 
-_IDLE = (END, RETURN, NOP)
-"""What is not missed: a routine may end twice, and end in a note."""
+_IDLE = (Flow.END, Flow.RETURN, Flow.PASS)
+"""Instructions that nobody misses: a routine may end twice, and end in a note."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for routine in facts.program.routines:
         said: set[int] = set()
         for missed in unreached(routine.rungs):
-            if missed.action.spec in _IDLE or id(missed.left) in said:
+            if missed.action.effects.flow in _IDLE or id(missed.left) in said:
                 continue
             said.add(id(missed.left))
-            _report(problems, missed)
+            yield from _report(facts, missed)
 
 
-def _report(problems: Diagnostics, missed: Missed) -> None:
+def _report(facts: Facts, missed: Missed) -> Findings:
     left, place = missed.left, missed.action.span if missed.is_rung_reached else missed.rung.head
-    word = "end()" if left.spec is END else "return"
+    word = facts.spell.call(left.spec)
     line = left.span.seen_from(place)
     if missed.is_looked_at:
-        what = "this never turns anything on" if missed.action.spec is OUT else "this never runs"
-        problems.add(
+        what = "this never turns anything on" if missed.action.effects.follows_power else "this never runs"
+        yield finding(
             CODE,
             place,
             f"{what}: whenever its rung is on, the {word} of {line} leaves before it",
@@ -41,22 +40,23 @@ def _report(problems: Diagnostics, missed: Missed) -> None:
         )
         return
     what = "this is" if missed.is_rung_reached else "this rung is"
-    problems.add(
+    yield finding(
         CODE,
         place,
         f"{what} never reached: the {word} of {line} always leaves before it",
-        f"move the {word} behind it, give it a condition, or remove what stands behind it",
+        f"move the {word} after it, give it a condition, or remove what comes after the {word}",
         (Label(left.span, "always leaves here"),),
     )
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a rung is never reached",
     """
-An `end()` in main, or a `return` in a subroutine, that stands under no condition, or under the contact that is always
-on, ends the routine in every scan. What stands behind it is in the CLICK and never runs: its outputs stay as they were,
-its timers stand still. Mostly an `end()` from a test was left in, or new rungs were added below the last one.
+An `end()` in main, or a `return` in a subroutine, that has no condition, or only the contact that is always
+on, ends the routine in every scan. What comes after it is in the CLICK but never runs: its outputs stay as they were,
+its timers stop. Mostly an `end()` from a test was left in, or new rungs were added below the last one.
 
 Under a condition it leaves whenever that condition is on. Actions after it in the same rung, and branches there, need
 the same condition, so they never run either: write them before the `return`, or give the `return` a branch of its own.
@@ -159,5 +159,6 @@ if x.Start:
     out(y.Motor)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

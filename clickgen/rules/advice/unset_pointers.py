@@ -1,33 +1,33 @@
-"""A pointer that is still 0 when it is first used: the program only counts it on, and nothing gives it a beginning."""
+"""A pointer that is still 0 when it is first used: the program only counts it up, and nothing initializes it."""
 
 from __future__ import annotations
 
 from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.written import Asked, is_relative, left_in, whole_condition
-from clickgen.instructions.raw import RAW
+from clickgen.instructions.offered import COPY
 from clickgen.ir.operands import Cell, Pointer
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import can_hold, implies
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 # click-facts [copy.wild-pointer, scan.power-up]
 CODE = "CG554"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     moved: dict[Address, tuple[Placed, ...]] = {}
     said: set[Address] = set()
     places = facts.places
-    # A panel chooses what is read, seldom where something is written.
+    # A panel chooses what is read, but seldom where something is written.
     chosen = {
         use.operand.register.address
         for use in facts.uses.every
         if not use.is_written and isinstance(use.operand, Pointer) and isinstance(use.operand.register, Cell)
     }
     for placed in facts.actions:
-        if placed.spec is RAW:
+        if placed.effects.is_unknown:
             continue
         for touch in touches(placed.action):
             pointer = touch.operand
@@ -47,10 +47,10 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             ]
             if moved[address] and _may_find_zero(facts, placed, address, before):
                 said.add(address)
-                _report(facts, problems, pointer, pointer.register, moved[address])
+                yield from _report(facts, pointer, pointer.register, moved[address])
 
 
-def _report(facts: Facts, problems: Diagnostics, pointer: Pointer, register: Cell, moved: tuple[Placed, ...]) -> None:
+def _report(facts: Facts, pointer: Pointer, register: Cell, moved: tuple[Placed, ...]) -> Findings:
     name, shown, bank = facts.text(register.span), facts.shown(register.address), pointer.bank
     moves = {left_in(mover, register.address, 0) or 0 for mover in moved}
     if moves == {0}:
@@ -63,20 +63,21 @@ def _report(facts: Facts, problems: Diagnostics, pointer: Pointer, register: Cel
             "skips this"
         )
         label = "nothing but this gives it another number"
-    problems.add(
+    head = facts.spell.rung(facts.spell.compared(name, "==", "0"))
+    copy = facts.spell.call(COPY, "101", name)
+    yield finding(
         CODE,
         pointer.span,
         f"{fault} and sets SC44 (_Address_Error)",
-        f"give it the number of the first cell in a rung above: if {name} == 0:, and in it copy(101, {name}) "
-        f"for {bank}101",
+        f"give it the number of the first cell in a rung above: {head}, and in it {copy} for {bank}101",
         (Label(moved[0].action.span, label),),
     )
 
 
 def _movers(facts: Facts, address: Address, is_own: bool) -> tuple[Placed, ...]:
-    """What makes another number of a register that holds 0; none where anything else may do so, or 0 is not there.
+    """The actions that make another number of a register that holds 0; none if anything else may, or it is never 0.
 
-    Where the program only clears a register that is its own, that is what clears it.
+    If the program only clears a register that is its own, these are the actions that clear it.
     """
     if facts.initial(address) not in ("", "0"):
         return ()
@@ -89,12 +90,12 @@ def _movers(facts: Facts, address: Address, is_own: bool) -> tuple[Placed, ...]:
         if left is None or (left != 0 and not is_relative(writer, address)):
             return ()
         (movers if left != 0 else idle).append(writer)
-    alone = tuple(writer for writer in idle if isinstance(writer.action.args.get("destination"), Cell))
+    alone = tuple(writer for writer in idle if isinstance(writer.action.moved_to, Cell))
     return tuple(movers) or (alone if is_own else ())
 
 
 def _may_find_zero(facts: Facts, use: Placed, address: Address, before: list[Placed]) -> bool:
-    """True when the use runs while the register is 0, and none of these surely runs before it in the same scan."""
+    """True if the use runs while the register is 0, and none of these certainly runs before it in the same scan."""
     whole = whole_condition(facts, use)
     if not can_hold(whole) or not Asked(facts, use, address).may_be(0):
         return False
@@ -105,9 +106,10 @@ def _may_find_zero(facts: Facts, use: Placed, address: Address, before: list[Pla
     return True
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a pointer is still 0 when it is used",
     """
 A register that nothing has written holds 0 on a new PLC. As a pointer it leads nowhere: CLICK skips the copy and sets
 SC44, so that the first entry of a log is lost, and nobody knows why there is one less.
@@ -201,3 +203,5 @@ def main():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

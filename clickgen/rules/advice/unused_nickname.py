@@ -6,41 +6,39 @@ import re
 
 from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Address
 from clickgen.facts.facts import Facts
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG506"
 
-_ROUTINE = re.compile(r"^def (\w+)", re.MULTILINE)
 _SPARE = re.compile(r"spare|reserve|unused|not_used", re.IGNORECASE)
 """Nicknames that say themselves that nothing uses them."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     whole: dict[str, bool] = {}
     for declaration in facts.program.declarations:
         path, name = declaration.span.path, declaration.named.name
         if path not in whole:
             whole[path] = _is_whole(facts, path)
-        # An initial value is for whatever uses the address beside the program.
+        # An initial value is for whatever uses the address besides the program.
         is_set = declaration.initial is not None or declaration.retentive is not None
         if whole[path] and not is_set and not _SPARE.search(name) and not _is_used(facts, declaration.cell.address):
-            problems.add(
+            yield finding(
                 CODE,
                 declaration.named.span,
                 f"{facts.shown(declaration.cell.address)} is declared here and the program does not use it",
                 "remove the declaration, correct the name where it should be used, or write "
-                f"# clickgen: ignore[{CODE}] where a panel or another device uses it",
+                f"{facts.spell.ignore(CODE)} where a panel or another device uses it",
             )
 
 
 def _is_whole(facts: Facts, path: str) -> bool:
-    """True when every routine of the file is in the program, and there is one.
+    """True if every routine of the file is in the program, and there is one.
 
-    What several programs share, declarations alone or subroutines of which each takes some, is for none to judge.
+    A file that several programs share, for its declarations or for some subroutines each, is not judged by any of them.
     """
     here = {routine.name for routine in facts.program.routines if routine.span.path == path}
-    return bool(here) and here.issuperset(_ROUTINE.findall(facts.sources[path].text))
+    return bool(here) and here.issuperset(facts.dialect.routines_in(facts.sources[path]))
 
 
 def _is_used(facts: Facts, address: Address) -> bool:
@@ -50,9 +48,10 @@ def _is_used(facts: Facts, address: Address) -> bool:
     return any(facts.uses.at(twin) for twin in twins) or any(pointed)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.INFO,
+    "a declared nickname is never used",
     """
 The program gives an address a name and then uses the address nowhere, by name, by number, or in a range. Often a wire
 was moved or a name changed, and the old line stayed; who reads the list later looks for what it does.
@@ -95,3 +94,5 @@ def main():
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

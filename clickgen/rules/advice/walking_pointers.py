@@ -9,13 +9,12 @@ from clickgen.device.banks import BANKS, Address
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.walks import Step, Walk, each_turn, walk_of
 from clickgen.facts.written import Asked, whole_condition
-from clickgen.instructions.raw import RAW
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Integer, Pointer
 from clickgen.ir.reach import touches
 from clickgen.logic.conditions import implies
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.source import Span
 
 # click-facts [copy.pointers]
@@ -23,16 +22,16 @@ CODE = "CG555"
 
 
 class _Reach(NamedTuple):
-    """The cells that a pointer can lead to; ``is_open`` when nothing ends the way up."""
+    """The cells that a pointer can lead to; ``is_open`` if nothing ends the way up."""
 
     numbers: range | tuple[int, ...]
     is_open: bool
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     walks: dict[Address, Walk | None] = {}
     for placed in facts.actions:
-        if placed.spec is RAW:
+        if placed.effects.is_unknown:
             continue
         for touch in touches(placed.action):
             pointer = touch.operand
@@ -46,13 +45,13 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             if walk and reach:
                 hit = _hit(facts, address, pointer.bank, reach)
                 if hit:
-                    _report(facts, problems, pointer, walk, reach, hit)
+                    yield from _report(facts, pointer, walk, reach, hit)
 
 
 def _hit(facts: Facts, address: Address, bank: str, reach: _Reach) -> list[Address]:
     """The cells that the pointer must not write.
 
-    That is its own register, those that clickgen gave a name, and any name behind the block in which it begins.
+    These are its own register, those that clickgen gave a name, and any name after the block in which it begins.
     """
     reached = reach.numbers if isinstance(reach.numbers, range) else set(reach.numbers)
     guarded = {*facts.placed, address}
@@ -64,9 +63,7 @@ def _hit(facts: Facts, address: Address, bank: str, reach: _Reach) -> list[Addre
     return sorted(hit, key=lambda one: one.sort_key)
 
 
-def _report(
-    facts: Facts, problems: Diagnostics, pointer: Pointer, walk: Walk, reach: _Reach, hit: list[Address]
-) -> None:
+def _report(facts: Facts, pointer: Pointer, walk: Walk, reach: _Reach, hit: list[Address]) -> Findings:
     assert isinstance(pointer.register, Cell)
     name, bank = facts.text(pointer.register.span), pointer.bank
     shown = facts.shown(pointer.register.address)
@@ -77,30 +74,31 @@ def _report(
     else:
         says = f"{shown} can be {', '.join(map(str, sorted(set(reach.numbers))))}"
     one = len(hit) == 1
+    table = facts.spell.declaration(facts.spell.name(bank, "Table"), _place(facts, bank))
     labels = (Label(walk.steps[0].placed.action.span, "counted on here"),) if walk.steps else ()
-    problems.add(
+    yield finding(
         CODE,
         pointer.span,
         f"{says}, so this can write over {facts.listed(hit)}, which {'is' if one else 'are'} not of the table",
-        f"give the table a place of its own, nickname({bank.lower()}.Table, {_place(facts, bank)}), let {name} begin "
-        "there, and take it back behind the last cell",
+        f"give the table a place of its own, {table}, let {name} begin there, and take it back after the last cell",
         labels,
     )
 
 
 def _place(facts: Facts, bank: str) -> str:
-    """A free place for a table, as an example: behind everything that the bank is used for."""
+    """A free place for a table, as an example: after everything that the bank is used for."""
     last = max((address.number for address in facts.rows if address.bank == bank), default=0)
     first = (last // 100 + 1) * 100 + 1
     size = BANKS[bank]
-    return f"{bank.lower()}[{first}:{first + 50}]" if first + 49 <= size.last else f"{bank.lower()}[...]"
+    spell = facts.spell
+    return spell.range(bank, first, first + 49) if first + 49 <= size.last else spell.pointer(bank, "...")
 
 
-# -- where the register goes ------------------------------------------------------------------------------------------
+# -- the range of the register ----------------------------------------------------------------------------------------
 
 
 def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: Walk) -> _Reach | None:
-    """The numbers that the register can have where it is used; None where that is not known."""
+    """The numbers that the register can have when it is used; None if unknown."""
     is_shared = any(_share_loop(step, use) for step in walk.steps)
     asked = Asked(facts, each_turn(facts, use) if is_shared else use, address)
     if not walk.steps:
@@ -118,7 +116,7 @@ def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: Walk) -
         for step in walk.steps
         if step.placed.rung is use.rung and places[id(step.placed.action)] < places[id(use.action)]
     ]
-    # From 0 the pointer leads nowhere until it is counted on.
+    # From 0 the pointer leads nowhere until it is counted up.
     low = min(starts)
     if before or low == 0:
         low += min(step.size for step in before or walk.steps)
@@ -134,7 +132,7 @@ def _reach(facts: Facts, use: Placed, address: Address, bank: str, walk: Walk) -
 
 
 def _last(facts: Facts, use: Placed, steps: Sequence[Step], giver: Placed, number: int) -> int:
-    """The greatest number that the register has where it is used, counted from what gives it a number."""
+    """The greatest number that the register has when it is used, counted from what gives it a number."""
     places = facts.places
     given, used = places[id(giver.action)], places[id(use.action)]
     for step in steps:
@@ -163,7 +161,7 @@ def _looked_at(compare: Compare) -> list[Address]:
 
 
 def _bound(facts: Facts, use: Placed, asked: Asked, address: Address, walk: Walk, low: int) -> int | None:
-    """The greatest number that the register can have where it is used; None where it is not known."""
+    """The greatest number that the register can have when it is used; None if unknown."""
     limits = sorted(limit for limit in set(_limits(facts, address)) if limit >= low)
     span = use.action.span
     shared = [step for step in walk.steps if _share_loop(step, use) and step.moves is not step.placed]
@@ -176,7 +174,7 @@ def _bound(facts: Facts, use: Placed, asked: Asked, address: Address, walk: Walk
         if all(Asked(facts, step.moves, address).implies(bound) for step in walk.steps):
             return max(limit + (inside or walk.size), *walk.numbers, 0)
     for limit in limits:
-        # Whoever counts by more than 1 may pass a number that is only asked for with ==.
+        # Counting by more than 1 may pass a number that is only tested with ==.
         beyond = Compare(">", Cell(address, span), Integer(limit, span), span)
         if walk.size == 1:
             beyond = Compare("==", Cell(address, span), Integer(limit + 1, span), span)
@@ -186,7 +184,7 @@ def _bound(facts: Facts, use: Placed, asked: Asked, address: Address, walk: Walk
 
 
 def _is_ahead_of_wrap(use: Placed, walk: Walk) -> bool:
-    """True where the register is counted on, then used, then taken back, in this order of rungs."""
+    """True if the register is counted up, then used, then taken back, in this order of rungs."""
     rungs = [id(rung) for rung in use.routine.rungs]
     if any(other.routine is not use.routine for other in (*(step.placed for step in walk.steps), *walk.wraps)):
         return False
@@ -213,9 +211,10 @@ def _at_most(address: Address, limit: int, span: Span) -> Compare:
     return Compare("<=", Cell(address, span), Integer(limit, span), span)
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a pointer can walk over cells of other names",
     """
 A pointer does not know where a table ends, nor what clickgen put into its bank. A log that counts `ds.Row` on from 1
 writes DS1, DS2, DS3. That is where clickgen has placed setpoints and the pointer itself, unless the table was given a
@@ -359,3 +358,5 @@ if ds.Line > ds.Lines:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -1,15 +1,12 @@
-"""An address that is written and never read: work for nothing, or for a panel."""
+"""An address that is written and never read: wasted work, or for a panel."""
 
 from __future__ import annotations
 
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
 from clickgen.facts.uses import addresses_of, extents_of
-from clickgen.instructions.data import SEARCH
-from clickgen.instructions.drums import EVENT_DRUM, TIME_DRUM
 from clickgen.ir.operands import form_of
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG505"
 
@@ -17,7 +14,7 @@ _BANKS = ("C", "DS", "DD", "DH", "DF", "TXT")
 """Outputs and system points act by themselves; a timer's or counter's value belongs to its instruction."""
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     judged: set[tuple[str, int, int]] = set()
     said = _by_the_way(facts)
     for use in facts.uses.every:
@@ -32,36 +29,35 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             continue
         said.update(addresses)
         one = len(addresses) == 1
-        problems.add(
+        yield finding(
             CODE,
             use.operand.span,
             f"{facts.listed(addresses)} {'is' if one else 'are'} written here and nothing in the program reads "
             f"{'it' if one else 'them'}",
-            f"correct the name, remove what writes it, or write # clickgen: ignore[{CODE}] where a panel or another "
+            f"correct the name, remove what writes it, or write {facts.spell.ignore(CODE)} where a panel or another "
             "device reads it",
         )
 
 
 def _by_the_way(facts: Facts) -> set[Address]:
-    """What an instruction must have beside what it is there for, or reads itself: a drum's step, a search's result."""
+    """The addresses that an instruction needs on the side, or reads itself: a drum's step, a search's result."""
     found: set[Address] = set()
     for placed in facts.actions:
-        args, needed = placed.action.args, []
-        if placed.spec is EVENT_DRUM or placed.spec is TIME_DRUM:
-            needed = [args["current_step"], args["completion_flag"]]
-        elif placed.spec is SEARCH:
-            result, flag = addresses_of(args["result"])[0], addresses_of(args["flag"])[0]
-            if placed.action.flag("continuous") or facts.uses.reads(flag):
-                needed.append(args["result"])
-            if facts.uses.reads(result):
-                needed.append(args["flag"])
-        found.update(address for operand in needed for address in addresses_of(operand))
+        reports = {name: addresses_of(placed.action.args.get(name)) for name in placed.effects.reports}
+        read = {name for name, own in reports.items() if any(map(facts.uses.reads, own))}
+        finds = placed.effects.finds
+        for name, own in reports.items():
+            # One answer of a search is enough, and one that goes on reads its result itself.
+            goes_on = finds is not None and name == finds.result and placed.action.flag(finds.goes_on)
+            if finds is None or goes_on or read - {name}:
+                found.update(own)
     return found
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.INFO,
+    "an address is written and never read",
     """
 The program writes an address that it never looks at. It may be for a panel; otherwise it is a leftover, or the name is
 misspelled where it should be read.
@@ -109,4 +105,7 @@ if c.Found:
     send(ModbusTcpTarget(ip="192.168.1.10"), "DH1", dh.Code)
 """,
     ),
+    is_on=False,
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -1,4 +1,4 @@
-"""A formula that divides by 0: by the constant, or by a register that the program gives nothing else."""
+"""A formula that divides by 0: by the constant, or by a register that the program never gives anything else."""
 
 from __future__ import annotations
 
@@ -7,13 +7,12 @@ from clickgen.facts.formulas import Calculation, calculations, holds_only_zero, 
 from clickgen.formula.values import register_of, value_of
 from clickgen.ir.formula_nodes import Binary, Group, Node, Unary, walk
 from clickgen.ir.operands import Cell
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG517"
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for calculation in calculations(facts):
         for node in walk(calculation.formula.formula):
             if isinstance(node, Binary) and node.op in ("/", "MOD"):
@@ -22,22 +21,23 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                     destination = calculation.destination
                     name = facts.shown(destination.address) if destination else "the destination"
                     fault = f"{_happens(node.op)} {name}{reason}"
-                    problems.add(CODE, place_of(facts, calculation.formula, node.right), fault, help)
+                    yield finding(CODE, place_of(facts, calculation.formula, node.right), fault, help)
 
 
 def _zero(facts: Facts, calculation: Calculation, divisor: Node) -> tuple[str, str]:
-    """Why a divisor is 0, and the way out; nothing where it may be another number."""
+    """The reason why a divisor is 0, and the way out; nothing if it may be another number."""
     if value_of(divisor) == 0:
         return "", "correct the divisor"
     cell = _register(divisor)
     said = holds_only_zero(facts, calculation.placed, cell) if cell else ""
     if cell is None or not said:
         return "", ""
+    declared = facts.spell.declaration("...", initial="...", retentive="False")
     return (
         f", unless a panel or another device writes {facts.shown(cell.address)}: the program writes {said} there",
-        f"correct the name, declare a value with nickname(..., initial=..., retentive=False), test "
-        f"{shown_register(facts, cell)} != 0, or write # clickgen: ignore[{CODE}] where a panel or another device "
-        "writes it",
+        f"correct the name, declare a value with {declared}, test "
+        f"{facts.spell.compared(shown_register(facts, cell), '!=', '0')}, or write {facts.spell.ignore(CODE)} where a "
+        "panel or another device writes it",
     )
 
 
@@ -55,9 +55,10 @@ def _happens(op: str) -> str:
     return "division by 0: CLICK sets SC40 (_Division_Error) and puts 0 into"
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a formula divides by zero",
     """
 CLICK does not stop at a division by zero: it stores 0, sets the system bit SC40 and goes on, so that a speed or a
 setpoint is suddenly 0. What `MOD 0` gives is not documented.
@@ -95,3 +96,5 @@ if True:
 """,
     ),
 )
+
+RULE = Rule(find, (ABOUT,))

@@ -2,38 +2,34 @@
 
 from __future__ import annotations
 
+from clickgen.device.banks import current_value
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions import drums, timers
-from clickgen.ir.operands import Cell, Integer, Single
+from clickgen.instructions.effects import Effects
+from clickgen.ir.operands import Integer, Single
 from clickgen.ir.program import Operands, Pattern
-from clickgen.problems.diagnostics import Diagnostics, Label
-from clickgen.rules.rule import Rule, Wrong
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 CODE = "CG512"
 
-_HAPPENS = {
-    "ton": "its bit follows the rung at once",
-    "tof": "its bit follows the rung at once",
-    "rton": "its bit comes on at once and stays until the reset",
-    "rtof": "its bit goes off at once and stays so until the reset",
-}
 
-
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for placed in facts.actions:
         setpoint = placed.action.args.get("setpoint")
-        if placed.spec in timers.SPECS and isinstance(setpoint, Integer) and setpoint.value == 0:
-            timer = placed.action.args["timer"]
-            reads = facts.uses.reads(timer.address) if isinstance(timer, Cell) else []
+        if not placed.effects.is_timed:
+            continue
+        if isinstance(setpoint, Integer) and setpoint.value == 0:
+            timer = placed.action.owned
+            reads = facts.uses.reads(timer.address) if timer is not None else []
             # A stopwatch has no setpoint either: its current value is what counts.
-            if reads and isinstance(timer, Cell):
-                fault = f"the setpoint of {facts.shown(timer.address)} is 0: {_HAPPENS[placed.spec.name]}"
-                value = f"td[{timer.address.number}]"
+            if reads and timer is not None:
+                fault = f"the setpoint of {facts.shown(timer.address)} is 0: {_what_happens(placed.effects)}"
+                value = facts.spell.cell(current_value(timer.address))
                 help = f"give it a time; to measure a time, compare its current value {value} and leave the bit alone"
-                problems.add(CODE, setpoint.span, fault, help, (Label(reads[0].operand.span, "its bit is used here"),))
-        elif placed.spec is drums.TIME_DRUM:
+                yield finding(CODE, setpoint.span, fault, help, (Label(reads[0].operand.span, "its bit is used here"),))
+        else:
             for step, preset in _empty_steps(placed):
-                problems.add(
+                yield finding(
                     CODE,
                     preset.span,
                     f"step {step} of this drum lasts 0: its outputs are not on for longer than a scan",
@@ -41,9 +37,17 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                 )
 
 
+def _what_happens(effects: Effects) -> str:
+    if not effects.reset_by:
+        return "its bit follows the rung at once"
+    return (
+        f"its bit {'comes on at once and stays' if effects.done else 'goes off at once and stays so'} until the reset"
+    )
+
+
 def _empty_steps(placed: Placed) -> list[tuple[int, Single]]:
-    """The steps that last no time and yet drive an output."""
-    presets, pattern = placed.action.args["presets"], placed.action.args["pattern"]
+    """The steps that take no time but drive an output."""
+    presets, pattern = placed.action.args.get("presets"), placed.action.args.get("pattern")
     if not (isinstance(presets, Operands) and isinstance(pattern, Pattern)):
         return []
     return [
@@ -53,9 +57,10 @@ def _empty_steps(placed: Placed) -> list[tuple[int, Single]]:
     ]
 
 
-RULE = Rule(
+ABOUT = Code(
     CODE,
-    check,
+    Severity.WARNING,
+    "a timer's setpoint is 0",
     """
 A timer with the setpoint 0 delays nothing: whoever reads `t.Delay` believes that something waits. It is mostly a number
 that was to be filled in later. Where the time is set on a panel, name the register: `setpoint=ds.Delay`; a register may
@@ -65,7 +70,7 @@ The rule speaks only where the program uses the timer's bit. A timer with the se
 stopwatch: its current value keeps counting past the setpoint, and a comparison or a panel reads that.
 
 A step of a time drum that lasts 0 and drives an output does not keep it on for longer than a scan. A step of 0 that
-drives nothing is left alone: that is how a step is taken out without counting the others anew.
+drives nothing is left alone: that is how a step is taken out without renumbering the others.
 """,
     wrong=(
         Wrong(
@@ -131,5 +136,6 @@ if re(x.Part):
     ctud(ct.Stock, setpoint=0).down(re(x.Taken)).reset(c.Clear)
 """,
     ),
-    holds_in_parts=True,
 )
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

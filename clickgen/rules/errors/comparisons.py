@@ -2,44 +2,44 @@
 
 from __future__ import annotations
 
-from clickgen.device.banks import BANKS, Kind
+from clickgen.device.banks import BANKS, Address, Kind
 from clickgen.facts.facts import Facts
-from clickgen.facts.kinds import same_kind
+from clickgen.facts.kinds import same_kind, searched_for
 from clickgen.facts.values import range_fault, value_class
 from clickgen.ir.conditions import Compare
 from clickgen.ir.operands import Cell, Constant, Integer, Single, Text
-from clickgen.problems.diagnostics import Diagnostics
 from clickgen.resolve.constants import kind_of
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for compare in facts.comparisons:
-        _check(facts, compare, problems)
+        yield from _check(facts, compare)
 
 
-def _check(facts: Facts, compare: Compare, problems: Diagnostics) -> None:
+def _check(facts: Facts, compare: Compare) -> Findings:
     left, right = compare.left, compare.right
     for side in (left, right):
         if isinstance(side, Cell) and BANKS[side.bank].is_bit:
-            bank = BANKS[side.bank].dsl
-            problems.add(
+            name = facts.spell.name(side.bank, "Name")
+            yield finding(
                 "CG303",
                 side.span,
                 f"{side.address} is a bit and cannot be compared",
-                f"a bit is a condition by itself: {bank}.Name, or nc({bank}.Name)",
+                f"a bit is a condition by itself: {name}, or {facts.spell.off(name)}",
             )
             return
     if isinstance(left, Constant) and isinstance(right, Constant):
-        problems.add("CG303", compare.span, "two constants are compared", "compare a register")
+        yield finding("CG303", compare.span, "two constants are compared", "compare a register")
         return
     for constant, other in ((left, right), (right, left)):
         # Any other constant beside a hexadecimal word is hexadecimal by now.
         if isinstance(constant, Integer) and kind_of(other) is Kind.HEX:
-            problems.add("CG302", constant.span, range_fault(constant, Kind.HEX), _word(facts, compare, constant))
+            yield finding("CG302", constant.span, range_fault(constant, Kind.HEX), _word(facts, compare, constant))
             return
     classes = value_class(left), value_class(right)
     if classes[0] != classes[1]:
-        problems.add(
+        yield finding(
             "CG303",
             compare.span,
             f"a {classes[0]} value and a {classes[1]} value cannot be compared",
@@ -49,18 +49,18 @@ def _check(facts: Facts, compare: Compare, problems: Diagnostics) -> None:
     for constant, other in ((left, right), (right, left)):
         fault = range_fault(constant, kind_of(other))
         if fault:
-            problems.add("CG302", constant.span, fault, "the comparison could never change")
+            yield finding("CG302", constant.span, fault, "the comparison could never change")
         elif isinstance(constant, Text) and len(constant.value) != 1:
-            problems.add("CG302", constant.span, "a TXT address holds one character", _search(facts, compare, other))
+            yield finding("CG302", constant.span, "a TXT address holds one character", _search(facts, compare, other))
 
 
 def _word(facts: Facts, compare: Compare, constant: Integer) -> str:
     """The way out for ``dh.A == -1``: the word with the same bits."""
     if not -0x8000 <= constant.value < 0:
         return "the comparison could never change"
-    word = f"0x{constant.value + 0x10000:04X}"
+    word = facts.spell.hexadecimal(constant.value + 0x10000)
     left, right = (word if side is constant else facts.text(side.span) for side in (compare.left, compare.right))
-    return f"the comparison could never change; the same bits are {left} {compare.op} {right}"
+    return f"the comparison could never change; the same bits are {facts.spell.compared(left, compare.op, right)}"
 
 
 def _search(facts: Facts, compare: Compare, register: Single) -> str:
@@ -70,13 +70,59 @@ def _search(facts: Facts, compare: Compare, register: Single) -> str:
     count = len(text.value) if isinstance(text, Text) else 0
     if isinstance(register, Cell):
         first = register.address.number
-        shown = f"txt[{first}:{first + count}]"
+        shown = facts.spell.range("TXT", first, first + count - 1)
         is_there = BANKS["TXT"].has(first + count - 1)
     else:
-        shown = shown if shown.endswith("]") else f"{shown}[0:{count}]"
+        shown = facts.spell.members(shown, count) if facts.spell.is_name(shown) else shown
         is_there = True
     if not count or not is_there or compare.op not in ("==", "!="):
-        return 'compare with one: txt[1] == "A"'
-    bit = "c.Found" if compare.op == "==" else "nc(c.Found)"
-    search = f"search({shown} == {facts.text(text.span)}, result=ds.FoundAt, found=c.Found)"
+        one = facts.spell.compared(facts.spell.cell(Address("TXT", 1)), "==", facts.spell.quoted("A"))
+        return f"compare with one: {one}"
+    search, found = searched_for(facts, shown, facts.text(text.span))
+    bit = found if compare.op == "==" else facts.spell.off(found)
     return f"compare with one character, or search in a rung before, {search}, and test {bit}"
+
+
+ABOUT = Code(
+    "CG303",
+    Severity.ERROR,
+    "values of different kinds cannot be compared",
+    """
+CLICK compares decimal with decimal (DS, DD, DF, TD, CTD, SD), hexadecimal with hexadecimal (DH, XD, YD)
+and text with text, in conditions and in `search`. Write a constant in the form of the register: `ds.Speed == 16`, not
+`ds.Speed == 0x10` or `ds.Speed == "16"`. To compare two registers, first copy one to a register of the other kind.
+Do not compare a bit: it is a condition by itself, and so is `all(...)` or `nc(...)`.
+""",
+    wrong=(
+        Wrong(
+            """
+if ds.Speed == dh.Code:  # <-
+    out(y[1])
+
+if x[1] == True:  # <-
+    out(y[2])
+""",
+            """
+if ds.Speed == dh.Code:  # <-
+    out(y[1])
+
+if x[1]:  # <-
+    out(y[2])
+""",
+        ),
+    ),
+    right=(
+        """
+if x[1]:
+    out(y[2])
+""",
+        """
+if ds.Speed == ds.Limit:
+    out(y[1])
+if dh.Code == 0x00FF:
+    out(y[3])
+""",
+    ),
+)
+
+RULE = Rule(find, (ABOUT,), also=("CG302",), holds_in_parts=True)

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from clickgen.facts.facts import Facts
-from clickgen.instructions.drums import OUTPUTS_MAX, SPECS, STEPS_MAX
+from clickgen.instructions.drums import OUTPUTS_MAX, STEPS_MAX
 from clickgen.ir.operands import Cell, Integer
 from clickgen.ir.program import Action, Operands, Pattern
-from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.wording import counted
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for placed in facts.actions:
-        if placed.spec in SPECS:
-            _check_lists(placed.action, problems)
-            _check_outputs(placed.action, problems)
-            _check_jump(placed.action, problems)
+        if isinstance(placed.action.args.get("pattern"), Pattern):
+            yield from _check_lists(placed.action)
+            yield from _check_outputs(placed.action)
+            yield from _check_jump(placed.action)
 
 
 def _steps(action: Action) -> Operands:
@@ -25,23 +26,24 @@ def _steps(action: Action) -> Operands:
     return steps
 
 
-def _check_lists(action: Action, problems: Diagnostics) -> None:
+def _check_lists(action: Action) -> Findings:
     outputs, steps, pattern = action.args["outputs"], _steps(action), action.args["pattern"]
     assert isinstance(outputs, Operands)
     assert isinstance(pattern, Pattern)
-    before = len(problems.found)
+    is_wrong = False
     for items, most, what in ((outputs, OUTPUTS_MAX, "output"), (steps, STEPS_MAX, "step")):
         if not 1 <= len(items.items) <= most:
-            problems.add(
+            is_wrong = True
+            yield finding(
                 "CG316",
                 items.span,
                 f"this {action.spec.name} has {counted(len(items.items), what)}; CLICK takes 1 to {most}",
                 "divide it over two drums" if items.items else "write them into the list",
             )
-    if len(problems.found) > before:
+    if is_wrong:
         return
     if len(pattern.rows) != len(steps.items):
-        problems.add(
+        yield finding(
             "CG316",
             pattern.span,
             f"the pattern has {counted(len(pattern.rows), 'row')} for {counted(len(steps.items), 'step')}",
@@ -50,7 +52,7 @@ def _check_lists(action: Action, problems: Diagnostics) -> None:
     wrong = next((n for n, row in enumerate(pattern.rows, 1) if len(row) != len(outputs.items)), None)
     if wrong is not None:
         places = counted(len(pattern.rows[wrong - 1]), "place")
-        problems.add(
+        yield finding(
             "CG316",
             pattern.span,
             f"row {wrong} of the pattern has {places} for {counted(len(outputs.items), 'output')}",
@@ -58,7 +60,7 @@ def _check_lists(action: Action, problems: Diagnostics) -> None:
         )
 
 
-def _check_outputs(action: Action, problems: Diagnostics) -> None:
+def _check_outputs(action: Action) -> Findings:
     """Two columns of the pattern cannot drive one bit."""
     outputs = action.args["outputs"]
     assert isinstance(outputs, Operands)
@@ -68,7 +70,7 @@ def _check_outputs(action: Action, problems: Diagnostics) -> None:
             continue
         earlier = seen.setdefault(output.address, output)
         if earlier is not output:
-            problems.add(
+            yield finding(
                 "CG316",
                 output.span,
                 f"{output.address} is an output of this {action.spec.name} twice",
@@ -77,10 +79,49 @@ def _check_outputs(action: Action, problems: Diagnostics) -> None:
             )
 
 
-def _check_jump(action: Action, problems: Diagnostics) -> None:
+def _check_jump(action: Action) -> Findings:
     step = action.args.get("jump_step")
     steps = len(_steps(action).items)
     if isinstance(step, Integer) and 1 <= steps < step.value <= STEPS_MAX:
-        problems.add(
+        yield finding(
             "CG316", step.span, f"the jump goes to step {step.value} and the drum has {steps}", "name one of its steps"
         )
+
+
+ABOUT = Code(
+    "CG316",
+    Severity.ERROR,
+    "the lists of a drum do not fit together",
+    """
+A drum has 1 to 16 steps and 1 to 16 outputs, each output once. Its pattern has one row for each event or
+preset, with a 0 or 1 for each output. A jump must go to a step that the drum has.
+""",
+    wrong=(
+        Wrong(
+            """
+if x[1]:
+    event_drum(
+        outputs=[y[1], y[2]],
+        events=[x[1], x[2], x[3]],
+        pattern=[[1, 0], [0, 1]],  # <-
+        current_step=ds.Step,
+        completion_flag=c.Done,
+    ).reset(c.Restart)
+""",
+        ),
+    ),
+    right=(
+        """
+if x[1]:
+    event_drum(
+        outputs=[y[1], y[2]],
+        events=[x[1], x[2], x[3]],
+        pattern=[[1, 0], [0, 1], [0, 0]],
+        current_step=ds.Step,
+        completion_flag=c.Done,
+    ).reset(c.Restart)
+""",
+    ),
+)
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -6,45 +6,45 @@ click-facts [control.end, control.return]
 from __future__ import annotations
 
 from clickgen.facts.facts import Facts, Placed
-from clickgen.instructions.control import END, NEXT, RETURN
+from clickgen.instructions.effects import Flow
+from clickgen.instructions.offered import END, RETURN
 from clickgen.ir.program import Routine
-from clickgen.problems.diagnostics import Diagnostics
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.edits import Edit, Fix
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     ended: set[int] = set()
-    closed = {id(placed.loop) for placed in facts.actions if placed.spec is NEXT}
+    end, leave = facts.spell.call(END), facts.spell.call(RETURN)
+    closed = {id(placed.loop) for placed in facts.actions if placed.effects.flow is Flow.NEXT}
     for placed in facts.actions:
         routine = placed.routine
-        if placed.spec is END:
+        if placed.effects.flow is Flow.END:
             if not routine.is_main:
-                problems.add(
-                    "CG410", placed.action.span, "end() belongs in main; a subroutine ends in return", "write return"
-                )
+                message = f"{end} belongs in main; a subroutine ends in {leave}"
+                yield finding("CG410", placed.action.span, message, f"write {leave}")
             elif placed.is_unconditional and _is_reached(placed, closed):
                 ended.add(id(routine))
-        elif placed.spec is RETURN:
+        elif placed.effects.flow is Flow.RETURN:
             if routine.is_main:
-                problems.add(
-                    "CG411", placed.action.span, "return belongs in a subroutine; main ends in end()", "write end()"
-                )
+                message = f"{leave} belongs in a subroutine; main ends in {end}"
+                yield finding("CG411", placed.action.span, message, f"write {end}")
             elif placed.is_unconditional and _is_reached(placed, closed) and placed.rung is routine.rungs[-1]:
                 ended.add(id(routine))
     for routine in facts.program.routines:
         if id(routine) in ended or not routine.is_whole:
             continue
         if routine.is_main:
-            help = "add at its end: if True: end()"
-            fix = _added(facts, routine, "end()")
-            problems.add("CG403", routine.span, "main has no unconditional end()", help, fix=fix)
+            help = f"add at its end: {facts.spell.rung('', end)}"
+            fix = _added(facts, routine, end)
+            yield finding("CG403", routine.span, f"main has no unconditional {end}", help, fix=fix)
         else:
-            problems.add(
+            yield finding(
                 "CG404",
                 routine.span,
-                f"{routine.name} does not end in an unconditional return",
-                "add as its last rung: if True: return",
-                fix=_added(facts, routine, "return"),
+                f"{routine.name} does not end in an unconditional {leave}",
+                f"add as its last rung: {facts.spell.rung('', leave)}",
+                fix=_added(facts, routine, leave),
             )
 
 
@@ -59,12 +59,171 @@ def _added(facts: Facts, routine: Routine, action: str) -> Fix | None:
     if not routine.rungs or source.path != routine.span.path:
         return None
     last = routine.rungs[-1].span
-    if source.line(last.end_line).endswith("\\"):
-        return None  # Python would read the new rung as the rest of that line.
+    if facts.spell.goes_on(source.line(last.end_line)):
+        return None
     indent = source.line(last.line)[: last.col - 1]
     # A blank line goes in front where the rungs before have one between them.
     between = range(routine.rungs[-2].span.end_line + 1, last.line) if len(routine.rungs) > 1 else ()
     blank = "\n" if any(not source.line(line).strip() for line in between) else ""
     col = len(source.line(last.end_line)) + 1
     place = source.span(last.end_line, col, last.end_line, col)
-    return Fix((Edit(place, f"\n{blank}{indent}if True:\n{indent * 2}{action}"),))
+    return Fix((Edit(place, f"\n{blank}{facts.spell.rung_at(indent, action)}"),))
+
+
+CODES = (
+    Code(
+        "CG403",
+        Severity.ERROR,
+        "main has no unconditional end",
+        """
+The main program needs an `end()` without a condition (CLICK error C0201). Put it at the end.
+""",
+        wrong=(
+            Wrong(
+                """
+def main():  # <-
+    if c.Run:
+        end()
+""",
+                """
+def main():  # <-
+    if c.Run:
+        end()
+    if True:
+        end()
+""",
+            ),
+        ),
+        right=(
+            """
+def main():
+    if c.Run:
+        out(y[1])
+    if True:
+        end()
+""",
+        ),
+    ),
+    Code(
+        "CG404",
+        Severity.ERROR,
+        "a subroutine does not end in an unconditional return",
+        """
+The last rung of a subroutine must be an unconditional `return` (CLICK error C0105).
+""",
+        wrong=(
+            Wrong(
+                """
+@sub
+def alarms():  # <-
+    if c.Run:
+        return
+
+
+def main():
+    if True:
+        call(alarms)
+        end()
+""",
+                """
+@sub
+def alarms():  # <-
+    if c.Run:
+        return
+    if True:
+        return
+
+
+def main():
+    if True:
+        call(alarms)
+        end()
+""",
+            ),
+        ),
+        right=(
+            """
+@sub
+def alarms():
+    if c.Run:
+        return
+    if True:
+        return
+
+
+def main():
+    if True:
+        call(alarms)
+    if True:
+        end()
+""",
+        ),
+    ),
+    Code(
+        "CG410",
+        Severity.ERROR,
+        "end belongs in main",
+        """
+Use `return` to go back from a subroutine.
+""",
+        wrong=(
+            Wrong(
+                """
+@sub
+def alarms():
+    if c.Run:
+        end()  # <-
+    if True:
+        return
+
+
+def main():
+    if True:
+        call(alarms)
+        end()
+""",
+            ),
+        ),
+        right=(
+            """
+@sub
+def alarms():
+    if c.Run:
+        return
+    if True:
+        return
+
+
+def main():
+    if True:
+        call(alarms)
+    if True:
+        end()
+""",
+        ),
+    ),
+    Code(
+        "CG411",
+        Severity.ERROR,
+        "return belongs in a subroutine",
+        """
+Use `end()` to end the scan in main.
+""",
+        wrong=(
+            Wrong(
+                """
+if x[1]:
+    return  # <-
+""",
+            ),
+        ),
+        right=(
+            """
+if x[1]:
+    end()
+""",
+        ),
+    ),
+)
+
+RULE = Rule(find, CODES, holds_in_parts=True)

@@ -6,6 +6,7 @@ click-facts [message.count, modbus.requests]
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from math import ceil
 
 from clickgen.device.banks import BANKS, READ_ONLY, Kind
@@ -23,48 +24,49 @@ from clickgen.device.modbus import (
     of_manual,
     register_type_of,
 )
+from clickgen.dialects.base import Spelling
 from clickgen.facts.facts import Facts
-from clickgen.instructions.communication import SEND, SPECS
+from clickgen.instructions.effects import Shape
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget
 from clickgen.ir.operands import Cell, Range
 from clickgen.ir.program import Action
-from clickgen.problems.diagnostics import Diagnostics
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.text.wording import counted
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for placed in facts.actions:
-        if placed.spec in SPECS:
-            _check(facts, placed.action, problems)
+        if placed.effects.shape is Shape.MESSAGE:
+            yield from _check(facts, placed.action)
 
 
-def _check(facts: Facts, action: Action, problems: Diagnostics) -> None:
-    is_send = action.spec is SEND
-    own, remote = action.args["source" if is_send else "dest"], action.args["remote_start"]
+def _check(facts: Facts, action: Action) -> Findings:
+    is_send = isinstance(action.moved_to, Remote)
+    own, remote = (action.moved, action.moved_to) if is_send else (action.moved_to, action.moved)
     assert isinstance(remote, Remote)
     if isinstance(action.args["target"], RtuTarget) and action.args["target"].device_id == 0 and not is_send:
-        problems.add(
+        yield finding(
             "CG302", action.args["target"].span, "no device answers to number 0: it is for sending to all", "name one"
         )
-    _check_writable(remote, is_send, problems)
+    yield from _check_writable(remote, is_send)
     if not isinstance(own, Cell | Range):
         return
     is_bits = BANKS[own.bank].is_bit
     if action.flag("word_swap") and is_bits:
-        problems.add("CG314", action.args["word_swap"].span, "bits have no words to swap", "leave out word_swap")
+        yield finding("CG314", action.args["word_swap"].span, "bits have no words to swap", "leave out word_swap")
     if _is_bits(remote) != is_bits:
         there, here = ("bits", "registers") if _is_bits(remote) else ("registers", "bits")
-        problems.add(
+        yield finding(
             "CG305",
             remote.span,
             f"{_shown(remote)}{' is a coil: it' if _is_short_coil(remote) else ''} holds {there} and {own.bank} holds "
             f"{here}",
-            _six_digits(remote) or "name an address of the same kind on both ends",
+            _six_digits(facts.spell, remote) or "name an address of the same kind on both ends",
         )
         return
     if _is_short_coil(remote) and not _SIX_DIGITS.search(facts.text(remote.span)):
-        _check_manual(remote, problems)
-    _check_length(own, remote, is_send, problems)
+        yield from _check_manual(facts.spell, remote)
+    yield from _check_length(own, remote, is_send)
 
 
 # -- numbers as manuals print them ------------------------------------------------------------------------------------
@@ -78,7 +80,7 @@ def _is_short_coil(remote: Remote) -> bool:
     return isinstance(remote, RemoteModbus) and not remote.register_type and register_type_of(remote.number) == COIL
 
 
-def _six_digits(remote: Remote) -> str:
+def _six_digits(spell: Spelling, remote: Remote) -> str:
     """The way out for a coil where a register belongs: what a manual means by the number."""
     if not isinstance(remote, RemoteModbus) or not _is_short_coil(remote):
         return ""
@@ -87,27 +89,28 @@ def _six_digits(remote: Remote) -> str:
         number = NUMBERS_984[HOLDING][0] - 1 + remote.number
         return (
             f"holding registers begin at {NUMBERS_984[HOLDING][0]}: register {remote.number} of a manual that counts "
-            f"from 1 is ModbusAddress(address={number})"
+            f"from 1 is {spell.remote(replace(remote, number=number))}"
         )
     name, number = manual
     into = ", and goes into bits" if name in BIT_TYPES else ""
     meant = f"{remote.number} of a manual, {TYPE_WORDS[name]}"
-    return f"CLICK has six digits: {meant}, is ModbusAddress(address={number}){into}"
+    return f"CLICK has six digits: {meant}, is {spell.remote(replace(remote, number=number))}{into}"
 
 
-def _check_manual(remote: Remote, problems: Diagnostics) -> None:
+def _check_manual(spell: Spelling, remote: Remote) -> Findings:
     """A coil whose number a manual has for something else."""
     assert isinstance(remote, RemoteModbus)
     manual = of_manual(remote.number)
     if manual is None:
         return
     name, number = manual
-    coil = f'ModbusAddress(address="{remote.number - 1:X}h", register_type="{COIL}")'
+    coil = spell.remote(replace(remote, number=remote.number - 1, register_type=COIL))
+    meant = spell.remote(replace(remote, number=number))
     if name in BIT_TYPES:
-        way = f"write ModbusAddress(address={number}) for the input"
+        way = f"write {meant} for the input"
     else:
-        way = f"for the register write ModbusAddress(address={number}), and registers on this end"
-    problems.add(
+        way = f"for the register write {meant}, and registers on this end"
+    yield finding(
         "CG551",
         remote.span,
         f"{remote.number} is a coil here, because CLICK has six digits; in a manual it is {TYPE_WORDS[name]}",
@@ -118,14 +121,14 @@ def _check_manual(remote: Remote, problems: Diagnostics) -> None:
 # -- what fits --------------------------------------------------------------------------------------------------------
 
 
-def _check_writable(remote: Remote, is_send: bool, problems: Diagnostics) -> None:
+def _check_writable(remote: Remote, is_send: bool) -> Findings:
     # click-facts [bank.read-only, message.remote-system]
     if not is_send:
         return
     if isinstance(remote, RemoteModbus) and _register_type(remote) in READ_ONLY_TYPES:
-        problems.add("CG304", remote.span, f"{_shown(remote)} is an input: Modbus only reads it", "receive it")
+        yield finding("CG304", remote.span, f"{_shown(remote)} is an input: Modbus only reads it", "receive it")
     elif isinstance(remote, RemoteCell) and remote.address.bank in (*READ_ONLY, "SC", "SD"):
-        problems.add(
+        yield finding(
             "CG304",
             remote.span,
             f"{remote.address} of the other CLICK cannot be written from here",
@@ -133,7 +136,7 @@ def _check_writable(remote: Remote, is_send: bool, problems: Diagnostics) -> Non
         )
 
 
-def _check_length(own: Cell | Range, remote: Remote, is_send: bool, problems: Diagnostics) -> None:
+def _check_length(own: Cell | Range, remote: Remote, is_send: bool) -> Findings:
     length = len(own) if isinstance(own, Range) else 1
     is_bits = BANKS[own.bank].is_bit
     size = length * _words(own.bank)
@@ -142,7 +145,7 @@ def _check_length(own: Cell | Range, remote: Remote, is_send: bool, problems: Di
     else:
         most, what = WORDS_WRITTEN_MAX if is_send else WORDS_READ_MAX, "words"
     if size > most:
-        problems.add(
+        yield finding(
             "CG306",
             own.span,
             f"this range is {size} {what} and one Modbus request takes {most}",
@@ -154,7 +157,7 @@ def _check_length(own: Cell | Range, remote: Remote, is_send: bool, problems: Di
         reach = ceil(size / _words(address.bank))
         last = address.number + reach - 1
         if not any(low <= address.number and last <= high for low, high in bank.ranges):
-            problems.add(
+            yield finding(
                 "CG306",
                 remote.span,
                 f"{counted(reach, 'address', 'addresses')} from {address} on leave the bank: {bank.name} has "
@@ -182,3 +185,53 @@ def _shown(remote: Remote) -> str:
     if isinstance(remote, RemoteCell):
         return str(remote.address)
     return f"{remote.number:X}h ({remote.register_type})" if remote.register_type else str(remote.number)
+
+
+ABOUT = Code(
+    "CG551",
+    Severity.WARNING,
+    "a Modbus number means a coil here and another register in a manual",
+    """
+Manuals print Modbus numbers with five digits. The first digit gives the kind: 40001 is the first holding
+register. CLICK uses six digits for the same number, 400001. In CLICK, a number with five digits is a coil: 10001, the
+manual's first input, is coil 10001. The device then returns some other bit, or an error.
+
+| In a manual | Meaning | In CLICK |
+|---|---|---|
+| 00001 | coil 1 | 1 |
+| 10001 | discrete input 1 | 100001 |
+| 30001 | input register 1 | 300001 |
+| 40001 | holding register 1 | 400001 |
+
+The coils 16385 to 18384 are C1 to C2000 of another CLICK, so clickgen does not warn about them. For registers, a
+number with five digits does not fit. That is an error, [CG305](CG305.md), whose message gives the six digits.
+""",
+    wrong=(
+        Wrong(
+            """
+if x[1]:
+    receive(ModbusTcpTarget(ip="192.168.1.10"), ModbusAddress(address=10001), c[1:9])  # <-
+""",
+        ),
+    ),
+    right=(
+        """
+if x[1]:
+    receive(ModbusTcpTarget(ip="192.168.1.10"), ModbusAddress(address=100001), c[1:9])
+    receive(ModbusTcpTarget(ip="192.168.1.10"), ModbusAddress(address="2710h", register_type="coil"), c[11:19])
+""",
+    ),
+)
+
+RULE = Rule(
+    find,
+    (ABOUT,),
+    also=(
+        "CG302",
+        "CG304",
+        "CG305",
+        "CG306",
+        "CG314",
+    ),
+    holds_in_parts=True,
+)

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 
 from clickgen.device.banks import BANKS, Address
+from clickgen.dialects.base import Spelling
 from clickgen.facts.copied import put_in
 from clickgen.facts.facts import Facts, Placed
 from clickgen.facts.written import Asked
@@ -14,26 +15,27 @@ from clickgen.instructions.spec import Access, Param
 from clickgen.ir.operands import Cell, Constant, Integer, Pointer, Text
 from clickgen.ir.program import Action
 from clickgen.ir.reach import characters, length_of
-from clickgen.problems.diagnostics import Diagnostics
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 from clickgen.table.blocks import Block
 
 _NUMBER = re.compile(r"[ _]*[0-9]*$")
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     for placed in facts.actions:
         for cell, param, length in _long_writes(placed):
-            _judge(facts, placed, cell, param, length, problems)
+            yield from _judge(facts, placed, cell, param, length)
         for pointer in _long_pointers(placed):
-            _judge_pointer(facts, placed, pointer, characters(placed.action), problems)
+            yield from _judge_pointer(facts, placed, pointer, characters(placed.action))
 
 
-def _judge(facts: Facts, placed: Placed, cell: Cell, param: Param, length: int, problems: Diagnostics) -> bool:
-    """Report a write that begins at this cell and can reach too far: True."""
+def _judge(facts: Facts, placed: Placed, cell: Cell, param: Param, length: int) -> Findings:
+    """A write that begins at this cell and can reach too far."""
     last = Address(cell.bank, cell.address.number + length - 1)
     is_text = not param.extends_over
     if not BANKS[last.bank].has(last.number):
-        return _past_the_end(placed.action, cell, last, length, problems)
+        yield from _past_the_end(facts, placed.action, cell, last, length)
+        return
     block = _block_of(facts, cell.address)
     reason = ""
     if block is not None:
@@ -47,14 +49,13 @@ def _judge(facts: Facts, placed: Placed, cell: Cell, param: Param, length: int, 
         reason = f"runs over {facts.shown(named)}" if named else ""
     if reason:
         what = _said(placed.action, length) if is_text else f"this copy of {length} addresses"
-        problems.add(
+        yield finding(
             "CG431",
             cell.span,
             f"{what} {reason}, to {last}",
-            f"{_option(placed.action)}begin it earlier, shorten it, or make room for it: a block of "
+            f"{_option(facts.spell, placed.action)}begin it earlier, shorten it, or make room for it: a block of "
             f"{length} addresses, or other addresses for what follows",
         )
-    return bool(reason)
 
 
 def _long_writes(placed: Placed) -> Iterator[tuple[Cell, Param, int]]:
@@ -67,19 +68,18 @@ def _long_writes(placed: Placed) -> Iterator[tuple[Cell, Param, int]]:
                 yield operand, param, length
 
 
-def _past_the_end(action: Action, cell: Cell, last: Address, length: int, problems: Diagnostics) -> bool:
+def _past_the_end(facts: Facts, action: Action, cell: Cell, last: Address, length: int) -> Findings:
     """A text that surely reaches too far is refused (CG306), unless a pointer leads to where it begins."""
     target = action.args.get(action.spec.matrix[1])
     if cell.bank != "TXT" or (_is_sure_text(action) and not isinstance(target, Pointer)):
-        return False
+        return
     end = BANKS["TXT"].last
-    problems.add(
+    yield finding(
         "CG430",
         cell.span,
         f"{_said(action, length)} reaches {last}: TXT ends at TXT{end}",
-        f"{_option(action)}begin it at txt[{end + 1 - length}] or earlier",
+        f"{_option(facts.spell, action)}begin it at {facts.spell.cell(Address('TXT', end + 1 - length))} or earlier",
     )
-    return True
 
 
 def _said(action: Action, length: int) -> str:
@@ -93,16 +93,17 @@ def _said(action: Action, length: int) -> str:
     )
 
 
-def _option(action: Action) -> str:
+def _option(spell: Spelling, action: Action) -> str:
     """The beginning of the way out for a number that goes to TXT without an option."""
     source = action.args.get(action.spec.matrix[0])
     if isinstance(source, Text) or "to_text" not in action.spec.conversions or "options" in action.args:
         return ""
     if isinstance(source, Integer):
-        return f'write its digits as a text, "{source.value}"; or '
+        return f"write its digits as a text, {spell.quoted(str(source.value))}; or "
     if isinstance(source, Constant):
         return "write its digits as a text in quotes; or "
-    return "say what is meant, options=to_binary for one character or options=to_text(); or "
+    one, text = spell.setting("options", "to_binary"), spell.setting("options", "to_text")
+    return f"say what is meant, {one} for one character or {text}; or "
 
 
 def _is_sure_text(action: Action) -> bool:
@@ -119,7 +120,7 @@ def _long_pointers(placed: Placed) -> Iterator[Pointer]:
         yield target
 
 
-def _judge_pointer(facts: Facts, placed: Placed, pointer: Pointer, length: int, problems: Diagnostics) -> None:
+def _judge_pointer(facts: Facts, placed: Placed, pointer: Pointer, length: int) -> Findings:
     """Where the text begins, the numbers say that the program gives the pointer; else anything that is not asked."""
     register = pointer.register
     if not isinstance(register, Cell):
@@ -129,21 +130,25 @@ def _judge_pointer(facts: Facts, placed: Placed, pointer: Pointer, length: int, 
     numbers = _numbers(facts, register.address)
     if numbers is not None:
         for number in sorted(numbers):
-            start = Cell(Address(bank.name, number), pointer.span)
-            if bank.has(number) and asked.may_be(number) and _judge(facts, placed, start, param, length, problems):
+            if not bank.has(number) or not asked.may_be(number):
+                continue
+            found = list(_judge(facts, placed, Cell(Address(bank.name, number), pointer.span), param, length))
+            yield from found
+            if found:
                 return
         return
     looked_at = (side for leaf in facts.comparisons for side in (leaf.left, leaf.right))
     if any(isinstance(side, Cell) and side.address == register.address for side in looked_at):
         return  # How far the program lets it go, a comparison says.
     highest = bank.last + 1 - length
-    problems.add(
+    test = facts.spell.compared(facts.text(register.span), "<=", str(highest))
+    yield finding(
         "CG430",
         pointer.span,
         f"{_said(placed.action, length)} can reach past TXT{bank.last}: nothing keeps "
         f"{facts.shown(register.address)} at {highest} or below",
-        f"{_option(placed.action)}test the pointer in this rung: "
-        f"if {facts.with_test(placed, f'{facts.text(register.span)} <= {highest}')}:",
+        f"{_option(facts.spell, placed.action)}test the pointer in this rung: "
+        f"{facts.spell.rung(facts.with_test(placed, test))}",
     )
 
 
@@ -186,3 +191,87 @@ def _first_named(facts: Facts, first: Address, last: Address, own: Address | Non
 
 def _stem(nickname: str) -> str:
     return _NUMBER.sub("", nickname).lower()
+
+
+CODES = (
+    Code(
+        "CG430",
+        Severity.WARNING,
+        "a text can run past the last TXT address",
+        """
+A number that is copied as text takes one TXT address per character: up to 6 from DS, TD and SD,
+including a sign, 11 from DD and CTD, 4 from DH, 15 from DF, and one more with a termination code. If the text starts
+here, the longest one goes past TXT1000. No source says what CLICK does with the rest. Start the text earlier.
+
+What CLICK makes of a number that goes to TXT without an option, no source says either: one character, or its digits.
+The warning comes where the digits would not fit. Say which you mean: `options=to_binary` fills one address,
+`options=to_text()` writes digits.
+
+A text of several characters that goes through a pointer gets the warning when nothing keeps the pointer low enough.
+Test its register in the rung, or give it constants alone.
+""",
+        wrong=(
+            Wrong(
+                """
+if x[1]:
+    copy(ds.Weight, txt[998], options=to_text())  # <-
+    copy(ds.Weight, txt[998])  # <-
+    copy("FINISHED", txt[ds.Place])  # <-
+""",
+            ),
+        ),
+        right=(
+            """
+if x[1]:
+    copy(ds.Weight, txt[991], options=to_text())
+    copy(ds.Weight, txt[999], options=to_binary)
+if ds.Place <= 993:
+    copy("FINISHED", txt[ds.Place])
+""",
+        ),
+    ),
+    Code(
+        "CG431",
+        Severity.WARNING,
+        "a copy can run past its block or over another name",
+        """
+Some copies write past the address that they name. A text of 8 characters fills 8 TXT addresses, a number as text
+fills one per character, including its sign, and a block copy fills as many addresses as its source has. This
+copy can run past the end of the block that it begins in, or over an address with a name of its own: a rung that reads
+that address finds a piece of this text. Start the copy earlier, shorten it, or give it a larger block. A number that
+goes to TXT without an option counts as text, because no source says that CLICK does not make it one.
+
+Names that differ only in a number, such as `Msg1` and `Msg2`, count as one thing.
+""",
+        wrong=(
+            Wrong(
+                """
+nickname(txt.Message, txt[1:6])
+nickname(txt.Mode, txt[6])
+
+
+def main():
+    if c.Done:
+        copy("FINISHED", txt.Message[0])  # <-
+    if True:
+        end()
+""",
+            ),
+        ),
+        right=(
+            """
+nickname(txt.Message, txt[1:9])
+nickname(txt.Mode, txt[9])
+
+
+def main():
+    if c.Done:
+        copy("FINISHED", txt.Message[0])
+    if True:
+        end()
+""",
+        ),
+    ),
+)
+
+RULE = Rule(find, CODES, holds_in_parts=True)

@@ -7,10 +7,11 @@ from clickgen.facts.facts import Facts
 from clickgen.instructions.spec import Access
 from clickgen.ir.operands import Cell
 from clickgen.ir.program import Action
-from clickgen.problems.diagnostics import Diagnostics, Label
+from clickgen.problems.diagnostics import Label
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     owners: dict[Address, Action] = {}
     for placed in facts.actions:
         for param in placed.spec.params:
@@ -23,7 +24,7 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             earlier = owners.setdefault(number, placed.action)
             if earlier is not placed.action:
                 kind = "counter" if number.bank == "CT" else "timer"
-                problems.add(
+                yield finding(
                     "CG412",
                     operand.span,
                     f"{operand.address} belongs to the {earlier.spec.name} of "
@@ -31,3 +32,37 @@ def check(facts: Facts, problems: Diagnostics) -> None:
                     f"give this {kind} another name",
                     (Label(earlier.span, "its first owner"),),
                 )
+
+
+ABOUT = Code(
+    "CG412",
+    Severity.ERROR,
+    "a timer or counter has two owners",
+    """
+Each timer or counter number belongs to one instruction in the whole program (C010A, C010B), and the
+accumulator of a time drum uses the number of a timer. Give each instruction its own name, and combine their bits in a
+rung.
+""",
+    wrong=(
+        Wrong(
+            """
+if c.Fast:
+    ton(t.Delay, 5, Ts)
+if c.Slow:
+    ton(t.Delay, 50, Ts)  # <-
+""",
+        ),
+    ),
+    right=(
+        """
+if c.Fast:
+    copy(5, ds.DelayTime)
+if c.Slow:
+    copy(50, ds.DelayTime)
+if any(c.Fast, c.Slow):
+    ton(t.Delay, ds.DelayTime, Ts)
+""",
+    ),
+)
+
+RULE = Rule(find, (ABOUT,), holds_in_parts=True)

@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from clickgen.device.banks import Address
 from clickgen.facts.facts import Facts
+from clickgen.facts.refusals import refused
 from clickgen.facts.uses import addresses_of
-from clickgen.facts.values import refused_operands
-from clickgen.instructions.timers import RTOF
-from clickgen.ir.operands import Cell, Range
+from clickgen.ir.operands import Operand, Range
 from clickgen.ir.program import KeptToken
 from clickgen.ir.walk import program_operands
-from clickgen.problems.diagnostics import Diagnostics
-from clickgen.text.source import Span
+from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
 
 
-def check(facts: Facts, problems: Diagnostics) -> None:
+def find(facts: Facts) -> Findings:
     timers: set[Address] = set()
     for placed in facts.actions:
-        timer = placed.action.args.get("timer")
-        if placed.spec is RTOF and isinstance(timer, Cell):
+        timer = placed.action.owned
+        if placed.spec.built_from is not None and timer is not None:
             timers.add(timer.address)
-            problems.add(
+            yield finding(
                 "CG420",
                 placed.action.span,
                 f"CLICK has no retentive off-delay: {timer.address} becomes a retentive on-delay with two scratch bits",
@@ -28,13 +28,21 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             )
     if not timers:
         return
-    kept = _in_kept_tokens(facts, timers, problems)
-    refused = refused_operands(problems) | kept
+    kept = list(_in_kept_tokens(facts))
+    for operand in kept:
+        if not timers.isdisjoint(addresses_of(operand)):
+            yield finding(
+                "CG301",
+                operand.span,
+                "this ladder token names the bit of an rtof, which stands elsewhere",
+                "give the rtof another timer",
+            )
+    said = {operand.span for operand in kept}.union(*(refused(placed.action) for placed in facts.actions))
     for operand in program_operands(facts.program):
-        if operand.span in refused:
+        if operand.span in said:
             continue
         if isinstance(operand, Range) and operand.bank == "T" and not timers.isdisjoint(operand.addresses()):
-            problems.add(
+            yield finding(
                 "CG301",
                 operand.span,
                 "this range holds the bit of an rtof, which stands elsewhere",
@@ -42,21 +50,36 @@ def check(facts: Facts, problems: Diagnostics) -> None:
             )
 
 
-def _in_kept_tokens(facts: Facts, timers: set[Address], problems: Diagnostics) -> set[Span]:
-    """Report kept instructions that name the bit of an rtof: nothing can be put in its place there.
-
-    Returns the places of all addresses in kept tokens.
-    """
-    places: set[Span] = set()
+def _in_kept_tokens(facts: Facts) -> Iterator[Operand]:
+    """The addresses in kept instructions: nothing can be put in the place of the bit of an rtof there."""
     for placed in facts.actions:
         token = placed.action.args.get("token")
-        for operand in token.operands if isinstance(token, KeptToken) else ():
-            places.add(operand.span)
-            if not timers.isdisjoint(addresses_of(operand)):
-                problems.add(
-                    "CG301",
-                    operand.span,
-                    "this ladder token names the bit of an rtof, which stands elsewhere",
-                    "give the rtof another timer",
-                )
-    return places
+        if isinstance(token, KeptToken):
+            yield from token.operands
+
+
+ABOUT = Code(
+    "CG420",
+    Severity.INFO,
+    "rtof is emulated",
+    """
+CLICK has no retentive off-delay timer. clickgen builds it from a retentive on-delay timer and two
+scratch bits; the listing shows the rungs. In CLICK, look at the scratch bit to see the output of the timer.
+""",
+    wrong=(
+        Wrong(
+            """
+if x[1]:
+    rtof(t.Idle, setpoint=30, unit=Tm, reset=lambda: c.Awake)  # <-
+""",
+        ),
+    ),
+    right=(
+        """
+if x[1]:
+    tof(t.Idle, setpoint=30, unit=Tm)
+""",
+    ),
+)
+
+RULE = Rule(find, (ABOUT,), also=("CG301",), holds_in_parts=True)

@@ -1,14 +1,14 @@
 """The file of a workbook, made harmless before openpyxl sees it.
 
 A workbook is a zip archive of XML parts. A small file can unpack to gigabytes, and XML can cost far more than its
-length. So every part that matters is unpacked once, in bounded memory, judged as bytes, and packed anew without
-compression: openpyxl reads the copy, which holds nothing that was not measured. Cells that are only formatted, and rows
+length. So every part that matters is unpacked once, in bounded memory, judged as bytes, and repacked without
+compression: openpyxl reads the copy, which holds nothing that was not measured. Cells that have only a format, and rows
 without cells, are left out of the copy: a sheet may have hundreds of thousands of them.
 
-Refused are: files over 32 MB; parts of more than 64 MB together; more than 500,000 XML elements in what is read, or
-100,000 in one row of a sheet or in a part without rows; rows that are not in order, since openpyxl leaves some of them
-out; and what no spreadsheet program writes: entities and document types, comments and instructions in the XML, single
-tags of 250,000 bytes, encodings other than UTF-8, two parts of one name.
+The following are refused: files over 32 MB; parts of more than 64 MB together; more than 500,000 XML elements in what
+is read, or 100,000 in one row of a sheet or in a part without rows; rows out of order, since openpyxl leaves some of
+them out; and anything that no spreadsheet program writes: entities and document types, comments and instructions in the
+XML, single tags of 250,000 bytes, encodings other than UTF-8, two parts of one name.
 Pictures, charts, macros, pivot tables, links to other files and other parts without cells are never unpacked.
 """
 
@@ -28,7 +28,7 @@ FILE_MAX = 32 * 2**20
 PARTS_MAX = 64 * 2**20
 ELEMENTS_MAX = 500_000
 RUN_MAX = 100_000
-"""Elements between the beginning of one row, or one shared text, and the next."""
+"""Elements from the beginning of one row, or one shared text, to the next."""
 
 _SAVE_AGAIN = "open it in a spreadsheet program and save it as .xlsx"
 _SMALLER = "copy the lists alone into a new workbook"
@@ -50,7 +50,7 @@ _UNHEARD_OF = re.compile(rb"\0|<!(?!\[CDATA\[)|<\?(?!xml\s[^<>]{0,200}\?>)|<[^<]
 
 
 def bytes_of_workbook(path: Path, shown: str, workspace: Workspace | None = None) -> bytes:
-    """The file's bytes, of a file that is too large only the first; raises TableUnreadable when it cannot be read."""
+    """Return the file's bytes; if it is too large, only the first. Raises TableUnreadable if it cannot be read."""
     try:
         return (workspace or Workspace()).start(path, FILE_MAX + 1)
     except FileNotFoundError:
@@ -63,7 +63,7 @@ def bytes_of_workbook(path: Path, shown: str, workspace: Workspace | None = None
 
 
 def harmless_copy(data: bytes, shown: str) -> io.BytesIO:
-    """The parts of a workbook that hold cells, uncompressed; raises TableUnreadable for anything else."""
+    """Return the parts of a workbook that hold cells, uncompressed; raise TableUnreadable for anything else."""
     _refuse_other_files(data, shown)
     copy = io.BytesIO()
     try:
@@ -72,13 +72,13 @@ def harmless_copy(data: bytes, shown: str) -> io.BytesIO:
             for name, part in _parts(archive, shown):
                 safe.writestr(zipfile.ZipInfo(name), part)
     except Exception as error:
-        # zipfile and zlib raise what a broken archive happens to lead them to.
+        # zipfile and zlib raise whatever a broken archive happens to lead them to.
         raise broken(shown, error) from None
     return _Metered(copy.getvalue(), shown)
 
 
 def broken(shown: str, error: Exception) -> TableUnreadable:
-    """What to say of a file that a library stumbles over, unless that is said already."""
+    """The error for a file that a library stumbles over, unless that has been reported already."""
     if isinstance(error, TableUnreadable):
         return error
     error = error.__cause__ if isinstance(error.__cause__, Exception) else error
@@ -90,9 +90,9 @@ def broken(shown: str, error: Exception) -> TableUnreadable:
 
 
 class _Metered(io.BytesIO):
-    """The copy: what is read of it costs bytes and elements, and both can run out.
+    """The copy: reading from it costs bytes and elements, and both can run out.
 
-    A sheet that is not read to its end costs little, however large it is; a part that stands for many sheets costs
+    A sheet that is not read to its end costs little, however large it is; a part that serves many sheets costs
     as much as all of them.
     """
 
@@ -136,7 +136,7 @@ def _refuse_other_archives(archive: zipfile.ZipFile, shown: str) -> None:
 
 
 def _parts(archive: zipfile.ZipFile, shown: str) -> Iterator[tuple[str, bytes]]:
-    """Name and content of every part that openpyxl needs."""
+    """Yield the name and content of every part that openpyxl needs."""
     seen: set[str] = set()
     left = PARTS_MAX
     for info in archive.infolist():
@@ -164,14 +164,14 @@ def _parts(archive: zipfile.ZipFile, shown: str) -> Iterator[tuple[str, bytes]]:
 
 
 def _without_blanks(part: bytes) -> bytes:
-    """A sheet without the cells and rows that hold nothing, where each says by itself where it stands."""
+    """A sheet without its empty cells and rows, if each of the others gives its own place."""
     if not _CELLS.search(part) or b"<![CDATA[" in part or _UNNUMBERED.search(part):
         return part
     return _BLANK_ROW.sub(b"", _BLANK_CELL.sub(b"", part))
 
 
 def _with_dimension(part: bytes) -> bytes:
-    """A sheet that says its size, true or not: openpyxl reads one that does not to its end to find that out."""
+    """A sheet that states its size, true or not: without one, openpyxl reads the whole sheet to find it out."""
     cells = _CELLS.search(part)
     if cells is None or b"<![CDATA[" in part or b"dimension" in part[: cells.start()]:
         return part
@@ -189,7 +189,7 @@ def _has_cells(name: str) -> bool:
 
 
 def _unpacked(archive: zipfile.ZipFile, info: zipfile.ZipInfo, limit: int) -> bytes:
-    """The first bytes of a part, no more than the limit, whatever the archive says of its size."""
+    """Return the first bytes of a part, up to the limit, whatever size the archive gives."""
     if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         raise ValueError("its parts are packed in a way of their own")
     with archive.open(info) as part:
@@ -201,5 +201,5 @@ def _in_order(part: bytes) -> bool:
 
 
 def _elements(part: bytes) -> int:
-    """The XML elements that begin here, or a few more."""
+    """The number of XML elements that begin here, or a few more."""
     return part.count(b"<") - part.count(b"</")

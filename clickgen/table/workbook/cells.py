@@ -16,13 +16,13 @@ SHEETS_MAX = 100
 ROWS = 1_048_576
 """The rows that a sheet can have."""
 COLUMNS_MAX = 256
-"""How far to the right a list is looked for: columns A to IV."""
+"""The columns in which a list is looked for: A to IV."""
 
 Value = str | int | float | bool
 
 
 class Cell(NamedTuple):
-    """A cell that holds something. ``fault`` says what stands in it where that is no plain value: ``a formula``."""
+    """A cell that holds something. ``fault`` names its content if that is not a plain value: ``a formula``."""
 
     column: int
     value: Value
@@ -30,7 +30,7 @@ class Cell(NamedTuple):
 
     @property
     def text(self) -> str:
-        """The text of the cell, trimmed; empty where it holds something else."""
+        """The text of the cell, trimmed; "" if it holds something else."""
         return self.value.strip() if isinstance(self.value, str) and not self.fault else ""
 
     @property
@@ -52,7 +52,7 @@ class Line(NamedTuple):
 
 @dataclass(frozen=True)
 class Sheet:
-    """A sheet; its cells are read when ``lines`` is."""
+    """A sheet; its cells are read when ``lines`` is iterated."""
 
     shown: str
     title: str
@@ -64,14 +64,14 @@ class Sheet:
         return Span.of_cell(self.shown, self.title, line.number, column)
 
     def lines(self) -> Iterator[Line]:
-        """The rows that hold something, from the top. Raises TableUnreadable when the sheet is broken."""
-        self._content.reset_dimensions()  # What a file says of them need not be so.
+        """Yield the rows that hold something, from the top. Raises TableUnreadable if the sheet is broken."""
+        self._content.reset_dimensions()  # The file's own figures need not be true.
         from openpyxl.cell.read_only import EMPTY_CELL
 
         blank = None
         try:
             for number, row in enumerate(self._content.iter_rows(max_row=ROWS, max_col=COLUMNS_MAX), 1):
-                # One and the same row stands for all that the file leaves out, perhaps a million.
+                # One and the same row represents all those that the file leaves out, perhaps a million.
                 if row is blank:
                     continue
                 there = [(n, cell) for n, cell in enumerate(row, 1) if cell is not EMPTY_CELL]
@@ -81,14 +81,14 @@ class Sheet:
                 else:
                     blank = row
         except Exception as error:
-            # openpyxl raises what a broken part happens to lead it to.
+            # openpyxl raises whatever a broken part happens to lead it to.
             raise broken(self.shown, error) from None
 
 
 def sheets_of(data: bytes, shown: str) -> list[Sheet]:
-    """Every sheet of a workbook that has cells, hidden ones too, in the order of their tabs.
+    """Return every sheet of a workbook that has cells, hidden ones too, in the order of their tabs.
 
-    Raises TableUnreadable when the bytes are no sound workbook.
+    Raises TableUnreadable if the bytes are not a sound workbook.
     """
     import openpyxl
 
@@ -109,7 +109,7 @@ def sheets_of(data: bytes, shown: str) -> list[Sheet]:
 
 _NO_VALUES = {"f": "a formula", "d": "a date"}
 _NA = re.compile(r"=\s*NA\s*\(\s*\)", re.IGNORECASE)
-"""What Excel's own function for it writes instead of ``#N/A``."""
+"""Excel's own function for it, instead of ``#N/A``."""
 
 
 def _cell(column: int, cell: Any) -> Cell:

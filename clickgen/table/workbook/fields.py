@@ -1,4 +1,4 @@
-"""What a cell says in the column of one field: an address, a nickname, an initial value, retention, a comment."""
+"""Reads a cell in the column of one field: an address, a nickname, an initial value, retention, a comment."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def is_blank_value(address: Address, what: Field, cell: Cell) -> bool:
 
 
 def value_of(address: Address, what: Field, cell: Cell) -> str | bool | Fault:
-    """What a cell says of an address, or why it cannot be said of it. Whether a nickname is legal is not asked here."""
+    """Return what a cell says of an address, or the fault in it. Whether a nickname is legal is not checked here."""
     if what is Field.NICKNAME:
         return name_of(cell) or _no_name(address, cell)
     if what is Field.INITIAL:
@@ -52,7 +52,7 @@ def _no_name(address: Address, cell: Cell) -> Fault:
 
 
 def agree(address: Address, what: Field, one: str | bool, other: str | bool) -> bool:
-    """True for two values that say the same in one field of an address."""
+    """True for two values that mean the same in one field of an address."""
     if what is Field.RETENTIVE:
         return one == other
     one, other = str(one), str(other)
@@ -64,5 +64,5 @@ def agree(address: Address, what: Field, one: str | bool, other: str | bool) -> 
 
 
 def in_words(value: str | bool) -> str:
-    """A value as messages show it."""
+    """Return a value as messages show it."""
     return ("Yes" if value else "No") if isinstance(value, bool) else short(value)

@@ -1,26 +1,26 @@
-"""Reading an I/O list, a workbook that a person made, as rows of the address table.
+"""Reads an I/O list, a workbook that a person made, as rows of the address table.
 
-**Lists.** A row with the titles of an address and of a nickname begins a list (``workbook_titles.TITLES`` are the
-words; case, spaces, line breaks, punctuation, accents and what stands in brackets do not count). It stands in the
+**Lists.** A row with the titles of an address and of a nickname begins a list (``workbook_titles.TITLES`` has the
+words; case, spaces, line breaks, punctuation, accents and text in brackets do not count). It is in the
 first 50 rows of a sheet; more lists may follow below or beside it. Columns come in any order, and others are ignored.
-A sheet without such a row is no list. Hidden sheets, rows and columns are read like others: a filter hides rows, and a
-name that is left out would get another address.
+A sheet without such a row is not a list. Hidden sheets, rows and columns are read like others: a filter hides rows, and
+a name that is left out would get another address.
 
-**Rows.** An empty cell says nothing; so does a dash, or a word such as N/A, for anything but a comment. A nickname such
-as SPARE, TBD or "not used" is none; its address is given to no name, and how many such rows there are is said. Words
-that may be names too, such as x or Open, are passed over only where two addresses have them; so is every such word in
-a list with the titles Nickname and Data Type, which is CLICK's own table. Addresses are taken
-in any case, with spaces and leading zeros or without (``x 1``, ``DS 0100``). A row that says something of an address
-needs one that CLICK has. Without any address a row is a caption or a remark; if it has a name, a warning says that it
-is left out. Several rows may speak of one address, on one sheet or on many: what they say is put together, and where
-two contradict each other both cells are named. An address of which nothing is said has no row.
+**Rows.** An empty cell says nothing; nor does a dash, or a word such as N/A, except in a comment. A nickname such
+as SPARE, TBD or "not used" is none; its address is given to no name, and a note says how many such rows there are.
+Words that may also be names, such as x or Open, are skipped only if two addresses have them; so is every such word in
+a list with the titles Nickname and Data Type, which is CLICK's own table. Addresses may have
+any case, with or without spaces and leading zeros (``x 1``, ``DS 0100``). A row that says something of an address
+needs one that CLICK has. A row without any address is a caption or a remark; if it has a name, a warning says that it
+is left out. Several rows may describe one address, on one sheet or on many: they are put together, and if
+two contradict each other both cells are named. An address with nothing said of it has no row.
 
-**Cells.** Nicknames are trimmed and otherwise taken as they are, never shortened; a number is none, since nobody knows
-how it is meant to be written. Initial values are numbers, numbers stored as text, ON and OFF for bits, hexadecimal
-text with or without ``h`` or ``0x``; a plain number over 9 for a hexadecimal word may be meant decimal, and is refused.
-Retentive is yes, x, true, 1 or no, false, 0, and the like; empty is CLICK's default for the bank. Comments, and the
-one character of a TXT, are taken exactly, spaces and line breaks included. A formula is refused where it should give
-an address, a nickname, an initial value or retention, because the result that is stored with it may be stale, and so
+**Cells.** Nicknames are trimmed and otherwise taken as they are, never shortened; a number is not one, since nobody
+knows how it is meant to be written. Initial values are numbers, numbers stored as text, ON and OFF for bits,
+hexadecimal text with or without ``h`` or ``0x``; a plain number over 9 for a hexadecimal word may be meant decimal, and
+is refused. Retentive is yes, x, true, 1 or no, false, 0, and the like; empty is CLICK's default for the bank. Comments,
+and the one character of a TXT, are taken exactly, spaces and line breaks included. A formula is refused as
+an address, a nickname, an initial value or retention, because its stored result may be stale, and so
 are dates and errors; a comment that is one of these is left out, with a warning.
 """
 
@@ -69,15 +69,15 @@ _WAYS_OUT = {
 
 
 def read_workbook(path: Path, shown: str, problems: Diagnostics, data: bytes | None = None) -> tuple[Row, ...]:
-    """Read the lists of a workbook. ``shown`` is the path as the user knows it, ``data`` what to read in its stead.
+    """Read the lists of a workbook. ``shown`` is the path as the user knows it, ``data`` what to read instead of it.
 
-    Raises TableUnreadable when the file is no workbook, is broken or hostile, or holds no list. Everything wrong with
-    single rows goes to ``problems``, all at once. Rows come in the order in which the workbook first speaks of their
-    addresses; ``cell`` of each is where it has its address there.
+    Raises TableUnreadable if the file is not a workbook, is broken or hostile, or holds no list. Everything wrong with
+    single rows goes to ``problems``, all at once. Rows come in the order in which the workbook first mentions their
+    addresses; ``cell`` of each is where its address is first given.
     """
     data = bytes_of_workbook(path, shown) if data is None else data
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # openpyxl tells of styles and rules that it leaves out.
+        warnings.simplefilter("ignore")  # openpyxl warns of styles and rules that it leaves out.
         sheets = sheets_of(data, shown)
         lists = [(sheet, each) for sheet in sheets for each in lists_of(sheet.lines())]
     if not lists:
@@ -106,7 +106,7 @@ class _Fact(NamedTuple):
 
 @dataclass(slots=True)
 class _Said:
-    """All that the workbook says of an address. ``cell`` is where it first says something."""
+    """Everything that the workbook says of an address. ``cell`` is where it first says something."""
 
     cell: Span
     facts: dict[Field, _Fact] = field(default_factory=dict)
@@ -114,7 +114,7 @@ class _Said:
 
 
 class _Reader:
-    """Puts together what the lists say, and says what is wrong with it."""
+    """Combines what the lists say, and reports what is wrong with it."""
 
     def __init__(self, problems: Diagnostics, hidden: set[str], spares: set[str]) -> None:
         self.problems = problems
@@ -143,7 +143,7 @@ class _Reader:
         return tuple(_row(address, said) for address, said in self._said.items())
 
     def _line(self, sheet: Sheet, listed: AddressList, line: Line) -> list[tuple[Field, Cell]]:
-        """Take what a line says; returns the cells that should say something and hold no plain value."""
+        """Take in a line; return the cells that should say something but hold no plain value."""
         cells = {what: cell for what in _SAID if (cell := listed.cell(line, what)) and says_something(what, cell)}
         name = cells.get(Field.NICKNAME)
         is_spare = name is not None and self._is_spare(name, listed)
@@ -176,13 +176,13 @@ class _Reader:
         return [(what, cell) for what, cell in cells.items() if cell.fault]
 
     def _is_spare(self, name: Cell, listed: AddressList) -> bool:
-        """True for a nickname that is none. In CLICK's own table Spare is one, as long as it stands there once."""
+        """True for a nickname that is none. In CLICK's own table Spare is one, as long as it occurs once."""
         if spare_where_twice(name.text) in self._doubtful_spares:
             return True
         return is_spare(name.text) and not (listed.is_table and nickname_fault(name.text) is None)
 
     def _passed_over(self) -> None:
-        """Say once for a list which rows have no nickname, and what stands there."""
+        """Report once for a list which rows have no nickname, and what they have instead."""
         if not self._spares:
             return
         counts = Counter(str(each.value) for each in self._spares)
@@ -201,7 +201,7 @@ class _Reader:
         )
 
     def _two_addresses(self, sheet: Sheet, listed: AddressList) -> None:
-        """Say once for a list where rows have an internal address and another one that is external."""
+        """Report once for a list that rows have an internal address and an external one."""
         both = [
             (at, other, line)
             for line in listed.lines
@@ -219,7 +219,7 @@ class _Reader:
             self._add("CG604", sheet.span(line, other.column), Fault(message, way_out))
 
     def _take(self, address: Address, what: Field, cell: Cell, place: Span, span: Span) -> None:
-        """Take what a cell says of an address whose place is given, unless it cannot be said of it."""
+        """Take in what a cell says of an address in ``place``, unless CLICK cannot hold it."""
         value = value_of(address, what, cell)
         if isinstance(value, Fault):
             self._add("CG603" if what is Field.NICKNAME else "CG601", span, value)
@@ -295,7 +295,7 @@ class _Reader:
         )
 
     def _no_values(self, what: Field, fault: str, spans: list[Span]) -> None:
-        """Cells of one column that hold a formula, or another thing that is no plain value: said once."""
+        """Report once the cells of one column that hold a formula, or anything else that is not a plain value."""
         more = len(spans) - 1
         others = f", and so {'are' if more > 1 else 'is'} {more} more below" if more else ""
         is_comment = what is Field.COMMENT
@@ -321,7 +321,7 @@ class _Reader:
 
 
 def _doubtful_spares(lists: Iterable[AddressList]) -> set[str]:
-    """The words for spare points that stand at two addresses."""
+    """The words for spare points that two addresses have."""
     holders: dict[str, set[Address]] = {}
     for listed in lists:
         for line in listed.lines:
@@ -334,7 +334,7 @@ def _doubtful_spares(lists: Iterable[AddressList]) -> set[str]:
 
 
 def _first_stranger(listed: AddressList) -> tuple[Line, Cell] | None:
-    """The first row with a name and a strange address, in a list that has no other addresses; else None."""
+    """The first row with a name and an unknown address, in a list that has no other addresses; else None."""
     first = None
     for line in listed.lines:
         at, name = listed.cell(line, Field.ADDRESS), listed.cell(line, Field.NICKNAME)

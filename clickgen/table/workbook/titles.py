@@ -1,4 +1,4 @@
-"""Lists in a sheet: found by the titles of their columns."""
+"""Finds lists in a sheet by the titles of their columns."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from clickgen.table.workbook.cells import Cell, Line
 from clickgen.table.workbook.values import address_of, is_spare, name_of
 
 HEADER_ROWS = 50
-"""A sheet whose first list begins further down holds none."""
+"""A sheet whose first list begins further down has none."""
 
 
 class Field(Enum):
-    """What a column of a list says of an address; the value is how messages call it."""
+    """The property of an address that a column of a list gives; the value is its name in messages."""
 
     ADDRESS = "address"
     NICKNAME = "nickname"
@@ -61,9 +61,9 @@ TITLES = {
         "Remarques, Comentario, Descripción, Descripción de señal, Función, Observaciones"
     ),
 }
-"""The titles of each column; where a list has several for one field, the one that stands first here counts.
+"""The titles of each column; if a list has several for one field, the first of them in this table counts.
 
-Terminal is none of them: what stands below it are often numbers of wires and clamps, and C1 there is no control relay.
+Terminal is not among them: that column often holds numbers of wires and clamps, where C1 is no control relay.
 """
 
 
@@ -77,7 +77,7 @@ _FIELDS = {
     _plain(title): (rank, kind) for kind, titles in TITLES.items() for rank, title in enumerate(titles.split(", "))
 }
 _EXTERNAL = TITLES[Field.ADDRESS].split(", ").index("Address External")
-"""From this rank on a title is of addresses that count where there is no internal one."""
+"""Titles from this rank on are of addresses that count only if there is no internal one."""
 _LONGEST = 60
 _BETWEEN_LANGUAGES = re.compile(r"[/|\n]| - ")
 _IN_BRACKETS = re.compile(r"\([^()]*\)|\[[^\[\]]*\]")
@@ -92,7 +92,7 @@ class AddressList:
     titled: frozenset[int]
     """The columns that have a title, whatever it says."""
     external: int = 0
-    """The column of external addresses, where there is one of internal addresses too; else 0."""
+    """The column of external addresses, if there is one of internal addresses too; else 0."""
     lines: list[Line] = field(default_factory=list)
 
     @cached_property
@@ -102,7 +102,7 @@ class AddressList:
         return {"nickname", "datatype"} <= titles
 
     def cell(self, line: Line, what: Field) -> Cell | None:
-        """What a line says in one field."""
+        """The cell of a line for one field."""
         cell = line.cells.get(self.columns.get(what, 0))
         if what is Field.ADDRESS and self.external:
             other = self.other_address(line)
@@ -111,22 +111,22 @@ class AddressList:
         return cell
 
     def other_address(self, line: Line) -> Cell | None:
-        """The cell of a line that has an external address, where that is one of CLICK."""
+        """The cell of a line with an external address, if CLICK has that address."""
         other = line.cells.get(self.external) if self.external else None
         return other if other and address_of(other.text) else None
 
     def untitled_neighbour(self, line: Line, what: Field) -> Cell | None:
-        """What stands to the right of a field, where the column there has no title."""
+        """The cell to the right of a field, if its column has no title."""
         column = self.columns[what] + 1
         return None if column in self.titled else line.cells.get(column)
 
 
 def lists_of(lines: Iterator[Line]) -> list[AddressList]:
-    """The lists of a sheet, from the top; where none begins in its first rows, no further row is read.
+    """Return the lists of a sheet, from the top; if none begins in its first rows, no further row is read.
 
-    A row with the titles of an address and a nickname begins a list, and ends those before it; a row with an address
-    where those before it have theirs belongs to them, whatever else it says. Titles may be divided over two rows, and
-    lists with the same titles stand side by side.
+    A row with the titles of an address and a nickname begins a list, and ends those before it; a row with its address
+    in the column of an earlier list belongs to that list, whatever else it says. Titles may take two rows, and
+    lists with the same titles may be side by side.
     """
     found: list[AddressList] = []
     current: list[AddressList] = []
@@ -148,18 +148,18 @@ def lists_of(lines: Iterator[Line]) -> list[AddressList]:
 
 
 def _has_address(listed: AddressList, line: Line) -> bool:
-    """True for a row of the list, whatever else stands in it."""
+    """True for a row of the list, whatever else is in it."""
     cell = listed.cell(line, Field.ADDRESS)
     return cell is not None and address_of(cell.text) is not None
 
 
 def _begun_by(above: Line | None, line: Line) -> list[AddressList]:
-    """The lists whose titles end with this line."""
+    """Return the lists whose titles end with this line."""
     own = _titles(line)
     if not own:
         return []
     over = _titles(above) if above and above.number + 1 == line.number else {}
-    # Below a title stands nothing, or a title: its cell is merged with the one below, or over several beside it.
+    # The cell below a title is empty, or a title: it is merged with the one below, or over several beside it.
     if above and over and all(column in own or column not in line.cells for column in over):
         lists = _side_by_side({**over, **own}, above, frozenset({*above.cells, *line.cells}))
         if lists:
@@ -168,7 +168,7 @@ def _begun_by(above: Line | None, line: Line) -> list[AddressList]:
 
 
 def _titles(line: Line) -> dict[int, tuple[int, Field]]:
-    """The fields that the cells of a line are titles of, with the rank of the title, by column."""
+    """The fields that the titles in a line name, with the rank of the title, by column."""
     found = {}
     for column, cell in line.cells.items():
         if cell.text and len(cell.text) <= _LONGEST:
@@ -179,7 +179,7 @@ def _titles(line: Line) -> dict[int, tuple[int, Field]]:
 
 
 def _title(text: str) -> tuple[int, Field] | None:
-    """The field that a text is the title of, with its rank; one in two languages where both are of that field."""
+    """The field that a title names, with its rank; a title in two languages counts if both name that field."""
     title = _FIELDS.get(_plain(text))
     parts = [_FIELDS.get(_plain(part)) for part in _BETWEEN_LANGUAGES.split(text)]
     known = [part for part in parts if part]
@@ -208,7 +208,7 @@ def _side_by_side(titles: dict[int, tuple[int, Field]], header: Line, titled: fr
 
 
 def _drop_caption(lists: list[AddressList]) -> None:
-    """Take out what stands alone in the last rows above the next titles, such as ``Slot 2 inputs``."""
+    """Remove a single cell in the last rows above the next titles, such as ``Slot 2 inputs``."""
     for each in lists:
         while each.lines and len(each.lines[-1].cells) == 1:
             each.lines.pop()

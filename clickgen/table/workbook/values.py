@@ -1,4 +1,4 @@
-"""What people write into the cells of a list, as CLICK writes it. What can mean two things is not guessed."""
+"""Turns what people write into a list into CLICK's form. Ambiguous cells are not guessed."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ _SPARE = (
     "nicht belegt, nicht benutzt, nicht verwendet, unbenutzt, unbelegt, entfällt, "
     "réserve, réservé, non utilisé, inutilisé, non affecté, reserva, reservado, no usado, no utilizado, sin uso"
 )
-"""What people write where a point has no name."""
+"""Words that people write for a point without a name."""
 _SPARE_WHERE_TWICE = "x, open, free, empty, blank, future, n/c, n.b., k.a., frei, leer, libre, vide, s/o, vacío"
-"""These may be names too, of a limit switch or an axis; not where two points have them."""
+"""These may also be names, of a limit switch or an axis, but not if two points have them."""
 
 
 def _letters(text: str) -> str:
@@ -42,13 +42,13 @@ _SPARES_WHERE_TWICE = {_letters(word) for word in _SPARE_WHERE_TWICE.split(", ")
 
 
 def is_spare(text: str) -> bool:
-    """True for what people write where a point has no name: ``N/A``, ``SPARE``, ``not used``, ``TBD``, ``???``."""
+    """True for the words that mark a point without a name: ``N/A``, ``SPARE``, ``not used``, ``TBD``, ``???``."""
     letters = _letters(text)
     return text != "" and (not letters or letters in _SPARES)
 
 
 def spare_where_twice(text: str) -> str:
-    """What is no name where two points have it, such as ``x``, ``Open`` or ``SPARE``: the same for each form."""
+    """The word, the same for each form, that is no name if two points have it, such as ``x``, ``Open`` or ``SPARE``."""
     letters = _letters(text)
     return letters if letters in _SPARES_WHERE_TWICE or letters in _SPARES else ""
 
@@ -76,17 +76,17 @@ def address_of(text: str) -> Address | None:
 
 
 def name_of(cell: Cell) -> str:
-    """The name in a cell, trimmed; empty for a dash, which people write where there is none."""
+    """The name in a cell, trimmed; "" for a dash, which people write if there is none."""
     return "" if re.fullmatch(r"[-\u2013\u2014]*", cell.text) else cell.text
 
 
 def retentive_of(cell: Cell) -> bool | None:
-    """True for yes, x and the like, False for no and the like, None for what is neither."""
+    """True for yes, x and the like, False for no and the like, None for anything else."""
     return None if cell.fault else _TRUTH.get(cell.shown.strip().lower())
 
 
 def initial_of(address: Address, cell: Cell) -> str | Fault:
-    """The initial value of an address in CLICK's form, or why the cell does not say it."""
+    """Return the initial value of an address in CLICK's form, or the fault in the cell."""
     value, kind = cell.value, address.kind
     if isinstance(value, str):
         text = _initial_of_text(kind, value)
@@ -110,7 +110,7 @@ def _decimal_or_not(address: Address, cell: Cell) -> Fault:
 
 
 def _initial_of_text(kind: Kind, text: str) -> str:
-    """A text in CLICK's form where it means a value of this kind; else as it is. A character may be a space."""
+    """A text in CLICK's form if it means a value of this kind; else unchanged. A character may be a space."""
     if initial_fault(kind, text) is None:
         return text
     text = text.strip()

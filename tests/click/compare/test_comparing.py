@@ -1,4 +1,4 @@
-"""Two rungs: what is identical, what is the same though drawn otherwise, and what is different."""
+"""Two rungs: identical, the same though drawn differently, or different."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def test_what_is_drawn_otherwise_may_be_the_same(one: list[str], other: list[str
         (
             ["X001 T > out(Y001)", ". - > out(Y002)"],
             ["X001 T > out(Y002)", ". - > out(Y001)"],
-            "the outputs stand in another order: out(Y001), out(Y002) in the first, out(Y002), out(Y001) in the second",
+            "the outputs are in another order: out(Y001), out(Y002) in the first, out(Y002), out(Y001) in the second",
         ),
         (
             ["X001 > count_up(CT1,CTD1,preset=5)", "X002 > .down()", "X003 > .reset()"],
@@ -155,7 +155,7 @@ def test_what_differs_is_told(one: list[str], other: list[str], reason: str) -> 
 @pytest.mark.parametrize(
     ("one", "other"),
     [
-        # A float may be no number, and how a whole number and a float are compared nobody knows.
+        # A float may be no number, and nobody knows how a whole number and a float are compared.
         (["DF1<1.5 T > out(Y001)", "DF1>=1.5 >"], ["> out(Y001)"]),
         (["DF1==1.5 T > out(Y001)", "DF1!=1.5 >"], ["> out(Y001)"]),
         (["DS1<1.5 > out(Y001)"], ["1.5>DS1 > out(Y001)"]),
@@ -222,7 +222,7 @@ def test_a_rung_of_all_squares_is_compared() -> None:
 
 
 def test_bridges_of_many_contacts_are_compared() -> None:
-    """Every column ties the two rows, or only some of them do."""
+    """Every column ties the two rows, or only some do."""
     top, low = bits(28, 1), bits(28, 101)
     tied = " ".join([top[0], *(f"T:{contact}" for contact in top[1:]), "T"])
     some = tied.replace("T:C14", "C14")
@@ -238,7 +238,7 @@ def test_bridges_of_many_contacts_are_compared() -> None:
 
 
 def test_what_no_diagram_can_hold_is_proven_by_a_sample_alone() -> None:
-    """17 rows of 31 contacts: two in another order, which no sample can prove, and one that is negated."""
+    """17 rows of 31 contacts: two exchanged, where a sample cannot prove equality, and one negated."""
     names = [bits(31, 31 * number + 1) for number in range(17)]
     rows = [f"{' '.join(row)} > out(C{1000 + number})" for number, row in enumerate(names)]
     other = compare(rung(*rows), rung(rows[0].replace("C1 C2 ", "C2 C1 "), *rows[1:]))

@@ -1,4 +1,4 @@
-"""Comparing random rungs with damaged ones: what counts as the same has the same power, and leaves the same memory."""
+"""Random rungs against damaged ones: those that count as the same have the same power and leave the same memory."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ Rows = list[list[str]]
 """The rows of a rung: marker, 31 squares, output."""
 SCRATCH = frozenset(Address("C", number) for number in range(1900, 2001))
 EXPANDED = re.compile(r"D[SDHF](4[45]\d\d|49\d|500|99\d|1000)\b|~T1[125]\b")
-"""Signs of scratch registers and of an rtof: their rungs are the same as none that is drawn by hand."""
+"""Signs of scratch registers and of an rtof: no rung drawn by hand is the same as theirs."""
 HERE = Span("main.csv", 1, 1, 1, 2)
 
 
@@ -82,7 +82,7 @@ def negated(cell: str) -> str:
 
 
 def damaged(rows: Rows, chance: random.Random) -> Rows:
-    """The rung with one thing about it changed, which may be a wire that leads nowhere."""
+    """The rung with one change, which may be a wire that leads nowhere."""
     found = [list(row) for row in rows]
     for _ in range(5):
         if found == rows:
@@ -164,7 +164,7 @@ _MIRRORED = {"==": "==", "!=": "!=", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
 def leaf(cell: str) -> str:
     """A comparison within one kind in one spelling: ``DS2==DS1`` is ``DS1==DS2``, and ``DS1!=5`` is ``~DS1==5``.
 
-    Only of whole numbers are all six comparisons known to go together, and of texts ``==`` and ``!=``. Others stay.
+    All six comparisons are known to go together only for whole numbers, and ``==`` and ``!=`` for texts. Others stay.
     """
     down = "T:" if cell.startswith("T:") else ""
     compare = _COMPARE.fullmatch(cell.removeprefix("T:"))
@@ -183,7 +183,7 @@ def leaf(cell: str) -> str:
 
 
 def joined(rows: Rows) -> Rows:
-    """With each downward wire led on through blank squares, as laddercodec reads a file."""
+    """The rows with each downward wire continued through blank squares, as laddercodec reads a file."""
     found = [list(row) for row in rows]
     for number in range(len(rows) - 2):
         above, below = found[number], found[number + 1]
@@ -201,7 +201,7 @@ class Judged:
 
 
 def judged(sides: Sequence[Rows]) -> tuple[list[Judged], int]:
-    """What the judge of the tests says of each rung, and how many leaves there are."""
+    """The verdict of the tests' judge on each rung, and how many leaves there are."""
     rungs = []
     for rows in map(joined, sides):
         written = tuple(Row(tuple(map(leaf, row[1:-1])), normalise(row[-1]), 1) for row in rows)
@@ -220,7 +220,7 @@ def judged(sides: Sequence[Rows]) -> tuple[list[Judged], int]:
 
 
 def check_damage(one: Rows, other: Rows) -> str:
-    """The comparison agrees with the judge; returns what it says."""
+    """Check that the comparison agrees with the judge; return its verdict."""
     compared = compare([drawn(one)], [drawn(other)])
     note(f"{compared}")
     if drawn(other).problems:
@@ -323,7 +323,7 @@ def steps(condition: Condition, items: Sequence[Item]) -> Iterator[tuple[Act, Co
 
 @dataclass(frozen=True)
 class Whole:
-    """A rung of the source as one rung, were there no limits: every way is a row of its own."""
+    """A rung of the source as one rung, as if there were no limits: every way is a row of its own."""
 
     drawn: DrawnRung
     judged: LadderRung
@@ -384,7 +384,7 @@ def without_loops(items: Sequence[Item]) -> tuple[Item, ...]:
 
 
 def remembered(routines: Mapping[str, list[Drawing]], seed: int) -> list[object]:
-    """What a few scans leave."""
+    """The memory after a few scans."""
     found: list[object] = []
     for edges_by_bit in (False, True):
         machine = Machine(seed, edges_by_bit, inputs_move=seed % 2 == 1)
@@ -416,7 +416,7 @@ def damaged_run(rungs: Sequence[Rows], chance: random.Random) -> list[Rows]:
     elif kind == 1 and len(found) > 1:
         del found[at]
     elif kind < 5:
-        # What stands on a scratch bit is looked at where the bit was, or another bit is.
+        # A condition on a scratch bit is looked at where the bit was, or another bit is.
         place = next(
             (
                 (rows, row, column)
@@ -445,7 +445,7 @@ def damaged_run(rungs: Sequence[Rows], chance: random.Random) -> list[Rows]:
 
 
 def check_run(program: Program, seed: int, rounds: int = 6) -> Iterator[str]:
-    """A split rung is never something else than the whole one, and what counts as the same does the same."""
+    """Check that a split rung never differs from the whole one, and that rungs that count as the same do the same."""
     rung = replace(program.main[0], items=without_loops(program.main[0].items))
     assume(rung.items)
     one = whole(rung)

@@ -1,4 +1,4 @@
-"""Two runs of rungs: what is the same, and how a difference is told."""
+"""Two runs of rungs: when they are the same, and how a difference is reported."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from clickgen.click.read.grid import DrawnRung, read_ladder
 
 
 def run(*each: Sequence[str]) -> list[DrawnRung]:
-    """Rungs one behind the other, each of its rows."""
+    """Rungs one after the other, each given by its rows."""
     return [one for rows in each for one in rung(*rows)]
 
 
@@ -60,7 +60,7 @@ def test_what_a_split_changes_is_found(parts: list[Sequence[str]]) -> None:
 @pytest.mark.parametrize(
     ("whole", "parts", "reason"),
     [
-        # What an earlier rung writes.
+        # Addresses that an earlier rung writes.
         (["C1 T > out(C1)", ". - > out(Y001)"], [["C1 > out(C1)"], ["C1 > out(Y001)"]], "C1 in rung 2 may be changed"),
         (
             ["X001 T > out(C1..C8)", ". C5 > out(Y001)"],
@@ -102,7 +102,7 @@ def test_what_a_split_changes_is_found(parts: list[Sequence[str]]) -> None:
             [['X001 > call("sub")'], ["X001 C5 > out(C1)"]],
             'call("sub") may change anything',
         ),
-        # What must not be looked at twice, or is not reached.
+        # Conditions that must not be looked at twice, or are not reached.
         (
             ["immediate(X001) T > out(Y001)", ". - > out(C1)"],
             [["immediate(X001) > out(Y001)"], ["immediate(X001) > out(C1)"]],
@@ -118,11 +118,11 @@ def test_what_a_split_changes_is_found(parts: list[Sequence[str]]) -> None:
             [["immediate(X001) immediate(X001) > out(Y001)"]],
             "2 and 2 times",
         ),
-        (["X001 T > end()", ". - > out(C1)"], [["X001 > end()"], ["X001 > out(C1)"]], "stands above outputs"),
+        (["X001 T > end()", ". - > out(C1)"], [["X001 > end()"], ["X001 > out(C1)"]], "is above outputs"),
         (
             ["X001 T > return()", ". rise(X002) > out(C1)"],
             [["X001 > return()"], ["X001 rise(X002) > out(C1)"]],
-            "stands above outputs of the same rung",
+            "is above outputs of the same rung",
         ),
         # Scratch bits.
         (
@@ -154,7 +154,7 @@ def test_what_a_split_changes_is_found(parts: list[Sequence[str]]) -> None:
             "may touch a scratch bit",
         ),
         # Loops.
-        (["X001 T > for(3)", ". - > out(C1)"], [["X001 > for(3)"], ["X001 > out(C1)"]], "stands between the rungs"),
+        (["X001 T > for(3)", ". - > out(C1)"], [["X001 > for(3)"], ["X001 > out(C1)"]], "is between the rungs"),
     ],
 )
 def test_a_split_that_may_do_something_else_stays_unknown(
@@ -212,11 +212,11 @@ def test_rungs_that_are_the_same_one_by_one_are_the_same_together() -> None:
     assert likeness(one, moved) == "DIFFERENT"
 
 
-# -- what a build splits -----------------------------------------------------------------------------------------------
+# -- rungs that a build splits ----------------------------------------------------------------------------------------
 
 
 def built(*lines: str) -> list[DrawnRung]:
-    """The rungs of a program's main, its last one aside."""
+    """The rungs of a program's main, except its last one."""
     text = "\n    ".join(["def main():", *lines, "if True:", "    end()"])
     [ladder] = ladder_files({"prog.py": text + "\n"}).values()
     return list(read_ladder(ladder, "main.csv").rungs[:-1])

@@ -1,4 +1,4 @@
-"""Every token that CLICK is known to take comes out of a source: the case ``ladder_tokens`` has a rung for each."""
+"""Every token that CLICK is known to take is built from a source: the case ``ladder_tokens`` has a rung for each."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import golden
 import pytest
 
 TOKENS = golden.CASES.parents[2] / "shared" / "data" / "ladder-tokens.csv"
-"""One example of every token, verified in CLICK itself: (name:marker, contacts of the row, output). Beside the
-project where its data is kept; the golden files hold what it says."""
+"""One example of every token, verified in CLICK itself: (name:marker, contacts of the row, output). It is beside the
+project where its data is kept; the golden files have its contents."""
 
 Rows = list[tuple[str, str]]
 
@@ -23,7 +23,7 @@ def _known() -> dict[str, Rows]:
 
 
 def _built() -> dict[str, Rows]:
-    """The rows of each rung by its comment, wires aside; a rung without a comment belongs to the one before it."""
+    """The rows of each rung by its comment, without wires; a rung without a comment belongs to the one before it."""
     rungs: dict[str, Rows] = {}
     for path in sorted((golden.CASES / "ladder_tokens" / golden.EXPECTED).glob("**/*.csv")):
         if path.name == golden.TABLE:

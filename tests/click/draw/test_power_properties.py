@@ -30,7 +30,7 @@ END, RETURN = Rung(ALWAYS, (Act("end()", "end()"),)), Rung(ALWAYS, (Act("return"
 
 
 def expected(condition: Condition, items: Sequence[Item]) -> Iterator[tuple[Act, Condition]]:
-    """Every instruction in source order with all it stands on."""
+    """Every instruction in source order with all its conditions."""
     for item in items:
         if isinstance(item, Act):
             yield item, condition
@@ -40,7 +40,7 @@ def expected(condition: Condition, items: Sequence[Item]) -> Iterator[tuple[Act,
 
 
 def step_register(source: Rung, rung: LadderRung) -> str:
-    """The register that a jump's constant step is copied to, in a CLICK rung that stands before the drum's."""
+    """The register to which a CLICK rung before the drum's copies a jump's constant step."""
     [(act, _)] = expected(source.condition, source.items)
     [copy] = rung.outputs()
     match = re.fullmatch(rf"copy\({act.constant_step},(DS\d+)\)", copy.token)
@@ -50,7 +50,7 @@ def step_register(source: Rung, rung: LadderRung) -> str:
 
 
 def check_rung(source: Rung, rung: LadderRung, step: str = "") -> None:
-    """A CLICK rung is what its source rung says; ``step`` is the register of a jump's constant step."""
+    """Check that a CLICK rung matches its source rung; ``step`` is the register of a jump's constant step."""
     assert 1 <= len(rung.rows) <= MAX_ROWS
     assert all(len(row.cells) == CONDITION_COLUMNS for row in rung.rows)
     wanted = list(expected(source.condition, source.items))
@@ -82,7 +82,7 @@ def check_rung(source: Rung, rung: LadderRung, step: str = "") -> None:
 
 
 def check_routine(rungs: Sequence[Rung], text: str) -> list[str]:
-    """Every source rung is one CLICK rung, behind the copy of a jump's step, and it is right.
+    """Check that every source rung is one CLICK rung, after the copy of a jump's step, and correct.
 
     Returns the registers that steps are copied to.
     """
@@ -105,7 +105,7 @@ def check_routine(rungs: Sequence[Rung], text: str) -> list[str]:
 
 
 def check_power(program: Program, codec: bool = False) -> None:
-    """Every routine is right, and no register of a step serves anything else."""
+    """Check that every routine is correct, and no register of a step serves anything else."""
     files = ladder_files(program.texts)
     routines = {"main.csv": (*program.main, END)}
     routines |= {f"subroutines/{name}.csv": (*rungs, RETURN) for name, rungs in program.subroutines}

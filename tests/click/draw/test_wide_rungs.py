@@ -1,4 +1,4 @@
-"""Contacts up to the last column: laddercodec reads back what is drawn, however the condition is written."""
+"""Contacts up to the last column: laddercodec reads back the drawing, however the condition is written."""
 
 from __future__ import annotations
 

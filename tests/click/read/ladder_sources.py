@@ -36,7 +36,7 @@ Rung = tuple[str, list[list[str]]]
 
 
 def row(*cells: str, out: str = "") -> list[str]:
-    """One row, its wire led on to the output."""
+    """One row, its wire continued to the output."""
     return [*cells, *(["-" if out else ""] * (WIDTH - len(cells))), out]
 
 
@@ -90,7 +90,7 @@ def names(found: Project) -> list[str]:
 
 
 def messages(path: Path) -> list[str]:
-    """With the places as seen from the folder."""
+    """The messages, with places relative to the folder."""
     folder = path if path.is_dir() else path.parent
     return [str(problem).replace(f"{folder}{os.sep}", "") for problem in every_problem(read_project(path))]
 

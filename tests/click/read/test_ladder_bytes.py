@@ -1,6 +1,7 @@
-"""What is read of CLICK's own files is what their bytes say, or it is refused; damaged files too.
+"""CLICK's own files are read as their bytes say, or refused; damaged files too.
 
-The captures are laddercodec's own encodings; what CLICK itself writes otherwise is set in them by hand (harmless.py).
+The captures are laddercodec's own encodings; where CLICK itself writes otherwise, they are patched by hand
+(harmless.py).
 """
 
 from __future__ import annotations
@@ -91,7 +92,7 @@ def codes(ladder: Ladder) -> list[str]:
 
 
 def with_field(data: bytes, tag: int, old: str, new: str, count: int = 1) -> bytes:
-    """A capture in which a field has another value of the same length, as often as it stands there."""
+    """A capture in which a field has another value of the same length, as often as it occurs."""
     before, after = (struct.pack("<HI", tag, 0xFFFFFFFF) + text.encode("utf-16-le") + b"\0\0" for text in (old, new))
     assert data.count(before) == count
     return data.replace(before, after)
@@ -147,7 +148,7 @@ def test_a_code_that_is_taken_for_another_is_refused(
     ladder = read_clipboard(data, "x.bin")
     assert [len(one.problems) for one in ladder.rungs] == [0, 1, 0]
     [problem] = ladder.all_problems
-    # A few codes laddercodec itself does not take, and some it cannot write again.
+    # A few codes that laddercodec itself does not take, and some that it cannot write again.
     assert problem.code in ("CG701", "CG708")
     if problem.code == "CG708":
         assert "is read" in problem.message or "cannot be compared" in problem.message
@@ -175,7 +176,7 @@ def test_an_import_names_the_rung_and_leaves_it_out(
     assert "RD has '3' in its field 220c" in capsys.readouterr().err
 
 
-# -- what CLICK writes otherwise --------------------------------------------------------------------------------------
+# -- where CLICK writes otherwise -------------------------------------------------------------------------------------
 
 
 def _call_number(data: bytes) -> bytes:
@@ -200,7 +201,7 @@ def _switch_as_one(data: bytes) -> bytes:
 
 
 def _leftovers(data: bytes) -> bytes:
-    """Bytes in which CLICK leaves what was there before, in the head of the file and in every cell."""
+    """Fill the bytes in which CLICK leaves earlier contents, in the head of the file and in every cell."""
     changed = bytearray(data)
     changed[0x20:0x254] = bytes(range(256)) * 2 + bytes(0x254 - 0x20 - 512)
     at = 0x0A60
@@ -261,7 +262,7 @@ def test_every_harmless_difference_has_its_reason() -> None:
 
 
 def _shown(ladder: Ladder) -> str:
-    """What is read, without the places that only tell where it stands."""
+    """The result of reading, without the places in it."""
     shapes = [
         ([(row.squares, row.output) for row in rung.rows], [(box.token, box.pins) for box in rung.boxes])
         for rung in ladder.rungs
@@ -274,7 +275,7 @@ def _is_silent(ladder: Ladder) -> bool:
 
 
 def _wires_and_instructions(data: bytes) -> object:
-    """What counts of a capture."""
+    """The parts of a capture that count."""
     return [
         [[(cell.header.right, cell.header.down, cell.blob) for cell in row] for row in rung.rows]
         for rung in cut(data).rungs
@@ -290,7 +291,7 @@ def _damaged(data: bytes, places: Iterable[int], bits: Sequence[int]) -> Iterato
 @pytest.mark.property
 @pytest.mark.parametrize("rung", [RUNGS[0], RUNGS[3], RUNGS[7], ("copy(X001,C1)",)], ids=lambda rung: rung[0])
 def test_a_damaged_byte_of_a_capture_is_told_or_read_as_what_it_says(tmp_path: Path, rung: tuple[str, ...]) -> None:
-    """Without a word it is read otherwise exactly where it says something else."""
+    """It is read differently without a problem only if it says something else."""
     data = capture(tmp_path, ("out(C7)",), rung, comment="A word")
     sound, said = _shown(read_clipboard(data, "x")), _wires_and_instructions(data)
     source = random.Random(rung[0])
@@ -341,7 +342,7 @@ def test_a_comment_with_other_marks_is_named(
     assert "1 of 1 rung verified" in told.err
 
 
-# -- what laddercodec cannot read --------------------------------------------------------------------------------------
+# -- rungs that laddercodec cannot read -------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("token", ["copy(DS1,DS2)", "on_delay(T1,TD1,preset=5,unit=Ts)"])
@@ -359,7 +360,7 @@ def test_a_full_rung_before_a_box_is_a_limit_and_no_damage(
     assert "CG710" in said
     assert "laddercodec 0.2.2 cannot decode 31 contacts" in said
     assert "mend the file" not in said
-    # A capture that is cut off is damaged all the same.
+    # A capture that is cut off is still damaged.
     Path("saved.bin").write_bytes(data[: len(data) // 2])
     assert main(["import", "saved.bin", "-o", "prog.py"]) == 1
     assert "CG701" in capsys.readouterr().err

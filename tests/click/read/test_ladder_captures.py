@@ -1,4 +1,4 @@
-"""Captures and program files of CLICK; files of every kind that are damaged."""
+"""Captures and program files of CLICK; damaged files of every kind."""
 
 from __future__ import annotations
 
@@ -171,7 +171,7 @@ def sources(folder: Path) -> Iterator[tuple[str, bytes]]:
 
 
 def found_in(path: Path) -> tuple[list[DrawnRoutine], bool]:
-    """The routines, and whether a problem is told of them."""
+    """The routines, and whether a problem is reported in them."""
     try:
         found = read_project(path)
     except CouldNotRun:
@@ -189,7 +189,7 @@ def test_a_file_that_is_cut_off_is_never_taken_for_a_whole_one(tmp_path: Path, k
     for size in range(0, len(data), 97):
         path.write_bytes(data[:size])
         routines, is_told = found_in(path)
-        if not is_told:  # a text may end behind any line
+        if not is_told:  # a text may end after any line
             assert name == "x.csv"
             assert data[:size].endswith(b"\n") or data[size:].startswith(b"\n")
             assert shape(routines[0].rungs[:-1]) == shape(complete.rungs[: len(routines[0].rungs) - 1])
@@ -203,7 +203,7 @@ def test_a_file_that_goes_on_with_nuls_is_never_taken_for_a_whole_one(tmp_path: 
     for size in range(0, len(data.rstrip(b"\0")), 97):
         path.write_bytes(data[:size] + bytes(len(data) - size))
         routines, is_told = found_in(path)
-        # A box of which a part is gone becomes one that nobody knows.
+        # A box that lost a part becomes an unknown one.
         is_raw = any(
             box.token.startswith("raw(") for routine in routines for rung in routine.rungs for box in rung.boxes
         )

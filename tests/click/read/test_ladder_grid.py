@@ -152,7 +152,7 @@ DAMAGED: dict[str, tuple[str, int, str]] = {
     "a pin without a box": (
         f"{HEAD}\n{ROW.replace('out(C1)', '.reset()')}\n",
         2,
-        ".reset() does not stand directly below its instruction",
+        ".reset() is not directly below its instruction",
     ),
     "a pin of another box": (
         f"{HEAD}\n{ROW}\n{ROW[1:].replace('out(C1)', '.clock()')}\n",
@@ -189,7 +189,7 @@ CHARACTERS = st.sampled_from(',"\n\r#RT-|:X~C().=15 \0é')
 )
 @examples(80)
 def test_a_damaged_file_is_read_or_refused(name: str, at: int, length: int, put: str, cut: bool) -> None:
-    """Never anything but an LadderProblem in a row that is there; what is read, laddercodec reads too."""
+    """The only exception is a LadderProblem in an existing row; laddercodec reads whatever is read here."""
     text = next(iter(golden_ladders(name).values()))
     at %= len(text)
     damaged = text[:at] + put + ("" if cut else text[at + length :])
@@ -214,7 +214,7 @@ WIDTH = 5
 
 @st.composite
 def drawings(draw: st.DrawFn) -> list[list[str]]:
-    """Rows of any squares, each with an output or none; nothing down at the rail and from the last row."""
+    """Rows of any squares, each with or without an output; no wire down at the rail or from the last row."""
     count = draw(st.integers(1, 5))
     rows: list[list[str]] = []
     for number in range(count):
@@ -271,7 +271,7 @@ def test_power_is_that_of_the_drawing(rows: list[list[str]]) -> None:
 
 
 def _imported_without_loose_ends(rows: list[list[str]]) -> tuple[DrawnRung, ImportedRung]:
-    """The rung without the contacts and outputs for which it would be refused."""
+    """The rung without the contacts and outputs that would make the import refuse it."""
     rows = [list(row) for row in rows]
     while True:
         [drawn] = read_ladder(ladder_text(rows), "main.csv").rungs

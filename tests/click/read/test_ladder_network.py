@@ -195,7 +195,7 @@ def test_a_contact_with_a_wire_around_it_is_left_out() -> None:
 
 
 def test_a_wire_that_could_carry_power_back() -> None:
-    """Power behind X003 does not come back through the wire to C2."""
+    """Power after X003 does not come back through the wire to C2."""
     drawing: Drawing = [("X003 - - T", "out(C1)"), ("X001 T - .", ""), (". X004", "out(C2)")]
     assert source(drawing) == (
         "if True:\n    if any(x[3], x[1]):\n        out(c[1])\n    if all(x[1], x[4]):\n        out(c[2])"
@@ -296,7 +296,7 @@ def test_an_instruction_without_a_word_is_kept() -> None:
 
 
 def test_a_box_with_inputs_beside_an_output_is_built_as_two_rungs() -> None:
-    """CLICK wants all inputs of a box on one branch (C000A); people draw it so none the less."""
+    """CLICK wants all inputs of a box on one branch (C000A); people draw it otherwise all the same."""
     drawing: Drawing = [
         ("X001 T", "out(C1)"),
         (". X002", "on_delay(T1,TD1,preset=5,unit=Tms)"),
@@ -324,7 +324,7 @@ def test_loops_close_around_their_rungs() -> None:
 
 @pytest.mark.parametrize("between", [[], [["#", "the end"]], [wired("", "for(2)", "R")]])
 def test_other_loops_stay_open(between: list[list[str]]) -> None:
-    """A loop of nothing, one whose end has a comment, one that is not closed."""
+    """An empty loop, one whose end has a comment, one that is not closed."""
     rows = [wired("", "for(3)", "R"), *between, wired("", "next()", "R")]
     text = write_source([routine_of("main", rungs_of(ladder_text(rows)), True)])
     assert "        for _ in range(3):\n            pass\n" in text

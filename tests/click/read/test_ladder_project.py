@@ -1,4 +1,4 @@
-"""A bundle or a ladder file: the order of routines, and damage that is told."""
+"""A bundle or a ladder file: the order of routines, and damage that is reported."""
 
 from __future__ import annotations
 
@@ -319,7 +319,7 @@ OTHERS = [
 
 @pytest.mark.parametrize(("content", "expected"), OTHERS)
 def test_what_is_no_ladder(tmp_path: Path, content: bytes, expected: str) -> None:
-    """Alone there is nothing to read; in the place of a routine it is a problem."""
+    """Alone there is nothing to read; in place of a routine it is a problem."""
     put(tmp_path, {"x.csv": content, "bundle/main.csv": ladder(MAIN), "bundle/subroutines/Heat.csv": content})
     message = refused(tmp_path / "x.csv")
     assert message.startswith(f"{tmp_path / 'x.csv'} is {expected}")
@@ -368,10 +368,10 @@ def test_a_pipe_is_no_file(tmp_path: Path) -> None:
 def test_what_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     put(tmp_path, {"main.csv": ladder(MAIN)})
 
-    def locked(path: Path, _limit: int) -> bytes:
-        raise PermissionError(13, "Permission denied", str(path))
+    def locked(path: str, _size: int) -> bytes:
+        raise PermissionError(13, "Permission denied", path)
 
-    monkeypatch.setattr("clickgen.click.read.project.read_file", locked)
+    monkeypatch.setattr("clickgen.workspace.read_start", locked)
     assert refused(tmp_path) == f"{tmp_path / 'main.csv'} cannot be read: Permission denied"
 
 

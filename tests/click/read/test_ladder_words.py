@@ -1,4 +1,4 @@
-"""Tokens to actions and back, by the templates that write them; what has no word is kept as it is."""
+"""Tokens to actions and back, by the templates that write them; a token without a word is kept unchanged."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def test_every_golden_token_comes_back(name: str) -> None:
 
 
 def test_every_instruction_has_a_golden_token() -> None:
-    """But rtof, which CLICK does not have, and what has no word."""
+    """Except rtof, which CLICK does not have, and tokens without a word."""
     files = [text for name in CASE_NAMES for text in golden_ladders(name).values()]
     outputs = [output for text in files for rung in read_ladder(text) for output in rung.outputs()]
     found = {one.spec.name for output in outputs if (one := action(output.token, *(pin.token for pin in output.pins)))}
@@ -278,7 +278,7 @@ def test_a_call_is_taken_apart() -> None:
 
 @pytest.mark.parametrize("text", ["9" * 5000, "\u0661\u0662", "DS\u0661", "1e9999", "X" * 5000 + "1"])
 def test_numbers_that_are_none_are_refused(text: str) -> None:
-    """Digits of other scripts, and more of them than any number has, are damage and no reason to end."""
+    """Digits of other scripts, and more digits than any number has, are damage and no reason to end."""
     assert operand_of(text, HERE) is None
     assert condition_of(f"DS1=={text}", HERE) is None
 

@@ -1,4 +1,4 @@
-"""``clickgen check`` as a user has it: what is looked at, what is said, what is mended, and how it ends."""
+"""``clickgen check`` as a user sees it: its files, its messages, its fixes, and its exit codes."""
 
 from __future__ import annotations
 
@@ -243,7 +243,7 @@ def test_files_can_have_ignores_of_their_own(check: Check) -> None:
 
 
 def silenced(comment_at: int, comment: str) -> str:
-    """DOUBLE with a comment: behind a line, or above it where the comment has the line's indentation."""
+    """DOUBLE with a comment: after a line, or above it if the comment has the line's indentation."""
     lines = DOUBLE.split("\n")
     if comment.startswith(" "):
         lines.insert(comment_at - 1, comment)
@@ -292,7 +292,7 @@ def test_an_error_cannot_be_silenced(check: Check) -> None:
 def test_what_was_not_judged_is_not_called_unused(check: Check) -> None:
     write("plc.py", silenced(5, "# clickgen: ignore[CG501]"))
     assert check("plc.py", "--select", "CG4,CG525").code == 0
-    # With an error in it a program is not judged by the rules about logic.
+    # With an error in it, a program is not judged by the rules about logic.
     write("plc.py", silenced(5, "# clickgen: ignore[CG501]").replace("        end()", "        out(c.A and c.B)"))
     assert "CG525" not in check("plc.py").out
 

@@ -1,4 +1,4 @@
-"""Flags of ``clickgen check`` together, streams that are not as usual, and comments that clickgen does not hear."""
+"""Combined flags of ``clickgen check``, unusual streams, and comments that clickgen ignores."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def run(folder: Path, *arguments: str, stdin: bytes = b"", **environment: str) -
     return subprocess.run(command, cwd=folder, input=stdin, capture_output=True, env=surroundings, check=False)
 
 
-# -- flags that do not go together ------------------------------------------------------------------------------------
+# -- flags that exclude each other ------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -86,7 +86,7 @@ def test_a_baseline_is_found_from_another_folder(check: Check, monkeypatch: pyte
     "before", ["# clickgen: ignore[CG513] x", "# clickgen: ignore[CG5]", "# clickgen ignore[CG501]"]
 )
 def test_silencing_ends(check: Check, before: str) -> None:
-    """What is wrong with a comment is not silenced by one."""
+    """A comment cannot silence its own faults."""
     write("plc.py", DOUBLE.replace("        out(y[1])\n    if True", f"        out(y[1])  {before}\n    if True"))
     check("plc.py", "--add-ignore")
     once = Path("plc.py").read_text("utf-8")

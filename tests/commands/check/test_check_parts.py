@@ -1,4 +1,4 @@
-"""What a check of one file knows of the programs around it."""
+"""A check of one file takes the programs around it into account."""
 
 from __future__ import annotations
 

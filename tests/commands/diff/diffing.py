@@ -51,7 +51,7 @@ class Said(NamedTuple):
 
     @property
     def lines(self) -> list[str]:
-        """What is said between the names of the sides and the summary."""
+        """The lines between the names of the sides and the summary."""
         return [line for line in self.out.split("\n")[3:] if line]
 
 
@@ -91,8 +91,8 @@ def build(name: str, folder: str, capsys: pytest.CaptureFixture[str]) -> None:
 
 @pytest.fixture
 def bundle(run: Run, capsys: pytest.CaptureFixture[str]) -> str:
-    """prog.py, and what it was built into."""
-    del run  # It is the folder that this needs.
+    """Write prog.py and its build."""
+    del run  # Only its folder is needed.
     write("prog.py", program(*RUNGS, sub=SUB))
     build("prog.py", "plc", capsys)
     return "plc"
@@ -117,7 +117,7 @@ def write_plant(folder: str, *drawings: Drawing) -> None:
 
 
 def with_scratch(rungs: dict[str, list[DrawnRung]], *addresses: str, reason: str = "condition of main rung 9") -> Side:
-    """A side with these addresses for clickgen's own use."""
+    """A side in which clickgen uses these addresses for itself."""
     found = [parse_address(address) for address in addresses]
     rows = [default_row(address, scratch_name(address), reason) for address in found if address]
     return replace(side(rungs), table=AddressTable.empty("nicknames.csv").extended(rows))
@@ -136,7 +136,7 @@ def side(files: dict[str, list[DrawnRung]]) -> Side:
 
 
 def happened(difference: Difference) -> list[tuple[str, str, int]]:
-    """What happened to which rung; of an added one its new number."""
+    """The change to each rung; for an added one its new number."""
     found = []
     for routine in difference.routines:
         for change in routine.changes:
@@ -154,7 +154,7 @@ def words(rung: DrawnRung) -> tuple[str, ...]:
 
 
 def negated(rung: DrawnRung) -> DrawnRung:
-    """The rung with its first contact the other way round."""
+    """The rung with its first contact negated."""
     rows = list(rung.rows)
     for index, row in enumerate(rows):
         for column, square in enumerate(row.squares):

@@ -1,4 +1,4 @@
-"""``clickgen diff`` as a user has it: what it says of rungs and routines."""
+"""``clickgen diff`` as a user sees it: its messages about rungs and routines."""
 
 from __future__ import annotations
 
@@ -209,7 +209,7 @@ def test_a_rung_that_is_divided_stays(one: Sequence[Drawing], other: Sequence[Dr
 
 
 def test_a_divided_rung_is_no_pretext() -> None:
-    """What an earlier part drives must not be looked at by a later one."""
+    """A later part must not look at what an earlier one drives."""
     whole: Drawing = [("C1 T", "out(C1)"), (". -", "out(C2)")]
     parts: tuple[Drawing, ...] = ([("C1", "out(C1)")], [("C1", "out(C2)")])
     assert not diff(side(plant(whole)), side(plant(whole))).differs

@@ -66,7 +66,7 @@ def test_a_revision(repository: Run, capsys: pytest.CaptureFixture[str]) -> None
 
 
 def test_a_revision_has_its_own_surroundings(repository: Run, capsys: pytest.CaptureFixture[str]) -> None:
-    """Table, settings and imported files are those of the revision, and what is gone from disk is there."""
+    """Table, settings and imported files are those of the revision, and files deleted from disk are there."""
     write("plc/clickgen.toml", 'programs = [{ path = "line.py", nicknames = "names/line.csv" }]\n')
     write("plc/names/line.csv", TABLE + 'C77,BIT,"Wash",0,No,"old"\n')
     write("plc/parts.py", SUB.strip() + "\n")
@@ -98,7 +98,7 @@ def test_named_settings_and_tables_are_those_of_the_revision(
     said = repository("HEAD:prog.py", "prog.py", "--nicknames", "conf/empty.csv")
     assert "    - if C1:Start and not C2:EStop" in said.lines
     assert "    + if C1:Start and not C777:EStop" in said.lines
-    # What the revision does not have is read from disk.
+    # A file that the revision does not have is read from disk.
     write("conf/new.csv", TABLE + 'C888,BIT,"EStop",0,No,""\n')
     assert repository("HEAD:prog.py", "prog.py", "--nicknames", "conf/new.csv").code == 0
 
@@ -246,7 +246,7 @@ def test_what_names_a_revision(text: str, named: tuple[str, str] | None) -> None
 def test_two_revisions_without_a_path_are_the_only_program(repository: Run) -> None:
     write("prog.py", program(*CHANGED_RUNGS))
     commit()
-    repository("prog.py", "prog.py")  # What came before it was said.
+    repository("prog.py", "prog.py")  # Its earlier names were given.
     named = repository("HEAD~1:./prog.py", "HEAD:./prog.py")
     assert named.code == 1
     assert repository("HEAD~1", "HEAD") == named

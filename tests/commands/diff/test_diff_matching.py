@@ -70,7 +70,7 @@ def test_thousands_of_rungs_are_aligned() -> None:
 
 
 def drawn(program: Program) -> dict[str, list[DrawnRung]]:
-    """The rungs of each routine as they are drawn."""
+    """The rungs of each routine as drawn."""
     files = ladder_files(program.texts)
     return {Path(name).stem: list(read_ladder(text, name).rungs) for name, text in files.items()}
 
@@ -84,7 +84,7 @@ def test_nothing_differs_from_itself(program: Program) -> None:
 
 @st.composite
 def edited(draw: st.DrawFn, kind: str) -> tuple[Side, Side, int, bool]:
-    """A program before and after something is done to a rung of main, which rung, and whether it has a double."""
+    """A program before and after a change to a rung of main, which rung, and whether it has a double."""
     before = drawn(draw(programs))
     rungs = list(before["main"])
     n = draw(st.integers(0, len(rungs) - 1))

@@ -125,7 +125,7 @@ FOO_AND_BAR = ("    if c.Foo:\n        out(y[1])\n", "    if c.Bar:\n        out
         (FOO_AND_BAR, 0),
         (tuple(map(swapped, FOO_AND_BAR)), 1),
         ((FOO_AND_BAR[0], FOO_AND_BAR[1].replace("Bar", "Baz")), 1),
-        # What the older side chose is something else here.
+        # The address that the older side chose is something else here.
         ((FOO_AND_BAR[0], "    if c[1]:\n        out(y[2])\n"), 1),
         (("    if c[1]:\n        out(y[1])\n", FOO_AND_BAR[1].replace("Bar", "Foo")), 1),
     ],

@@ -1,4 +1,4 @@
-"""What a build makes of an imported plant is what is in the plant, and nothing else passes for it."""
+"""A build of an imported plant is the same as the plant, and nothing else counts as the same."""
 
 from __future__ import annotations
 
@@ -26,6 +26,7 @@ from clickgen.commands.diff.sides import Side, ladder_side, program_side
 from clickgen.commands.import_.project import Target, import_project
 from clickgen.config import Settings
 from clickgen.ir.conditions import Compare, Contact
+from clickgen.workspace import Workspace
 
 Rows = list[list[str]]
 
@@ -71,7 +72,7 @@ SUB = [*rung(("X005", "out(C1)")), wired("-", "return()", "R")]
 
 
 def sides(rungs: Sequence[Rows], folder: Path) -> tuple[Side, Side] | None:
-    """A plant and what is imported of it; None where that is not the same, and the import says so."""
+    """A plant and its import; None if they differ, which the import reports."""
     main = [row for rows in rungs for row in rows]
     has_sub = any('call("Sub")' in row for row in main)
     write_bundle(folder / "plant", {"main": [*main, END], **({"Sub": SUB} if has_sub else {})})
@@ -79,8 +80,8 @@ def sides(rungs: Sequence[Rows], folder: Path) -> tuple[Side, Side] | None:
     if not result.ok or result.verdict is None or result.verdict.verified != result.rungs:
         return None
     result.write()
-    program = program_side(folder / "prog.py", "prog.py", Settings())
-    return ladder_side(folder / "plant", "plant", None), program
+    program = program_side(folder / "prog.py", "prog.py", Settings(), Workspace())
+    return ladder_side(folder / "plant", "plant", None, Workspace()), program
 
 
 @given(plants)
@@ -106,7 +107,7 @@ def test_a_shape_is_what_is_imported_of_it(name: str, tmp_path: Path) -> None:
         assert not diff(other, one).differs
 
 
-# -- what passes does the same ----------------------------------------------------------------------------------------
+# -- rungs that count as the same do the same -------------------------------------------------------------------------
 
 SMALL = ("X001", "~X002", "C1", "~C1", "C2", "~C2", "C2000", "C1999")
 COILS = ("out(C1)", "out(C2)", "latch(C1)", "reset(C2)", "out(Y001)", "out(C2000)", "out(C1999)")
@@ -126,7 +127,7 @@ def coil_rungs(draw: st.DrawFn) -> Drawing:
 
 @st.composite
 def edited_ladders(draw: st.DrawFn) -> tuple[list[Drawing], list[Drawing]]:
-    """Rungs, and the same with some of them divided, on scratch bits, exchanged, negated or gone."""
+    """Rungs, and the same with some of them divided, on scratch bits, exchanged, negated or removed."""
     one = draw(st.lists(coil_rungs(), min_size=1, max_size=5))
     other: list[Drawing] = []
     for drawing in one:
@@ -153,7 +154,7 @@ def edited_ladders(draw: st.DrawFn) -> tuple[list[Drawing], list[Drawing]]:
 
 
 class Bits:
-    """Power as it is in one situation."""
+    """Power in one situation."""
 
     never, always = 0, 1
 
@@ -174,7 +175,7 @@ class Bits:
 
 
 def scan(rungs: Sequence[DrawnRung], state: dict[str, int]) -> None:
-    """One scan of a PLC: of each rung all power first, then its coils from top to bottom."""
+    """One scan of a PLC: for each rung all power first, then its coils from top to bottom."""
     for each in rungs:
         bits = Bits(state)
 

@@ -1,4 +1,4 @@
-"""``clickgen diff``: scratch cells with other numbers are no difference."""
+"""``clickgen diff``: scratch cells with other numbers are not a difference."""
 
 from __future__ import annotations
 
@@ -38,6 +38,7 @@ from clickgen.device.banks import Address
 from clickgen.lower.scratch import purpose_of, rung_of
 from clickgen.table.address_table import AddressTable
 from clickgen.table.rows import default_row
+from clickgen.workspace import Workspace
 
 __all__ = ["run"]
 
@@ -55,7 +56,7 @@ def test_the_number_of_a_scratch_cell_is_no_logic(run: Run, capsys: pytest.Captu
     said = run("plc", "prog.py")
     assert said.code == 0
     assert said.lines[0] == "No difference in logic: 7 rungs in 1 routine."
-    # Where something else uses it, it is.
+    # If something else uses it, it is.
     write(
         "prog.py",
         SCRATCH_PROGRAM.replace("    if c.Running:\n        out(y[1])\n", "    if c[2000]:\n        out(y[1])\n"),
@@ -72,7 +73,7 @@ def test_programs_with_other_scratch_cells_do_the_same(tmp_path: Path, seed: int
     rows = [row for row in built.rows if row not in built.scratch_rows]
     (tmp_path / "nicknames.csv").write_bytes(AddressTable.empty("").extended(rows).to_bytes())
     taken = Settings(reserved=tuple(Address("C", number) for number in range(1996, 2001)))
-    one, other = (program_side(tmp_path / "prog.py", "prog.py", each) for each in (Settings(), taken))
+    one, other = (program_side(tmp_path / "prog.py", "prog.py", each, Workspace()) for each in (Settings(), taken))
     found = diff(one, other)
     assert found.drawn_otherwise
     assert (found.differs, happened(found)) == (False, [])
@@ -137,12 +138,12 @@ def test_the_number_of_a_scratch_cell_that_is_shown_is_its_own(run: Run) -> None
 @pytest.mark.property
 @pytest.mark.parametrize("seed", range(4))
 def test_no_numbers_hide_a_change(tmp_path: Path, seed: int) -> None:
-    """Whatever the rows say of what their cells are for."""
+    """Whatever the rows give as the purpose of their cells."""
     chance = random.Random(seed)
     for name, text in random_draft(seed).items():
         (tmp_path / name).write_text(text, "utf-8")
     taken = Settings(reserved=tuple(Address("C", number) for number in range(1996, 2001)))
-    one, other = (program_side(tmp_path / "prog.py", "prog.py", each) for each in (Settings(), taken))
+    one, other = (program_side(tmp_path / "prog.py", "prog.py", each, Workspace()) for each in (Settings(), taken))
     assert other.table
     rows = other.scratch_rows
     reasons = [row.comment for row in rows]

@@ -1,4 +1,4 @@
-"""``clickgen diff``: what a side can be, and what stops it."""
+"""``clickgen diff``: the possible sides, and what stops it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rungs as people draw them in CLICK, and what a person would write for each."""
+"""Rungs as people draw them in CLICK, and the text that a person would write for each."""
 
 from __future__ import annotations
 
@@ -228,7 +228,7 @@ SHAPES: dict[str, tuple[Drawing, str]] = {
         [("X001 T:X002 T:X003 T", "out(C1)"), (". | X004 .", ""), (". X005 - -", "out(C2)")],
         "if x[1]:\n    if all(x[2], any(x[3], x[4])):\n        out(c[1])\n    if x[5]:\n        out(c[2])",
     ),
-    "two branches that come back one behind the other": (
+    "two branches that come back one after the other": (
         [("X001 T:X002 T:X003 T X006", "out(C1)"), (". X004 T:X005 |", ""), (". . X007 .", "")],
         "if all(x[1], any(x[2], x[4]), any(x[3], x[5], x[7]), x[6]):\n    out(c[1])",
     ),

@@ -1,4 +1,4 @@
-"""``clickgen import``: what stands in CLICK becomes a program, verified rung by rung, or nothing is written."""
+"""``clickgen import``: a project of CLICK becomes a program, verified rung by rung, or nothing is written."""
 
 from __future__ import annotations
 
@@ -159,7 +159,7 @@ def test_the_configured_table_is_the_one_that_is_written(capsys: pytest.CaptureF
 
 @pytest.mark.parametrize("name", CASE_NAMES)
 def test_every_golden_case_comes_back(name: str, tmp_path: Path) -> None:
-    """Out of the whole output folder, nicknames and scratch cells included; and a second import gives the same."""
+    """From the whole output folder, nicknames and scratch cells included; and a second import gives the same."""
     folder = tmp_path / "bundle"
     for file, data in golden.expected(golden.CASES / name).items():
         (folder / file).parent.mkdir(parents=True, exist_ok=True)
@@ -249,7 +249,7 @@ def test_another_table_is_never_overwritten(capsys: pytest.CaptureFixture[str]) 
 # -- what cannot be kept ----------------------------------------------------------------------------------------------
 
 DEAD = [wired("X001", "out(Y001)", "R"), wired("X003", "")]
-"""A contact that leads to nothing."""
+"""A contact that leads nowhere."""
 INPUT = [wired("X001", "out(X002)", "R")]
 """A coil on an input, which CLICK does not take."""
 
@@ -275,7 +275,7 @@ def test_everything_that_cannot_be_kept_is_told_at_once(capsys: pytest.CaptureFi
 
 
 def test_problems_of_a_build_speak_of_the_rungs_of_the_project(capsys: pytest.CaptureFixture[str]) -> None:
-    """A loop in a loop: in the program that is built for the proof, nobody has seen a line."""
+    """A loop in a loop: nobody has seen a line of the program that is built for the proof."""
     loops = [wired("", token, "R") for token in ("for(3)", "for(2)", "out(C1)", "next()", "next()")]
     Path("ladder.csv").write_text(ladder_text([*loops, END]))
     _, err = ran(capsys, "ladder.csv", "-o", "prog.py", code=1)
@@ -332,7 +332,7 @@ def test_notes_are_said_and_do_not_stop(capsys: pytest.CaptureFixture[str]) -> N
 
 
 def test_every_code_of_import_is_called_forth_here() -> None:
-    # Those of binary files are called forth in test_ladder_bytes.py, with the bytes that it takes.
+    # test_ladder_bytes.py provokes those of binary files, with the bytes that it takes.
     elsewhere = {"CG703", "CG708", "CG709", "CG710"}
     tested = set(re.findall(r"CG7\d\d", Path(__file__).read_text("utf-8"))) - elsewhere
     assert tested | elsewhere == {code for code in CODES if code.startswith("CG7")}
@@ -341,9 +341,10 @@ def test_every_code_of_import_is_called_forth_here() -> None:
 def test_a_rung_that_comes_back_otherwise_is_refused(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """A mistake of the writer is found by the comparison: here it writes another address."""
+    """The comparison finds a mistake of the writer: here it writes another address."""
     monkeypatch.setattr(
-        "clickgen.commands.import_.project.write_source", lambda *args: write_source(*args).replace("y[1]", "y[2]")
+        "clickgen.dialects.if_rungs.write.routine.write_source",
+        lambda *args: write_source(*args).replace("y[1]", "y[2]"),
     )
     write_bundle(Path("plant"), main=[*SEAL, wired("X004", "out(C1)", "R")])
     _, err = ran(capsys, "plant", "-o", "prog.py", code=1)
@@ -443,7 +444,7 @@ def test_a_program_for_the_terminal_declares_its_names(capfdbinary: pytest.Captu
 
 
 def test_a_header_alone_is_a_table_too(capsys: pytest.CaptureFixture[str]) -> None:
-    """Of a bundle without nicknames the addresses have no initial values, whatever stands at the target."""
+    """The addresses of a bundle without nicknames have no initial values, whatever is at the target."""
     write_bundle(Path("plant"), main=SEAL)
     Path("plant/nicknames.csv").write_text(f"{HEADER}\n")
     Path("t").mkdir()
@@ -511,10 +512,10 @@ def test_what_follows_from_a_lost_loop_says_so(capsys: pytest.CaptureFixture[str
 
 
 def test_outputs_below_an_end_are_not_taken_for_skipped(capsys: pytest.CaptureFixture[str]) -> None:
-    """No source says whether CLICK still runs what stands below it in the rung."""
+    """No source says whether CLICK still runs the outputs below it in the rung."""
     write_bundle(Path("plant"), main=[wired("X001 T", "end()", "R"), wired(". -", "out(C3)")])
     _, err = ran(capsys, "plant", "-o", "prog.py", code=1)
-    assert "error[CG702]: main rung 1: it cannot be proven the same: end() stands above outputs" in err
+    assert "error[CG702]: main rung 1: it cannot be proven the same: end() is above outputs" in err
 
 
 @pytest.mark.parametrize("text", ["", ladder_text([])])

@@ -1,7 +1,7 @@
-"""Whole projects: built into a folder and imported again they come back as they are; what does not is refused.
+"""Whole projects: built into a folder and imported again they come back unchanged, or are refused.
 
-The first half builds random programs with nicknames and titles, imports the folder and builds what comes out. The
-second half damages what the import builds to compare, and asks the judge of power whether that matters.
+The first half builds random programs with nicknames and titles, imports the folder and builds the result. The
+second half damages the import's build before the comparison, and asks the judge of power whether that matters.
 """
 
 from __future__ import annotations
@@ -30,10 +30,9 @@ from test_importing_cases import check_same, compared, drawn, ladder_text
 from test_importing_properties import ruff_changes
 
 import clickgen
-from clickgen.commands.import_ import project as run
 from clickgen.commands.import_.project import ImportResult, Target, import_project
 from clickgen.config import Settings
-from clickgen.dialects.if_rungs.write import files
+from clickgen.dialects.if_rungs.write import files, routine
 from clickgen.dialects.if_rungs.write.routine import write_source
 from clickgen.results import BuildResult
 from clickgen.table.rows import is_scratch
@@ -320,7 +319,7 @@ def mutated(text: str, chance: random.Random) -> str:
 
 
 def _without_its_rules(comment: tuple[str, ...], written: tuple[power.Row, ...]) -> power.LadderRung:
-    """A rung as the judge reads it, whether or not a person may draw it so: wires that hang in the air do nothing."""
+    """A rung as the judge reads it, whether or not a person may draw it so: loose wires do nothing."""
     return power.LadderRung(comment, written, *power._expand(written))
 
 
@@ -330,7 +329,7 @@ def counts(files: Mapping[str, str]) -> dict[str, int]:
 
 
 def is_same(before: Mapping[str, str], after: Mapping[str, str]) -> bool:
-    """What the judge says. A drawing that it cannot read is another one."""
+    """The judge's verdict. A drawing that it cannot read is different."""
     try:
         with patch.object(power, "_finish", _without_its_rules):
             if before.keys() != after.keys():
@@ -346,7 +345,7 @@ def is_same(before: Mapping[str, str], after: Mapping[str, str]) -> bool:
 
 @dataclass
 class _Built:
-    """What the import built first, as it was compared."""
+    """The first build of the import, as it was compared."""
 
     chance: random.Random
     damages: bool
@@ -367,7 +366,7 @@ class _Built:
 
 
 def check_refuses(plant: Plant, seed: int, damages: bool) -> None:
-    """What is built otherwise than it was drawn is refused, unless the judge finds it the same."""
+    """A build that differs from the drawing is refused, unless the judge finds it the same."""
     chance = random.Random(seed)
     with tempfile.TemporaryDirectory(prefix="clickgen-import-") as name:
         folder = Path(name)
@@ -383,7 +382,7 @@ def check_refuses(plant: Plant, seed: int, damages: bool) -> None:
         writer = write if damages else write_otherwise
         with (
             patch("clickgen.api.build", built.build),
-            patch.object(run, "write_source", writer),
+            patch.object(routine, "write_source", writer),
             patch.object(files, "write_source", writer),
         ):
             result = import_project(
@@ -425,7 +424,7 @@ GONE: Mapping[str, Callable[[str], str]] = {
 @pytest.mark.parametrize("file", ["main.csv", "subroutines/Sub.csv"])
 @pytest.mark.parametrize("name", GONE)
 def test_rungs_too_many_or_too_few_are_refused(name: str, file: str, tmp_path: Path) -> None:
-    """Each routine is compared as a whole: what a build adds or leaves out belongs to some rung."""
+    """Each routine is compared as a whole: anything that a build adds or leaves out belongs to some rung."""
     (tmp_path / "bundle" / "subroutines").mkdir(parents=True)
     rung = ["R", "X001", *["-"] * 30, "out(C1)"]
     for one, last in (("main.csv", "end()"), ("subroutines/Sub.csv", "return()")):
@@ -487,7 +486,7 @@ def drawings(draw: st.DrawFn) -> Rows:
 
 
 def _without_loose_ends(rows: Rows) -> Rows:
-    """Without contacts and wires that lead from or to nothing, as far as the rows go that are written."""
+    """The rung without contacts and wires that lead from or to nothing, in the written rows."""
     cells = [row[1:-1] for row in rows]
     fed = power.flow(cells, lambda _: 1, 1)
     useful = power._useful(cells, {index for index, row in enumerate(rows) if row[-1]})
@@ -495,7 +494,7 @@ def _without_loose_ends(rows: Rows) -> Rows:
         for column, cell in enumerate(row[1:-1]):
             if power.goes_right(cell) and not (fed[index][column] and useful[index][column + 1]):
                 row[column + 1] = "|" if power.goes_down(cell) else ""
-    # A wire goes on through blank squares (click-facts [grid.blank-wires]), which the judge wants to see.
+    # A wire continues through blank squares (click-facts [grid.blank-wires]), which the judge wants to see.
     for above, row in pairwise(rows[:-1]):
         for column in range(2, 32):
             if power.goes_down(above[column]) and not row[column] and not power.goes_right(row[column - 1]):
@@ -504,7 +503,7 @@ def _without_loose_ends(rows: Rows) -> Rows:
 
 
 def looked_at(rows: Rows) -> bool:
-    """A drawing that is kept has, built, the power that the judge finds in it; was it looked at?
+    """Check that a kept drawing has, when built, the power that the judge finds in it; return whether it was looked at.
 
     A rung that becomes several is not: the judge knows one rung at a time.
     """

@@ -1,4 +1,4 @@
-"""What an import tells of rungs, comments, loops and ends, and what stops it."""
+"""The messages of an import about rungs, comments, loops and ends, and the faults that stop it."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def comment(*lines: str) -> Rows:
 
 
 def came_back(folder: Path, routines: Mapping[str, Rows]) -> str:
-    """The program. Built and imported again it has the same text, and a judge finds the same power."""
+    """Check a program: built and imported again it has the same text, and a judge finds the same power."""
     result = imported(folder, routines)
     result.write()
     source = (folder / "prog.py").read_text(encoding="utf-8")
@@ -57,7 +57,7 @@ def test_contacts_that_wires_lead_around_are_told(tmp_path: Path) -> None:
 
 
 def test_a_ladder_of_legs_that_is_neither_series_nor_parallel_is_told(tmp_path: Path) -> None:
-    """Power could come back through the wire in row 2; it is taken to go to the right alone."""
+    """Power could come back through the wire in row 2; it is assumed to go only to the right."""
     drawing: Drawing = [("X003 - - T", "out(C1)"), ("X001 T - .", ""), (". X004", "out(C2)")]
     result = imported(tmp_path, {"main": [*rung(*drawing), END]})
     assert {problem.code for problem in result.diagnostics} == {"CG704"}
@@ -73,7 +73,7 @@ REFUSED: dict[str, tuple[Drawing, str, str]] = {
             ("X004", ".reset()"),
         ],
         "CG701",
-        "main rung 1: .reset() does not stand directly below its instruction",
+        "main rung 1: .reset() is not directly below its instruction",
     ),
     "a leg that was left over": (
         [("X001 T X002", "out(C1)"), ("X003 . X004 |", "")],
@@ -147,7 +147,7 @@ def test_rungs_with_the_same_comment_keep_it_each(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("drawn", [[wired(".", "NOP", "R")], [wired("", "NOP", "R")], [BLANK]])
 def test_a_rung_of_a_comment_alone(drawn: Rows, tmp_path: Path) -> None:
-    """People head a section so; CLICK keeps a NOP there."""
+    """People write headings of sections this way; CLICK keeps a NOP there."""
     source = came_back(tmp_path, {"main": [*comment("=== Cooling ===", ""), *drawn, END]})
     assert first_rung(source) == "# === Cooling ===\n#\nif True:\n    pass"
 
@@ -164,7 +164,7 @@ def test_a_comment_that_is_too_long_is_told(tmp_path: Path) -> None:
 
 
 def test_loops(tmp_path: Path) -> None:
-    """A loop stands around its rungs; one around nothing, or whose end has a comment, is closed by hand."""
+    """A loop is around its rungs; an empty one, or one whose end has a comment, is closed by hand."""
     rows = [
         *rung(("X001", "for(3)")),
         *rung(("", "out(C1)")),
@@ -285,7 +285,7 @@ def test_rungs_that_nobody_drew_anything_in(tmp_path: Path) -> None:
 
 
 def test_the_same_ladder_in_parts_of_main(tmp_path: Path) -> None:
-    """Rungs are counted through main.csv and main_2.csv, and a build parts them anew."""
+    """Rungs are counted through main.csv and main_2.csv, and a build divides them again."""
     write_bundle(tmp_path / "plant", {"main": [row for _ in range(3) for row in rung(("X001", "out(C1)"))]})
     (tmp_path / "plant" / "main_2.csv").write_text(ladder_text([*rung(("X001", "out(X009)")), END]))
     result = import_project(tmp_path / "plant", Target(tmp_path / "prog.py"))
@@ -299,7 +299,7 @@ def test_the_same_ladder_in_parts_of_main(tmp_path: Path) -> None:
 
 
 def test_a_subroutine_with_the_name_of_main_is_refused(tmp_path: Path) -> None:
-    """CLICK tells the two apart, a program and a bundle do not."""
+    """CLICK distinguishes the two, a program and a bundle do not."""
     write_bundle(tmp_path / "plant", {"main": [END]})
     (tmp_path / "plant" / "subroutines" / "main.csv").write_text(ladder_text([RETURN]))
     with pytest.raises(CouldNotRun, match=r"subroutines.main\.csv: a subroutine cannot be called main"):

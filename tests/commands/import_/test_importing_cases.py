@@ -22,7 +22,7 @@ from clickgen.dialects.if_rungs.write.routine import write_source
 
 @dataclass(frozen=True)
 class Compared:
-    """A rung of the source beside the one that was built from its import."""
+    """A rung of the source beside the one built from its import."""
 
     before: LadderRung
     after: LadderRung
@@ -37,7 +37,7 @@ def routine_name(file: str) -> str:
 
 
 def imported(files: Mapping[str, str]) -> dict[str, list[ImportedRung]]:
-    """The rungs of each routine; the parts of main one behind the other."""
+    """The rungs of each routine; the parts of main one after the other."""
     found: dict[str, list[ImportedRung]] = {}
     for file, text in files.items():
         ladder = read_drawn(text, file)
@@ -69,7 +69,7 @@ def compared(before: Mapping[str, str], after: Mapping[str, str]) -> list[Compar
 
 
 def check_same(pair: Compared) -> None:
-    """The same outputs and inputs in the same order, with power in the same situations, and the same comment."""
+    """Check for the same outputs and inputs in the same order, power in the same situations, and the same comment."""
     sides = [_in_one_spelling(rung) for rung in (pair.before, pair.after)]
     shown = [[(out.token, [pin.token for pin in out.pins]) for out in side.outputs()] for side in sides]
     assert shown[0] == shown[1]
@@ -106,7 +106,7 @@ def ladder_text(rows: Iterable[Iterable[str]]) -> str:
 
 
 def wired(contacts: str, output: str, marker: str = "") -> list[str]:
-    """A row of contacts, wired to its output when it has one; ``.`` is a blank square."""
+    """A row of contacts, wired to its output if it has one; ``.`` is a blank square."""
     cells = ["" if cell == "." else cell for cell in contacts.split()]
     rest = 31 - len(cells)
     return [marker, *cells, *["-" if output else ""] * rest, output]

@@ -45,7 +45,7 @@ def test_programs_come_back(program: Program) -> None:
 
 
 def ruff_changes(text: str) -> str:
-    """What ``ruff format`` with its own settings would change."""
+    """The changes that ``ruff format`` with its own settings would make."""
     command = [
         str(Path(sys.executable).with_name("ruff")),
         "format",

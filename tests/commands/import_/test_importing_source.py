@@ -1,4 +1,4 @@
-"""What is written reads as a person would write it, and is laid out as ``ruff format`` does."""
+"""The written program reads like a person's, and is laid out as ``ruff format`` does."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ def table(*rows: str, newline: str = "\n") -> AddressTable:
 
 
 def row(text: str) -> str:
-    """``C1 Motor``, ``DS5 Level 10``, ``DS5 - 10 Yes a comment`` as a row; what is left out is CLICK's default."""
+    """``C1 Motor``, ``DS5 Level 10``, ``DS5 - 10 Yes a comment`` as a row; missing fields have CLICK's defaults."""
     place, name, *rest = text.split(" ", 4)
     address = parse_address(place)
     assert address is not None

@@ -26,7 +26,7 @@ def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def again(old: str) -> str:
-    """The other way out where the new name stands in a program already."""
+    """The other way out, for a new name that a program uses already."""
     return f"; where it already means {old}, write {old} there again: then this renames every place"
 
 
@@ -41,7 +41,7 @@ def table(*rows: str) -> str:
 
 
 def main(*rungs: str) -> str:
-    """A program of these rungs, each an ``if`` with one action behind it."""
+    """A program of these rungs, each an ``if`` with one action after it."""
     return "def main():\n" + "".join(f"    {rung}\n" for rung in rungs) + "    if True:\n        end()\n"
 
 
@@ -53,7 +53,7 @@ def done(old: str, new: str, *programs: str, config: Config | None = None) -> Re
 
 
 def refused(old: str, new: str, *programs: str, config: Config | None = None) -> str:
-    """Why a rename is refused; every file stays as it is."""
+    """The reason why a rename is refused; every file is unchanged."""
     before = {path: path.read_bytes() for path in Path().rglob("*") if path.is_file()}
     with pytest.raises(CouldNotRun) as caught:
         done(old, new, *programs, config=config)

@@ -1,4 +1,4 @@
-"""A rename in the text abandons the value: build and check say so, and the commands that they print mend it."""
+"""A rename in the text abandons the value: build and check say so, and the commands that they print fix it."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ def test_a_name_that_came_back_has_not_left(capsys: pytest.CaptureFixture[str]) 
     "after",
     [
         program("Level"),  # Nothing came.
-        program("Rate", bank="dd"),  # What came is of another kind.
+        program("Rate", bank="dd"),  # The new name is of another kind.
         program("Rate").replace("copy(5, ds.Rate)", "copy(5, ds[1])"),  # The address is still used.
         "nickname(ds.Rate, ds[40])\n" + program("Rate"),  # Somebody chose another address.
     ],
@@ -269,7 +269,7 @@ def test_sync_remembers_what_left(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def whole(name: str) -> str:
-    """The program, with a rung that writes its other name: that is no half then."""
+    """The program, with a rung that writes its other name: then the rename is not half done."""
     return program(name).replace("    if True:", "    if c[2]:\n        copy(7, ds.Level)\n    if True:")
 
 
@@ -307,7 +307,7 @@ def test_a_half_done_rename_is_told_and_finished(
     commands = steps(said)
     assert [command.split()[1] for command in commands] == (["rename"] if is_built else ["sync", "rename"])
     if not new.isidentifier() and not where:
-        # The old name stands behind a dot still, where no such name can stand.
+        # The old name still follows a dot, where no such name is possible.
         return
     for command in commands:
         if not new.isidentifier():
@@ -340,7 +340,7 @@ def test_the_half_of_another_program_is_renamed_too(capsys: pytest.CaptureFixtur
 def test_the_refusal_of_a_half_done_rename_prints_what_works(
     is_built: bool, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Where both names are read, nothing tells that they are one; whoever knows it is told what to do."""
+    """If both names are read, nothing shows that they are one; whoever knows it is told what to do."""
     both = program() + "    if ds.Speed > 4:\n        out(y[3])\n"
     both = both.replace("    if True:\n        end()\n", "") + "    if True:\n        end()\n"
     write(both)

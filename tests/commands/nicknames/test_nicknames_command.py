@@ -1,4 +1,4 @@
-"""``clickgen nicknames`` as a user has it: sync, check, merge, rename and why, what they say, and how they end."""
+"""``clickgen nicknames`` as a user sees it: sync, check, merge, rename and why, their messages and exit codes."""
 
 from __future__ import annotations
 
@@ -396,7 +396,7 @@ def test_rename_says_what_it_did(run: Run) -> None:
 
 
 def test_rename_says_which_programs_it_changes_before_it_does(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also where it then cannot write."""
+    """Even if it cannot write afterwards."""
     write("prog.py", PROGRAM)
     run("sync", "prog.py")
     write("other.py", PROGRAM)

@@ -1,4 +1,4 @@
-"""Taking in an export: what differs is said, and what is asked for is taken."""
+"""Merging an export: differences are reported, and those that were asked for are taken."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def merged(before: list[str], after: list[str], used: Callable[[str], list[str]]
             ["~ C1 A -> B (renamed; B was C2)", "~ C2 B -> A (renamed; A was C1)"],
         ),
         (["C1 A", "C2 B"], ["C1 B", "C2 C"], ["~ C1 A -> B (renamed; B was C2)", "~ C2 B -> C (renamed)"]),
-        # A name that comes where another stood, or leaves where another comes.
+        # A name that comes where another was, or leaves where another comes.
         (["C1 A", "C2 B"], ["C2 A"], ["> A C1 -> C2 (moved)", "- C2 B"]),
         (["C1 A"], ["C1 New", "C2 A"], ["+ C1 New", "> A C1 -> C2 (moved)"]),
         (["C1 A", "C2 B"], ["C2 A", "C3 B"], ["> A C1 -> C2 (moved)", "> B C2 -> C3 (moved)"]),
@@ -155,7 +155,7 @@ def test_content_goes_with_its_address() -> None:
     # Where another name comes, nothing of the old row stays.
     found = merged(["C1 A 1", "C2 B 0 Yes old"], ["C2 A 1"])
     assert found.taken({"moved", "removed"}).text().splitlines()[1:] == ['C2,BIT,"A",1,No,""']
-    # A row that says nothing is none.
+    # A row that says nothing does not count.
     found = merged(["DS5 -"], ["DS5 Fill 2"])
     assert found.taken({"added"}).text().splitlines()[1:] == ['DS5,INT,"Fill",2,Yes,""']
     # A name goes and a comment stays.
@@ -235,7 +235,7 @@ def test_a_shift_of_many_names_is_quick() -> None:
     assert calls_in(partial(shifted, 2000)) < 5 * calls_in(partial(shifted, 500))
 
 
-# -- what programs say -------------------------------------------------------------------------------------------------
+# -- names in programs ------------------------------------------------------------------------------------------------
 
 
 def of_programs(before: list[str], after: list[str], text: str) -> Merge:
@@ -326,7 +326,7 @@ def test_a_name_on_a_cell_that_a_program_uses_by_number_is_noted() -> None:
                 "~ C2 B -> C (swapped; programs that say B use C1 then; used at p.py:2)",
             ],
         ),
-        # A rename in the programs follows where the name that moves stands in none.
+        # A rename in the programs follows if they do not use the name that moves.
         (
             ["C1 A", "C2 B"],
             ["C1 B", "C2 C"],

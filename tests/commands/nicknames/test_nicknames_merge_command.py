@@ -158,7 +158,7 @@ def test_a_declared_name_is_not_moved_by_the_command(run: Callable[..., Command]
     assert said.code == 1
     assert "Decl is C7 by nickname(...) at a.py:1" in said.err
     assert run("check", "a.py").code == 0
-    # Seen from the working folder where the settings name the program too.
+    # Relative to the working folder if the settings name the program too.
     put("nicknames.csv", "C7 Decl")
     put("b.py", "nickname(c.More, c[9])\n\n\n" + program("c.Decl"))
     put("clickgen.toml", 'programs = ["a.py", "b.py"]\n')

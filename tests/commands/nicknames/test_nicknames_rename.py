@@ -1,4 +1,4 @@
-"""A rename reaches every place where a name stands, changes nothing else, and happens wholly or not at all."""
+"""A rename reaches every place of a name, changes nothing else, and happens completely or not at all."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from clickgen.workspace import CouldNotRun
 __all__ = ["_here"]
 
 
-# -- where a name stands -----------------------------------------------------------------------------------------------
+# -- the places of a name ---------------------------------------------------------------------------------------------
 
 
 def test_every_place_of_a_name() -> None:
@@ -137,7 +137,7 @@ def test_sources_follow_a_table_that_was_renamed_before() -> None:
     assert not build("prog.py").ok
     assert done("Old", "New").writes.keys() == {Path("prog.py")}
     assert text() == source.replace("Old", "New")
-    # Not so when both are in use, or when the table means something else.
+    # Not if both are in use, or if the table means something else.
     place({"prog.py": main("if c.Old:\n        out(c.New)")})
     assert refused("Old", "New") == "New is taken: prog.py:3:13 uses it; choose another name" + again("Old")
     place({"prog.py": main("if ds.Old:\n        out(c.Other)")})
@@ -166,7 +166,7 @@ def test_a_workbook_is_not_written() -> None:
         "Old stands in the row of IO!A2 of plant.xlsx, and clickgen writes into no workbook: write New there and run "
         "this again, then it renames in the programs"
     )
-    # Where the workbook has the new name the programs follow, and a name of the table beside it is renamed there.
+    # If the workbook has the new name, the programs follow, and a name of the table beside it is renamed there.
     _list("New")
     workbook = Path("plant.xlsx").read_bytes()
     change = rename("Old", "New", [job], here)

@@ -1,4 +1,4 @@
-"""Which files a rename goes through, what it refuses, and what it does to blocks."""
+"""The files that a rename goes through, the renames that it refuses, and its effect on blocks."""
 
 from __future__ import annotations
 
@@ -14,8 +14,9 @@ from renaming import EVERYWHERE, OLD_ROW, Job, _here, again, done, main, place, 
 from clickgen.api import build
 from clickgen.cli import main as run
 from clickgen.commands.nicknames.rename import rename
-from clickgen.commands.nicknames.uses import comments_with, places_in, read_names
+from clickgen.commands.nicknames.uses import places_in, read_names
 from clickgen.config import Config, ProgramSettings, Settings
+from clickgen.dialects.if_rungs.read.names import comments_with
 from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.write import ChangedMeanwhile, put_in_place
@@ -55,7 +56,7 @@ def test_a_part_of_no_program_is_mentioned_where_its_table_is_another(capsys: py
             "prog.py": main("if c.Old:\n        out(y[2])"),
             "spare.py": part,
             "plant.csv": table(OLD_ROW),
-            # What has a table of its own is another matter.
+            # A program with a table of its own is another matter.
             "deep/far.py": part,
             "deep/nicknames.csv": table(OLD_ROW),
         }
@@ -241,7 +242,7 @@ def test_a_block_is_renamed_everywhere() -> None:
     }
     done("Formula", "Recipe")
     assert (text(), text("nicknames.csv")) == (source, table(*MARKS).replace("\n", "\r\n"))
-    # A name that is no plain word stands in brackets alone.
+    # A name that is not a plain word is possible only in brackets.
     assert 'choose a plain word, or write ds["Recipe"] there first' in refused("Recipe", "Door alarms")
 
 
@@ -273,7 +274,7 @@ def test_a_block_that_no_table_marks_yet() -> None:
 
 
 def test_sources_follow_the_marks_of_a_table() -> None:
-    """The block has its new name in ClickNick already."""
+    """ClickNick has given the block its new name already."""
     for rung in ("copy_fill(0, ds.Recipe)", "copy_fill(0, ds.Recipe[2:4])"):
         source = main(f"if c.Go:\n        {rung}")
         marks = table(*(row.replace("Recipe", "Formula") for row in MARKS))
@@ -381,7 +382,7 @@ def test_formulas_in_any_spelling(literal: str, new: str) -> None:
     names = read_names(parsed, Diagnostics())
     assert names is not None
     assert names.of("Old") == []
-    # What stands around the formula is untouched.
+    # The text around the formula is untouched.
     assert text().count("# Old") == source.count("# Old")
     assert len(text().splitlines()) == len(source.splitlines())
 

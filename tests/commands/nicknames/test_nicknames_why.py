@@ -1,4 +1,4 @@
-"""``clickgen nicknames why``: what it understands, and what it says of blocks and of addresses that stand already."""
+"""``clickgen nicknames why``: the words it understands, and its answers about blocks and existing addresses."""
 
 from __future__ import annotations
 
@@ -154,7 +154,7 @@ def test_a_current_value_has_the_origin_of_its_bit(why: Why, capsys: pytest.Capt
     assert "  read in a.py:8 (copy)" in lines
 
 
-# -- addresses that stand already -------------------------------------------------------------------------------------
+# -- existing addresses -----------------------------------------------------------------------------------------------
 
 
 def test_a_placed_name_says_what_the_settings_leave(why: Why, capsys: pytest.CaptureFixture[str]) -> None:

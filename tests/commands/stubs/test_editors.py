@@ -1,4 +1,4 @@
-"""Editors: pyright has nothing to say against programs that build, and finds mistakes where they stand."""
+"""Editors: pyright accepts programs that build, and finds mistakes at their places."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ Finding = tuple[str, int, str, str]
 
 
 def pyright(folder: Path, mode: str = "standard", **settings: object) -> list[Finding]:
-    """What basedpyright says about a project, in an environment that has clickgen."""
+    """The findings of basedpyright for a project, in an environment that has clickgen."""
     (folder / "pyrightconfig.json").write_text(json.dumps({"typeCheckingMode": mode, **settings}))
     command = [sys.executable, "-m", "basedpyright", "--outputjson", "--pythonpath", sys.executable]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, encoding="utf-8")
@@ -52,7 +52,7 @@ def pyright(folder: Path, mode: str = "standard", **settings: object) -> list[Fi
 
 @pytest.fixture(scope="module")
 def findings(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[Finding]]:
-    """What pyright says about the folders of this module, looked at in one run: its start takes most of its time."""
+    """The findings of pyright for the folders of this module, in one run: its start takes most of its time."""
     parts = {
         "clean": write_what_builds,
         "stubs": write_stubs_below_each_other,
@@ -94,7 +94,7 @@ UNTYPED = {
     ("several_files/prog.py", "reportWildcardImportFromLibrary"): "the same",
     ("several_files/filling.py", "reportAttributeAccessIssue"): "a subroutine that no program imports has no addresses",
 }
-"""What pyright says against programs that clickgen builds, and why."""
+"""The findings of pyright for programs that clickgen builds, and their reasons."""
 
 
 def write_what_builds(root: Path) -> None:
@@ -120,7 +120,7 @@ def test_what_builds_is_clean(findings: dict[str, list[Finding]]) -> None:
 
 
 def _names_of_case(case: Path) -> KnownNames:
-    """A case has its table beside it, where it has one."""
+    """The names of a case, from the table beside it if it has one."""
     return known_names(case / "prog.py")
 
 
@@ -140,7 +140,7 @@ def test_the_programs_with_more_forms_build(tmp_path: Path) -> None:
 
 
 def test_a_program_is_clean_in_the_default_mode_of_basedpyright(tmp_path: Path) -> None:
-    """Its own mode warns where a box with inputs is not assigned to anything, and of CLICK's names with their _."""
+    """Its own mode warns if a box with inputs is not assigned to anything, and of CLICK's names with their _."""
     folder_of(tmp_path, "demo", {"prog.py": (ROOT / "fixtures/cases/demo/prog.py").read_text("utf-8")})
     rules = {rule for _, _, rule, _ in pyright(tmp_path, "recommended")}
     assert rules <= {"reportUnusedCallResult", "reportPrivateUsage"}
@@ -218,7 +218,7 @@ def test_mistakes_are_reported_where_they_stand(findings: dict[str, list[Finding
 
 
 def test_clickgen_refuses_these_mistakes_too(tmp_path: Path) -> None:
-    """So the table above holds nothing that the language allows; a new name alone would be given an address."""
+    """So the table above holds nothing that the language allows; a new name by itself would get an address."""
     program = tmp_path / "prog.py"
     new_names = {"out(y.Moter)", "c.Runn"}
     for text in (*MISTAKEN_ACTIONS, *MISTAKEN_CONDITIONS):

@@ -1,4 +1,4 @@
-"""What editors are told: the stubs hold the whole language and no more, and pyright finds mistakes with them."""
+"""The stubs for editors hold the whole language and no more, and pyright finds mistakes with them."""
 
 from __future__ import annotations
 
@@ -17,9 +17,10 @@ from clickgen.commands.stubs.stub import MARK, builtins_stub, module_stub
 from clickgen.commands.stubs.text import docstring
 from clickgen.config import Settings
 from clickgen.device.banks import BANKS, Address
-from clickgen.dialects.if_rungs.read import arguments, conditions, modbus, operands, options
+from clickgen.dialects.if_rungs.read import arguments, conditions, modbus, options
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.timers import UNITS
+from clickgen.ir.addresses import BANK_NAMES
 from clickgen.table.rows import Row, default_row
 
 ROOT = Path(__file__).parents[3]
@@ -41,7 +42,7 @@ def words_of(stub: str) -> set[str]:
 
 def test_a_stub_has_the_words_that_the_parser_knows() -> None:
     known = {
-        *operands.BANK_NAMES,
+        *BANK_NAMES,
         *INSTRUCTIONS,
         *conditions.FUNCTIONS,
         *UNITS,
@@ -58,7 +59,7 @@ def test_a_stub_has_the_words_that_the_parser_knows() -> None:
 
 
 def test_the_types_of_clickgen_dsl_are_up_to_date() -> None:
-    """``python scripts/dsl_stub.py`` writes them anew."""
+    """``python scripts/dsl_stub.py`` rewrites them."""
     assert (ROOT / "clickgen" / "dsl.pyi").read_text("utf-8") == module_stub()
 
 

@@ -1,4 +1,4 @@
-"""Programs for type checkers: what is legal in rare forms, and mistakes, each on a line of its own."""
+"""Programs for type checkers: legal code in rare forms, and mistakes, each on a line of its own."""
 
 from __future__ import annotations
 

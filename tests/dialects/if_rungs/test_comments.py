@@ -1,4 +1,4 @@
-"""The comment of a rung: the lines directly above it, also where its file is read statement by statement."""
+"""The comment of a rung: the lines directly above it, also in a file that is read statement by statement."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from clickgen.dialects.if_rungs.read.comments import DIRECTIVE
 from clickgen.dialects.if_rungs.read.nodes import statements
 from clickgen.dialects.if_rungs.read.program import read_file
 from clickgen.ir.program import Routine, rungs_in
 from clickgen.problems.diagnostics import Diagnostics
+from clickgen.problems.silence import DIRECTIVE
 from clickgen.text.source import SourceFile
 
 FIXTURES = sorted((Path(__file__).parents[3] / "fixtures").rglob("*.py"))
@@ -35,7 +35,7 @@ def of_block(text: str) -> list[str]:
 
 
 def whole(text: str) -> list[str]:
-    """The same out of libcst's tree of the whole file."""
+    """The same from libcst's tree of the whole file."""
     module = libcst.parse_module(text)
     routines = (node for node in module.body if isinstance(node, libcst.FunctionDef))
     return [theirs(rung) for routine in routines for rung in rungs_of(routine.body)]

@@ -1,4 +1,4 @@
-"""Wrong conditions: what is said is what is meant, in the person's own words, and it builds when it is followed."""
+"""Wrong conditions: the message shows what was meant, in the person's own words, and it builds as shown."""
 
 from __future__ import annotations
 
@@ -333,7 +333,7 @@ def test_a_register_that_may_hold_no_number_gets_no_safe_fix(tmp_path: Path) -> 
 
 
 def test_conditions_in_conditions_do_not_grow(tmp_path: Path) -> None:
-    """A comparison of two conditions says each of them twice, which doubles with every level."""
+    """A comparison of two conditions repeats each of them, which doubles with every level."""
     for head, tail in (("(", " == x[1])"), ("(x[2] if ", " else x[3])"), ("(x[2] ^ ", ")"), ("abs(", ") > 5")):
         text = head * 40 + "x[4]" + tail * 40
         assert found(under(text).encode(), "", tmp_path) or errors(under(text), tmp_path)
@@ -371,7 +371,7 @@ STATES = [(bits, one, other) for bits in product((False, True), repeat=3) for on
 
 
 def table(text: str) -> list[bool]:
-    """What an expression is in every state, as Python reads it; the functions of the language are its own."""
+    """The value of an expression in every state, as Python reads it; the functions of the language are its own."""
     code = compile(text, "", "eval")
     words = {
         "all": lambda *terms: builtins.all(terms),

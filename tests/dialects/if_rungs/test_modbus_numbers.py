@@ -1,4 +1,4 @@
-"""Modbus numbers as manuals print them: what is said of each, and that the way out builds."""
+"""Modbus numbers as manuals print them: the message for each, and its way out, which builds."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _WAY = re.compile(r"ModbusAddress\([^)]*\)")
 
 
 def problems(folder: Path, remote: str, own: str, word: str = "receive") -> list[Diagnostic]:
-    """What a build says of one send or receive."""
+    """The message of a build about one send or receive."""
     program = folder / "prog.py"
     text = f'def main():\n    if c[1]:\n        {word}(ModbusTcpTarget(ip="10.0.0.1"), {remote}, {own})\n'
     program.write_text(f"{text}    if True:\n        end()\n", "utf-8")

@@ -1,4 +1,4 @@
-"""A file that is read in pieces gives what it gives as a whole."""
+"""A file gives the same read in pieces as read whole."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The places of libcst's nodes are those that its own provider finds, and those that Python's parser says."""
+"""The places of libcst's nodes match those of its own provider, and those of Python's parser."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ PLACED = (
     cst.Comment,
     cst.SubscriptElement,
 )
-"""Kinds of nodes of which each has a place."""
+"""Kinds of nodes that all have a place."""
 
 
 def offsets(text: str) -> list[int]:
@@ -153,7 +153,7 @@ def test_what_python_says(text: str) -> None:
 
 
 def _is_inside_string(node: ast.expr, tree: ast.Module) -> bool:
-    """True for what is in an f-string, whose places Python's versions tell otherwise."""
+    """True for a node in an f-string, whose places differ between Python versions."""
     return any(
         inner is node
         for string in ast.walk(tree)
@@ -181,7 +181,7 @@ def test_random_programs(files: Given) -> None:
 
 @pytest.mark.parametrize("operator", ["and", "or"])
 def test_long_chains(operator: str) -> None:
-    """libcst nests their terms; nothing here goes down as deep."""
+    """libcst nests their terms; nothing here recurses as deep."""
     context = Context(SourceFile("p.py", f" {operator} ".join(["x[1]"] * 500)), Diagnostics())
     node = context.expression()
     assert isinstance(node, cst.BooleanOperation)
@@ -247,7 +247,7 @@ DEEP = {
 
 @pytest.mark.parametrize("name", DEEP)
 def test_what_libcst_may_not_read(name: str) -> None:
-    """Its parser goes down with every level, and ends the process where that is too deep."""
+    """Its parser recurses with every level, and ends the process if that is too deep."""
     assert not is_statement(DEEP[name])
 
 
@@ -270,7 +270,7 @@ def test_a_word_directly_beside_a_parenthesis(condition: str, tmp_path: Path) ->
 
 @pytest.mark.parametrize("index", ["*a, b", "a, b", "a,", "1:2, b"])
 def test_several_things_between_brackets_have_a_place_in_every_statement(index: str) -> None:
-    """libcst writes out the statements of a loop itself, and its elements of a subscript are no node together."""
+    """libcst writes out the statements of a loop itself, and its elements of a subscript are not one node together."""
     spans = []
     for head in ("    if x[2]:\n", "    for _ in range(2):\n        if x[2]:\n"):
         indent = " " * (4 * head.count("\n") + 4)

@@ -1,4 +1,4 @@
-"""Statements are read one by one, and come out as they are in the whole file; and where libcst and Python disagree."""
+"""Statements read one by one are as in the whole file; and cases in which libcst and Python disagree."""
 
 from __future__ import annotations
 
@@ -128,7 +128,7 @@ REFUSED_BY_PYTHON = {
     "an unknown name of a character": "'\\N{foo}'",
     "half an escape": "'\\x1'",
 }
-"""Python's parser is asked first, so that what only libcst takes is no program."""
+"""Python's parser comes first, so a text that only libcst takes is not a program."""
 
 
 @pytest.mark.parametrize("name", REFUSED_BY_PYTHON)
@@ -149,7 +149,7 @@ ONLY_PYTHON = {
 
 @pytest.mark.parametrize("name", ONLY_PYTHON)
 def test_what_only_python_takes(name: str) -> None:
-    """It is refused with words, where libcst 1.9 cannot read it."""
+    """It is refused with a message where libcst 1.9 cannot read it."""
     text = ONLY_PYTHON[name]
     ast.parse(text)
     [problem] = problems_of(text)
@@ -159,7 +159,7 @@ def test_what_only_python_takes(name: str) -> None:
 
 
 def test_brackets_that_are_too_deep() -> None:
-    """Python's tree has no levels for parentheses, and libcst's parser goes down with each."""
+    """Python's tree has no levels for parentheses, but libcst's parser recurses with each."""
     deep = f"def main():\n    if {'(' * 101}c.A{')' * 101}:\n        out(c.B)\n{END}"
     [problem] = problems_of(deep)
     assert (problem.code, problem.span) == ("CG118", SourceFile("p.py", deep).span(2, 108, 2, 109))
@@ -167,7 +167,7 @@ def test_brackets_that_are_too_deep() -> None:
 
 
 def test_names_are_compared_as_python_compares_them() -> None:
-    """Python's tree has one form of each letter; libcst's has what is written."""
+    """Python's tree has one form of each letter; libcst's has the written one."""
     text = "def main():\n    if c.ﬁll:\n        out(c.Ⅳ)\n" + END
     [routine] = routines_of(text)
     assert "name='fill'" in repr(routine.rungs[0].condition)
@@ -175,7 +175,7 @@ def test_names_are_compared_as_python_compares_them() -> None:
 
 
 def test_indentation_is_lost_in_a_single_statement() -> None:
-    """parse_statement keeps no indentation of its own: None means that of the first block, whatever that is."""
+    """parse_statement has no indentation of its own: None means that of the first block, whatever that is."""
     tree = cst.parse_statement("if a:\n  b\n")
     assert isinstance(tree, cst.If)
     assert isinstance(tree.body, cst.IndentedBlock)

@@ -1,4 +1,4 @@
-"""Subroutines under names that no function can have: one name in CLICK, another in the source."""
+"""Subroutines with names that no function can have: one name in CLICK, another in the source."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def test_a_function_is_not_called_like_another_subroutine(tmp_path: Path) -> Non
 
 @pytest.mark.parametrize("function", ["reset", "copy", "call", "x", "ctd", "ds", "all", "Tms", "range", "print"])
 def test_a_function_may_have_a_word_of_the_language(tmp_path: Path, function: str) -> None:
-    """A call names it by its place, so nothing else is meant; an editor takes it for the subroutine from then on."""
+    """A call names it by its place, so it can mean nothing else; an editor takes it for the subroutine from then on."""
     for title in ("", "Auto Mode"):
         result = build(tmp_path, main_of(function) + subroutine(function, title))
         assert result.ok, result.diagnostics

@@ -1,4 +1,4 @@
-"""What people write by mistake: each has a reason of its own, and a way out that builds when it is followed."""
+"""What people write by mistake: each mistake has a reason of its own, and a way out that builds."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def errors(text: str, folder: Path) -> list[Diagnostic]:
 
 
 def mended(text: str, folder: Path, unsafe: bool = False) -> str:
-    """The program after the fixes of its errors, as often as there are some."""
+    """The program after the fixes of its errors, repeated while there are any."""
     for _ in range(6):
         fixes = [one.fix for one in errors(text, folder) if one.fix and (unsafe or one.fix.is_safe)]
         if not fixes:
@@ -45,7 +45,7 @@ def mended(text: str, folder: Path, unsafe: bool = False) -> str:
     return text
 
 
-# What is written, and what the help says instead: the second builds in the place of the first.
+# The code as written, and the help's code instead: the second builds in place of the first.
 CONDITIONS = [
     ("x[1] AND x[2]", "all(x[1], x[2])"),
     ("x[1] OR x[2] AND x[3]", "any(x[1], all(x[2], x[3]))"),
@@ -191,7 +191,7 @@ def test_the_way_out_of_a_condition_builds(written: str, meant: str, tmp_path: P
 @pytest.mark.parametrize(("written", "meant"), ACTIONS)
 def test_the_way_out_of_an_action_builds(written: str, meant: str, tmp_path: Path) -> None:
     said = " ".join(problem.help for problem in errors(action(written), tmp_path))
-    # Of a call with one wrong argument, the argument is said.
+    # For a call with one wrong argument, the message names the argument.
     changed = [part for part in meant.split(", ") if part not in written.split(", ")]
     assert meant in said or all(part.strip("()").removeprefix("ton(") in said for part in changed), said
     assert not errors(action(meant), tmp_path)

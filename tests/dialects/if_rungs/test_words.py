@@ -1,4 +1,4 @@
-"""Words of the trade and misspelt words: what is suggested builds, and is never a word of another meaning."""
+"""Words of the trade and misspelt words: suggestions build, and are never a word of another meaning."""
 
 from __future__ import annotations
 
@@ -11,14 +11,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import clickgen
+from clickgen.device.elsewhere import BANKS, UNITS
 from clickgen.dialects.if_rungs.trade import (
     ACTIONS,
     ARGUMENTS,
-    BANKS,
     CONDITIONS,
     FORMULAS,
     MEMBERS,
-    UNITS,
     Advice,
     bank_hint,
 )
@@ -40,7 +39,7 @@ def build(text: str, folder: Path) -> clickgen.BuildResult:
 
 
 def as_rungs(code: str) -> str:
-    """The rungs that a piece of advice stands in: a rung itself, an action, a formula or a condition."""
+    """The rungs for a piece of advice: a rung itself, an action, a formula or a condition."""
     if code.startswith("if "):
         return f"    {code}\n"
     if code.startswith("for ") or code == "next_loop()":
@@ -246,7 +245,7 @@ def test_every_name_leads_to_something_that_there_is() -> None:
     assert set(ARGUMENTS.values()) <= {*params, "initial", "retentive", "comment"}
     assert set(UNITS.values()) == {"Tms", "Ts", "Tm", "Th", "Td"}
     assert set(MEMBERS.values()) >= {"bit", "current", "setpoint"}
-    # Banks of CLICK's own are no words of others.
+    # CLICK's own banks are not words of other machines.
     assert not {bank for bank in BANKS if bank in BANKS.values()}
 
 

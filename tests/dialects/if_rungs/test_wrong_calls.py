@@ -10,7 +10,7 @@ from test_ways_out import action, errors
 
 from clickgen.instructions import INSTRUCTIONS
 
-# What is written, and what the way out must show; everything else that it shows must build too.
+# The code as written, and what the way out must show; everything else that it shows must build too.
 UNWRITABLE = [
     ("x[1] = 1", "set(c.Name)"),
     ("x[1] = 1", "set(y.Name)"),
@@ -194,7 +194,7 @@ def test_the_way_out_of_a_wrong_call_builds(written: str, meant: str, tmp_path: 
 
 
 def _argument(meant: str) -> str:
-    """Of a call with one wrong argument, the argument is said: ``write 0x00FF``."""
+    """For a call with one wrong argument, the message names the argument: ``write 0x00FF``."""
     return (
         meant.partition("(")[2].partition(",")[0]
         if meant.startswith("copy(0x")

@@ -1,4 +1,4 @@
-"""Workbooks to read, and what is read of them."""
+"""Workbooks to read, and the results of reading them."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def listed(*rows: Iterable[Any]) -> bytes:
 
 
 def unreadable(data: bytes) -> str:
-    """Why these bytes cannot be read."""
+    """The reason why these bytes cannot be read."""
     with pytest.raises(TableUnreadable) as caught:
         judged(data)
     message = str(caught.value)

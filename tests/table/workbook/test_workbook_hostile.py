@@ -36,7 +36,7 @@ T = TypeVar("T")
 
 
 def little(work: Callable[[], T], calls: int = 4_000_000) -> T:
-    """What the work gives, which may take so many calls of functions: what a file could make endless is cut off."""
+    """The result of the work, which may take this many calls of functions: endless files are cut off."""
     found: list[T] = []
     count = calls_in(lambda: found.append(work()))
     assert count < calls
@@ -187,7 +187,7 @@ def test_far_too_many_cells(content: str, monkeypatch: pytest.MonkeyPatch) -> No
 def test_a_million_cells_that_are_only_formatted_cost_little(
     width: int, empty: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A tenth of a million, and a tenth of what is allowed."""
+    """A tenth of a million, and a tenth of the limit."""
     monkeypatch.setattr(limits, "ELEMENTS_MAX", limits.ELEMENTS_MAX // 10)
     rows = "".join(
         f'<row r="{number}" ht="15" s="1">'
@@ -342,7 +342,7 @@ def broken_by(chance: random.Random, data: bytes) -> bytes:
 @pytest.mark.property
 @pytest.mark.parametrize("packed", [True, False])
 def test_no_broken_file_brings_it_down(packed: bool) -> None:
-    """Unpacked, the damage is in the XML itself, since its checksums are made anew."""
+    """Unpacked, the damage is in the XML itself, since its checksums are computed again."""
     chance = random.Random(4711)
     whole = listed(("X001", "Start", 0, "No", "c"), ("DS1", "Speed", 5, True, datetime.date(2024, 1, 1)), ("=A1", "B"))
     with zipfile.ZipFile(io.BytesIO(whole)) as archive:

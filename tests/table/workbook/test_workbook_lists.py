@@ -116,7 +116,7 @@ def test_titles_of_other_things(title: str) -> None:
 
 
 def test_internal_and_external_addresses() -> None:
-    """The internal one counts; where there is none, the external one."""
+    """The internal one counts; if there is none, the external one."""
     titles = ("Tag", "Address External", "Address Internal", "Description")
     data = workbook(
         IO=[

@@ -1,4 +1,4 @@
-"""An I/O list that a person made: addresses, names and values are read for what they certainly say."""
+"""An I/O list that a person made: addresses, names and values are read only if they are clear."""
 
 from __future__ import annotations
 

@@ -10,7 +10,8 @@ import libcst as cst
 
 from clickgen.dialects.if_rungs.fix.opposites import opposite
 from clickgen.dialects.if_rungs.read.context import Context
-from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
+from clickgen.dialects.if_rungs.write.expressions import EDGE_FUNCTIONS
+from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.program import Item
 from clickgen.ir.proposals import Alternative, Proposal
 from clickgen.ir.walk import condition_operands, leaves

@@ -24,7 +24,7 @@ from clickgen.dialects.if_rungs.read.nodes import (
     terms,
     word,
 )
-from clickgen.dialects.if_rungs.read.operands import BANK_NAMES
+from clickgen.ir.addresses import BANK_NAMES
 from clickgen.ir.conditions import OPPOSITE
 from clickgen.text.edits import Edit
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import libcst as cst
 
+from clickgen.device.elsewhere import UNITS as UNIT_WORDS
 from clickgen.dialects.if_rungs.read.conditions import (
     FUNCTIONS,
     fits_condition,
@@ -31,10 +32,9 @@ from clickgen.dialects.if_rungs.read.nodes import (
 from clickgen.dialects.if_rungs.read.operands import read_operand
 from clickgen.dialects.if_rungs.read.options import read_options
 from clickgen.dialects.if_rungs.read.places import has_parameters
-from clickgen.dialects.if_rungs.trade import UNITS as UNIT_WORDS
+from clickgen.dialects.if_rungs.trade.formulas import formula_advice
 from clickgen.dialects.if_rungs.ways_out.formulas import is_formula
 from clickgen.dialects.if_rungs.ways_out.hints import own, replaced
-from clickgen.instructions.maths import MATH_HEX
 from clickgen.instructions.spec import Param, ParamKind, Spec
 from clickgen.instructions.timers import UNITS
 from clickgen.ir.kept import kept_token
@@ -161,7 +161,7 @@ def _read_pin(context: Context, spec: Spec, param: Param, node: Node) -> Value |
 
 
 def _read_formula(context: Context, spec: Spec, param: Param, node: Node, target: str) -> Value | None:
-    is_hex = spec is MATH_HEX
+    is_hex = param.is_hex
     if not isinstance(node, cst.BaseExpression) or text_value(node) is None:
         text = _as_formula(context, node)
         quote = "'" if '"' in text else '"'
@@ -173,9 +173,10 @@ def _read_formula(context: Context, spec: Spec, param: Param, node: Node, target
         else:
             _refuse(context, spec, param, node, _no_formula(node))
         return None
-    from clickgen.formula import parse_formula
+    from clickgen.formula import Mode, parse_formula
 
-    formula = parse_formula(context.embedded(node), "hex" if is_hex else "decimal", context.problems, target)
+    mode: Mode = "hex" if is_hex else "decimal"
+    formula = parse_formula(context.embedded(node), mode, context.problems, target, formula_advice)
     return FormulaText(formula, context.span(node)) if formula is not None else None
 
 

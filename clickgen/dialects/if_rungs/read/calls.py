@@ -29,7 +29,6 @@ from clickgen.dialects.if_rungs.trade import ARGUMENTS
 from clickgen.dialects.if_rungs.ways_out import hints, no_call
 from clickgen.dialects.if_rungs.ways_out.misgiven import misgiven
 from clickgen.instructions import INSTRUCTIONS
-from clickgen.instructions.data import SEARCH, SEARCH_RANGE
 from clickgen.instructions.spec import REQUIRED, Access, Param, ParamKind, Spec
 from clickgen.ir.operands import Cell, Constant, Immediate, Operand, Pointer, Range, form_of
 from clickgen.ir.program import Action, Value
@@ -65,19 +64,15 @@ def read_call(context: Context, node: cst.Call) -> Action | None:
         help, fix = no_call.no_instruction(context, base, partial(fits_action, context))
         context.problem("CG108", base.func, f"there is no instruction {shown!r}", help, fix if base is node else None)
         return None
-    if spec is SEARCH and _is_range_form(base):
-        spec = SEARCH_RANGE
-    args = _Call(context, spec, base, links).read()
-    if args is None:
-        return None
-    if spec is SEARCH_RANGE:
-        spec, args["flag"] = SEARCH, args.pop("found")
-    return Action(spec, _in_order(spec, args), context.span(node))
+    is_short = spec.short is not None and _is_range_form(base)
+    args = _Call(context, spec, is_short, base, links).read()
+    return None if args is None else Action(spec, _in_order(spec, args), context.span(node))
 
 
 def _in_order(spec: Spec, args: dict[str, Value]) -> dict[str, Value]:
     """Arguments in the order of the parameters, however they were written: names get their addresses in it."""
-    return {param.name: args[param.name] for param in spec.params if param.name in args}
+    names = {param.name: [name for name in (param.name, *param.aliases) if name in args] for param in spec.params}
+    return {name: args[given[0]] for name, given in names.items() if given}
 
 
 def _is_range_form(node: cst.Call) -> bool:
@@ -119,9 +114,10 @@ def _takes_all(action: Action) -> bool:
 class _Call:
     """One call: its arguments by parameter, every fault reported."""
 
-    def __init__(self, context: Context, spec: Spec, node: cst.Call, links: list[cst.Call]) -> None:
+    def __init__(self, context: Context, spec: Spec, is_short: bool, node: cst.Call, links: list[cst.Call]) -> None:
         self._context = context
-        self._spec = spec
+        self._forms = spec.forms
+        self._spec = spec.short if is_short and spec.short is not None else spec
         self._node = node
         self._links = links
         self._bound: dict[str, Node] = {}
@@ -150,8 +146,7 @@ class _Call:
 
     def _fault(self, code: str, place: Node | Span, message: str, hint: str = "", fix: Fix | None = None) -> None:
         span = place if isinstance(place, Span) else self._context.span(place)
-        signatures = (SEARCH, SEARCH_RANGE) if self._spec in (SEARCH, SEARCH_RANGE) else (self._spec,)
-        help = " ".join(filter(None, (hint, " or ".join(spec.signature for spec in signatures))))
+        help = " ".join(filter(None, (hint, " or ".join(form.signature for form in self._forms))))
         self._context.problems.add(code, span, message, help, fix=fix)
         self._faults += 1
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import libcst as cst
 
-DIRECTIVE = "clickgen:"
-"""Comments that speak to clickgen, such as ``# clickgen: ignore[...]``, stay in the source."""
+from clickgen.problems.silence import DIRECTIVE
 
 
 def rung_comment(rung: cst.If) -> str:

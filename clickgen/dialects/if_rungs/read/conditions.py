@@ -23,17 +23,19 @@ from clickgen.dialects.if_rungs.read.nodes import (
     on_one_line,
 )
 from clickgen.dialects.if_rungs.read.operands import looks_like_address, read_address, read_operand
+from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
 from clickgen.dialects.if_rungs.ways_out import no_condition
 from clickgen.dialects.if_rungs.ways_out.binding import binds_otherwise
 from clickgen.dialects.if_rungs.ways_out.hints import bank_of, is_condition, own
 from clickgen.dialects.if_rungs.ways_out.meant import Meant, meant
-from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition, Contact
+from clickgen.dialects.if_rungs.write.expressions import EDGE_FUNCTIONS
+from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real, form_of
 from clickgen.ir.proposals import Proposal
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
-from clickgen.text.wording import no_opposite, shorten
+from clickgen.text.wording import shorten
 
 COMPARISONS: dict[type[Node], str] = {
     cst.Equal: "==",
@@ -243,7 +245,7 @@ def _in_the_way(context: Context, node: Node) -> str:
                 return f"correct {shown} first: {fault.help}"
             return f"{shown} has no place in it: {f'compare it as well, {both}' if both else fault.help}"
         if not wanted and not has_opposite(context, term):
-            return no_opposite(shown, is_negated=True)
+            return IfRungsSpelling().no_opposite(shown, is_negated=True)
         compared = term if isinstance(term, cst.Comparison) else None
     return f"in series write all(...), in parallel any(...); {_WAY_OUT}"
 

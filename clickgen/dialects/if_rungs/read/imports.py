@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import os
-import re
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -191,35 +189,6 @@ class _Files:
         content = self._contents.get(_key(path))
         routines = (item for item in content.items if isinstance(item, Routine)) if content else ()
         return [routine for routine in routines if not routine.is_main]
-
-
-def importers(path: str, read_bytes: ReadBytes) -> list[str]:
-    """The programs beside a file that it is a part of: they have a main, and import it, or import what does."""
-    folder, own = os.path.dirname(path), os.path.basename(path)
-    texts: dict[str, bytes] = {}
-    for name in _siblings(path)[:_SIBLINGS_MAX]:
-        other = os.path.join(folder, name)
-        with suppress(OSError):
-            if name != own and os.path.isfile(other):
-                texts[name] = read_bytes(other)
-    imported = {
-        name: {
-            f"{word.decode()}.py" for found in _IMPORT.finditer(text) for word in _WORD.findall(found[1] or found[2])
-        }
-        for name, text in texts.items()
-    }
-    known = waiting = {own}
-    while waiting:
-        waiting = {name for name, files in imported.items() if not files.isdisjoint(waiting)} - known
-        known = known | waiting
-    return [os.path.join(folder, name) for name in sorted(known - {own}) if _HAS_MAIN.search(texts[name])]
-
-
-_SIBLINGS_MAX = 200
-"""So many files of a folder are looked through for a message."""
-_IMPORT = re.compile(rb"^(?:from[ \t]+(\w+)[ \t]+import\b|import[ \t]+([^\n#]*))", re.MULTILINE | re.ASCII)
-_WORD = re.compile(rb"\w+", re.ASCII)
-_HAS_MAIN = re.compile(rb"^def[ \t]+main[ \t]*\(", re.MULTILINE)
 
 
 def _sibling(importer: str, module: str) -> str:

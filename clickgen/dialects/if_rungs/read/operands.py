@@ -6,7 +6,7 @@ import re
 
 import libcst as cst
 
-from clickgen.device.banks import BANKS, POINTED, UPPER_BYTE_BANKS, Address, Bank
+from clickgen.device.banks import BANKS
 from clickgen.dialects.if_rungs.read.context import Context, Located
 from clickgen.dialects.if_rungs.read.nodes import (
     ADDRESSES,
@@ -24,10 +24,8 @@ from clickgen.dialects.if_rungs.read.nodes import (
     word,
 )
 from clickgen.dialects.if_rungs.read.options import MODIFIERS, modifier_hint
-from clickgen.dialects.if_rungs.trade import CONDITIONS, advice, bank_hint
-from clickgen.dialects.if_rungs.ways_out.hints import BANK_NAMES as BANK_NAMES
+from clickgen.dialects.if_rungs.trade import CONDITIONS, advice
 from clickgen.dialects.if_rungs.ways_out.hints import (
-    banks_hint,
     bit_of_word,
     has_bits,
     member_hint,
@@ -36,6 +34,8 @@ from clickgen.dialects.if_rungs.ways_out.hints import (
     own_advice,
     text_hint,
 )
+from clickgen.formula.spelling import SPELL
+from clickgen.ir.addresses import BANK_NAMES, NO_NUMBER, Addressed, AddressReader, Bounds, Fault, Index, Odd, Part
 from clickgen.ir.operands import (
     Cell,
     CharCode,
@@ -45,20 +45,18 @@ from clickgen.ir.operands import (
     Integer,
     Named,
     Operand,
-    Pointer,
     Range,
     Real,
-    Section,
     Text,
 )
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.text.edits import Edit, Fix
-from clickgen.text.source import Span
 from clickgen.text.wording import shorten
 
 _CHAR_CODE = re.compile(r"\$[0-9A-Fa-f]{2}")
 _ADDRESSES = (cst.Attribute, cst.Subscript)
-_ADDRESS_FORMS = "an address is written ds[5] or ds.Name"
+ADDRESSES_READ = AddressReader(SPELL)
+_ADDRESS_FORMS = ADDRESSES_READ.forms
 
 
 def looks_like_address(node: Node) -> bool:
@@ -139,7 +137,7 @@ def _calculated(context: Context, node: Node) -> str:
     return ""
 
 
-def read_address(context: Context, node: Node) -> Operand | None:
+def read_address(context: Context, node: Node) -> Addressed | None:
     """``bank.name``, ``bank[number]``, ``bank["name"]``, ``bank[a:b]``, ``bank[ds.Pointer]``, with ``.immediate``."""
     assert isinstance(node, _ADDRESSES)
     holder = node.value
@@ -153,29 +151,66 @@ def read_address(context: Context, node: Node) -> Operand | None:
         return None
     bank = BANK_NAMES.get(name)
     if bank is None:
-        _refuse_bank(context, node, holder, name)
+        inside = index_of(node) if isinstance(node, cst.Subscript) else None
+        number = _whole_number(inside) if inside is not None else None
+        fault = ADDRESSES_READ.bank(name, number, lambda: own(context, node))
+        assert isinstance(fault, Fault)
+        _refuse(context, fault, node, holder)
         return None
     if isinstance(node, cst.Attribute):
         return Named(bank.name, word(node.attr), context.span(node))
-    return _read_index(context, bank, node)
+    index = _index(context, index_of(node))
+    if index is None:
+        return None
+    found = ADDRESSES_READ.indexed(bank, index, context.span(node), lambda: own(context, node))
+    if isinstance(found, Fault):
+        _refuse(context, found, node, holder)
+        return None
+    return found
 
 
-def _refuse_bank(context: Context, node: cst.Attribute | cst.Subscript, holder: Node, name: str) -> None:
-    message, lower = f"there is no bank {name!r}", name.lower()
-    if lower in BANK_NAMES:
-        fix = Fix((Edit(context.span(holder), lower),))
-        shown = lower + own(context, node).removeprefix(name)
-        context.problem("CG113", holder, message, f"banks are written in small letters: {shown}", fix)
-        return
-    number = _whole_number(index_of(node)) if isinstance(node, cst.Subscript) else None
-    match = re.fullmatch(r"([a-z]+)([0-9]{1,4})", lower)
-    known = bank_hint(lower, str(number)) or did_you_mean(name, BANK_NAMES)
-    if match and match[1] in BANK_NAMES:
-        known = f"a nickname stands alone behind its bank: {match[1]}[{int(match[2])}] or {match[1]}.Name"
-    context.problem("CG113", holder, message, known or banks_hint())
+def _refuse(context: Context, fault: Fault, node: cst.Attribute | cst.Subscript, holder: Node) -> None:
+    """Report what is wrong with an address, at the part that it is about."""
+    part: Located = node
+    if fault.part is Part.BANK:
+        part = holder
+    elif fault.part is Part.INDEX and isinstance(node, cst.Subscript):
+        part = index_of(node)
+    fix = Fix((Edit(context.span(holder), fault.bank),)) if fault.bank else None
+    context.problem(fault.code, part, fault.message, fault.help, fix)
 
 
-def _read_modifier(context: Context, node: cst.Attribute) -> Operand | None:
+def _index(context: Context, inside: Located) -> Index | None:
+    """What is between the brackets; None for an address whose problem was reported."""
+    number = _whole_number(inside)
+    if number is not None:
+        return number
+    if inside.__class__ in ADDRESSES:
+        assert isinstance(inside, cst.CSTNode)
+        return read_address(context, inside)
+    if isinstance(inside, cst.Slice):
+        bounds = (inside.lower, inside.upper, inside.step)
+        return Bounds(*(None if bound is None else _bound(bound) for bound in bounds))
+    text = text_value(inside)
+    return text if text is not None else _odd(inside)
+
+
+def _bound(node: Node) -> int | Odd:
+    number = _whole_number(node)
+    return NO_NUMBER if number is None else number
+
+
+def _odd(inside: Located) -> Odd:
+    """Something in brackets that says no number."""
+    if isinstance(inside, cst.BinaryOperation):
+        first, last = _whole_number(inside.left), _whole_number(inside.right)
+        if isinstance(inside.operator, cst.Subtract) and first is not None and last is not None:
+            return Odd(difference=(first, last), is_calculated=True)
+    is_list = not isinstance(inside, cst.CSTNode)
+    return Odd(name_of(inside), None, isinstance(inside, cst.BinaryOperation | cst.Call), is_list)
+
+
+def _read_modifier(context: Context, node: cst.Attribute) -> Immediate | None:
     attr = word(node.attr)
     if attr != "immediate":
         hint = f"write .{attr}()" if attr in MODIFIERS else ""
@@ -218,122 +253,14 @@ def _read_part(context: Context, holder: Node, node: cst.Subscript) -> Named | N
             help = bit_of_word(context.text(holder), BANKS[block.bank], _whole_number(index_of(node)))
         context.problem("CG113", node, f"{shorten(context.text(node))} is not an address", help)
         return None
-    index, example = index_of(node), f"{context.text(holder)}[3] and {context.text(holder)}[0:10]"
-    if isinstance(index, cst.Slice):
-        start, stop, step = (_whole_number(bound) for bound in (index.lower, index.upper, index.step))
-        bounds = ((start, index.lower), (stop, index.upper), (step, index.step))
-        if all(number is not None or bound is None for number, bound in bounds):
-            return Named(block.bank, block.name, context.span(node), Section(start, stop, 1 if step is None else step))
-    number = _whole_number(index)
-    if number is not None and number >= 0:
-        return Named(block.bank, block.name, context.span(node), number)
-    if number is not None:
-        context.problem("CG214", index, "the members of a block are counted from 0", example)
-    elif index.__class__ in ADDRESSES:
-        way = f"point into the bank: {block.bank.lower()}[ds.Index], with the block's first address added to the index"
-        context.problem("CG214", index, f"a pointer cannot count inside {context.text(holder)}", way)
-    else:
-        context.problem("CG214", index, "a block takes a number or a range behind its name", example)
-    return None
-
-
-def _read_index(context: Context, bank: Bank, node: cst.Subscript) -> Operand | None:
-    index, span = index_of(node), context.span(node)
-    number = _whole_number(index)
-    if number is not None:
-        return _cell(context, bank, number, span)
-    text = text_value(index)
-    if text is not None:
-        if text.lower() == "0u" and bank.name in UPPER_BYTE_BANKS:
-            return Cell(Address(bank.name, 0, True), span)
-        return Named(bank.name, text, span)
-    if isinstance(index, cst.Slice):
-        return _read_range(context, bank, index, node)
-    if isinstance(index, _ADDRESSES):
-        return _read_pointer(context, bank, index, span)
-    context.problem(
-        "CG113",
-        index,
-        f"{bank.dsl}[...] takes a number, a name in quotes, a range or a DS register",
-        _no_index(bank, index),
-    )
-    return None
-
-
-def _no_index(bank: Bank, index: Located) -> str:
-    """The way out for what stands in brackets and says no number."""
-    if isinstance(index, cst.BinaryOperation):
-        first, last = _whole_number(index.left), _whole_number(index.right)
-        if isinstance(index.operator, cst.Subtract) and first is not None and last is not None and first < last:
-            return f"a range has a colon, and its end is not included: {bank.dsl}[{first}:{last + 1}]"
-        return 'arithmetic belongs into a calc before: calc("ds.Index + 1", ds.Next)'
-    name = name_of(index) if isinstance(index, cst.Name) else ""
-    if name:
-        return f"a nickname is written {bank.dsl}.{name}; a pointer goes through a register, {bank.dsl}[ds.{name}]"
-    return f"{bank.dsl}[{bank.first}]"
-
-
-def _cell(context: Context, bank: Bank, number: int, span: Span) -> Cell | None:
-    if bank.has(number):
-        return Cell(Address(bank.name, number), span)
-    context.problems.add("CG201", span, f"there is no {bank.dsl}[{number}]", f"{bank.name} has {bank.describe_range()}")
-    return None
-
-
-def _read_pointer(context: Context, bank: Bank, index: Node, span: Span) -> Operand | None:
-    register = read_address(context, index)
-    if register is None:
+    index = _index(context, index_of(node))
+    if index is None:
         return None
-    if not isinstance(register, Named | Cell) or register.bank != "DS" or _is_section(register):
-        context.problem(
-            "CG212", index, "a pointer goes through a single DS register", "copy the index to a DS register first"
-        )
+    found = ADDRESSES_READ.part(block, index, context.span(node), context.text(holder))
+    if isinstance(found, Fault):
+        _refuse(context, found, node, holder)
         return None
-    if bank.name not in POINTED:
-        context.problems.add(
-            "CG213", span, f"{bank.name} cannot be pointed into", f"pointers reach {', '.join(POINTED)}"
-        )
-        return None
-    return Pointer(bank.name, register, span)
-
-
-def _is_section(operand: Named | Cell) -> bool:
-    return isinstance(operand, Named) and isinstance(operand.part, Section)
-
-
-def _read_range(context: Context, bank: Bank, index: cst.Slice, node: cst.Subscript) -> Range | None:
-    """A half-open slice to a range with both ends included; step -1 is the reversed direction."""
-    bounds = [_whole_number(bound) for bound in (index.lower, index.upper)]
-    step = 1 if index.step is None else _whole_number(index.step)
-    start, stop = bounds
-    if start is None or stop is None or step not in (1, -1):
-        context.problem(
-            "CG202",
-            node,
-            "a range is written with two numbers: the first address and the one behind the last",
-            f"{bank.dsl}[1:17] is {bank.name}1 to {bank.name}16; {bank.dsl}[16:0:-1] is the same backwards",
-        )
-        return None
-    last = stop - step
-    if (last - start) * step < 0:
-        way = f"the end is not included: {bank.dsl}[{start}:{start + step}{'' if step > 0 else ':-1'}] is one address"
-        context.problem("CG202", node, f"{bank.dsl}[{_slice_text(start, stop, step)}] is empty", way)
-        return None
-    low, high = min(start, last), max(start, last)
-    if any(first <= low and high <= last_ for first, last_ in bank.ranges):
-        return Range(bank.name, start, last, context.span(node))
-    if bank.has(low) and bank.has(high):
-        message = f"the range {Address(bank.name, low)} to {Address(bank.name, high)} crosses a gap"
-    else:
-        message = f"the range {Address(bank.name, low)} to {Address(bank.name, high)} leaves the bank"
-    context.problem(
-        "CG202", node, message, f"{bank.name} has {bank.describe_range()}; the end of a slice is not included"
-    )
-    return None
-
-
-def _slice_text(start: int, stop: int, step: int) -> str:
-    return f"{start}:{stop}" + ("" if step == 1 else f":{step}")
+    return found
 
 
 def _whole_number(node: Located | None) -> int | None:

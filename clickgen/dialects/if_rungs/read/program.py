@@ -37,18 +37,20 @@ from clickgen.dialects.if_rungs.read.pieces import Broken
 from clickgen.dialects.if_rungs.read.places import has_parameters
 from clickgen.dialects.if_rungs.read.remembered import RememberedFile
 from clickgen.dialects.if_rungs.read.statements import Piece, Refused, Statement, read_in_pieces, read_statements
+from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
 from clickgen.dialects.if_rungs.trade import ARGUMENTS
 from clickgen.dialects.if_rungs.ways_out.hints import flat_address, own, replaced
-from clickgen.dialects.if_rungs.ways_out.misplaced import WayOut, way_out
-from clickgen.instructions.control import FOR, NOP, RETURN
+from clickgen.dialects.if_rungs.ways_out.misplaced import way_out
+from clickgen.dialects.if_rungs.ways_out.way_out import WayOut
 from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.imports import Import
+from clickgen.ir.made import ending, loop_opening, nothing
 from clickgen.ir.operands import Cell, Constant, Integer, Named, Operand, Range, Text
-from clickgen.ir.program import Action, BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
+from clickgen.ir.program import BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics, did_you_mean
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span
-from clickgen.text.wording import no_opposite, quoted, shorten
+from clickgen.text.wording import quoted, shorten
 
 _DSL_MODULE = "clickgen.dsl"
 _LIBRARIES = frozenset(("clickgen", "pyrung", "pyclickplc", "clickplc", "laddercodec"))
@@ -290,7 +292,9 @@ def _read_if(context: Context, node: cst.If, is_branch: bool) -> tuple[Condition
         proposal, place = propose(context, "CG104", span, arms, is_branch, is_read)
         help = "write a rung of its own with the opposite condition: nc(...) of a bit, or the opposite comparison"
         if place is not None:
-            help = no_opposite(shorten(context.source.line(place.line)[place.col - 1 :][: place.end_col - place.col]))
+            help = IfRungsSpelling().no_opposite(
+                shorten(context.source.line(place.line)[place.col - 1 :][: place.end_col - place.col])
+            )
         context.problems.add("CG104", span, f"a rung has no {word}", help)
         context.proposals.append(proposal)
     return condition, items
@@ -326,7 +330,7 @@ def _word_span(context: Context, node: cst.If | cst.Else) -> Span:
 def _read_items(context: Context, found: Sequence[Node]) -> tuple[Item, ...]:
     items = [item for node in found if (item := _read_item(context, node)) is not None]
     if not items and all(isinstance(node, cst.Pass) for node in found):
-        items.append(Action(NOP, {}, context.span(found[0])))
+        items.append(nothing(context.span(found[0])))
     return tuple(items)
 
 
@@ -344,7 +348,7 @@ def _read_item(context: Context, node: Node) -> Item | None:
     if isinstance(node, cst.Return):
         if node.value is not None:
             context.problem("CG112", node.value, "return gives nothing back", "write return alone")
-        return Action(RETURN, {}, context.span(node))
+        return ending(False, context.span(node))
     if isinstance(node, cst.Pass):
         return None
     way = way_out(context, node)
@@ -386,7 +390,7 @@ def _read_loop(context: Context, node: cst.For) -> Loop | None:
         return None
     args["count"] = count
     head = context.stretch(context.extent(node)[0], context.extent(call)[1])
-    return Loop(Action(FOR, args, head), body)
+    return Loop(loop_opening(args, head), body)
 
 
 def _counted_loop(context: Context, node: cst.For) -> tuple[str, Fix | None]:

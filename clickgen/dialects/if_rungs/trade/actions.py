@@ -1,4 +1,4 @@
-"""What is written as an action elsewhere: coils, timers, counters, moves, mathematics, program control."""
+"""Words that are actions elsewhere: coils, timers, counters, moves, mathematics, program control."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ _CTU, _CTD = "ctu(ct.Parts, setpoint=10, reset=lambda: c.Clear)", "ctd(ct.Left, 
 _CTUD = "ctud(ct.Stock, setpoint=10, count_down=lambda: re(x[2]), reset=lambda: c.Clear)"
 _SR = ("if x[2]: reset(c.A)", "if x[1]: set(c.A)", "if x[1]: set(c.A)", "if x[2]: reset(c.A)")
 _RS = ("if x[1]: set(c.A)", "if x[2]: reset(c.A)", "if x[2]: reset(c.A)", "if x[1]: set(c.A)")
-_SUB = "a subroutine stands at the top level: @sub on the line above def fill():, and is called with {}"
-_WAIT = "a scan never waits: start a timer, {}, and let another rung stand on its bit: {}"
+_SUB = "write a subroutine at the top level: @sub on the line above def fill():, and call it with {}"
+_WAIT = "a scan never waits: start a timer, {}, and let another rung depend on its bit: {}"
 
 ACTIONS = table(
     ("ote coil output energize oute", "write {}: a coil", _OUT, "out($1)"),
@@ -239,7 +239,7 @@ ACTIONS = table(
         "",
     ),
     ("nop noop", "a rung that does nothing holds {}", ("pass",), ""),
-    ("afi", "sc[1] is always on, so that a rung under {} never runs", ("nc(sc[1])",), ""),
+    ("afi", "sc[1] is always on, so a rung under {} never runs", ("nc(sc[1])",), ""),
     ("tnd fin fend endc", "write {}: the end of the scan", ("end()",), ""),
     ("next endfor end_for loop_end", "write {}: the end of a loop", ("next_loop()",), ""),
     ("loop repeat forloop", "write {}: a loop", ("for _ in range(ds.Count): pass",), ""),
@@ -258,4 +258,4 @@ ACTIONS = table(
     ),
     ("print printf log display show", "a text for a panel goes to TXT: {}", ('copy("READY", txt[1])',), ""),
 )
-"""What is written as an action."""
+"""Words that are written as an action."""

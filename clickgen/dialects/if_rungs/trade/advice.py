@@ -1,4 +1,4 @@
-"""How a word of the trade is written here, and the texts that several tables share."""
+"""The advice for a word of the trade, and the texts that several tables share."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from typing import NamedTuple
 
 
 class Advice(NamedTuple):
-    """How something is written here. ``text`` has a ``{}`` for each piece of ``code``.
+    """How to write something here. ``text`` has a ``{}`` for each piece of ``code``.
 
-    ``own`` makes of what the person wrote the first pieces, one a line: ``$1`` is the first argument, ``$*`` are all of
-    them, and ``$=`` is where the result goes: an argument after the others, or a register called Result.
+    ``own`` makes the first pieces from the person's own arguments, one a line: ``$1`` is the first argument, ``$*`` is
+    all of them, and ``$=`` is where the result goes: an argument after the others, or a register called Result.
     """
 
     text: str
@@ -29,14 +29,14 @@ class Advice(NamedTuple):
         return "\n" in self.own
 
     def of(self, written: str) -> str:
-        """The advice with the person's own code as its first examples."""
+        """Return the advice with the person's own code as its first examples."""
         pieces = written.split("\n")
         return self.text.format(*pieces, *self.code[len(pieces) :])
 
     def written(self, arguments: Sequence[str], target: str = "", is_action: bool = False) -> str:
-        """The person's own arguments as they are written here; "" where their number does not fit.
+        """Return the code here for the person's own arguments; "" if their number does not fit.
 
-        ``target`` is where the result goes; of an action, an argument after the others says it.
+        ``target`` is where the result goes; an action says it by an argument after the others.
         """
         wanted = max((int(number) for number in re.findall(r"\$(\d)", self.own)), default=0)
         given = list(arguments)
@@ -44,7 +44,7 @@ class Advice(NamedTuple):
             target = given.pop() if is_action and len(given) == wanted + 1 else target or _result(given)
         if not self.own or not arguments or (wanted and wanted != len(given)):
             return ""
-        # What is copied first is worked on: a number there is in the place of another argument.
+        # The value that is copied first gets worked on: a number there is in the place of another argument.
         first = re.match(r"copy\(\$(\d)", self.own) if self.has_several else None
         if ("$=" in self.own and not target) or (first and not _ADDRESS.match(given[int(first[1]) - 1])):
             return ""
@@ -56,14 +56,14 @@ _ADDRESS = re.compile(r"[a-z]+(?=[.\[])")
 
 
 def _result(arguments: Sequence[str]) -> str:
-    """A register for the result, of the bank of the first address among the arguments that is no bit."""
+    """A register for the result, in the bank of the first address among the arguments that is not a bit."""
     banks = [found[0] for argument in arguments if (found := _ADDRESS.match(argument))]
     bank = next((bank for bank in banks if bank in ("ds", "dd", "df", "dh")), "ds" if banks else "")
     return f"{bank}.Result" if bank else ""
 
 
 def advice(word: str, table: dict[str, Advice]) -> Advice | None:
-    """What a table says to a word, whatever its case; None for a word that is not in it."""
+    """The entry of a table for a word, whatever its case; None for a word that is not in it."""
     return table.get(word.lower())
 
 

@@ -1,4 +1,4 @@
-"""What is written as a condition elsewhere."""
+"""Words that are conditions elsewhere."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ CONDITIONS = table(
     ),
     (
         "xnor xorn nxor eqv xn",
-        "write {}: both or none of the two",
+        "write {}: both or neither of the two",
         ("any(all(c.A, c.B), all(nc(c.A), nc(c.B)))",),
         "any(all($1, $2), all(nc($1), nc($2)))",
     ),
@@ -121,16 +121,16 @@ CONDITIONS = table(
     ("max min limit", "compare each by itself: {} or {}", ("any(ds.A > 5, ds.B > 5)", "all(ds.A > 5, ds.B > 5)"), ""),
     (
         "afi false never alwaysoff always_off alwaysfalse always_false",
-        "sc[1] is always on, so that a rung under {} never runs",
+        "sc[1] is always on, so a rung under {} never runs",
         ("nc(sc[1])",),
         "",
     ),
     (
         "always true alwayson always_on alwaystrue always_true",
-        "a rung that always runs stands under if True:, and a contact that is always on is {}",
+        "put a rung that always runs under if True:; a contact that is always on is {}",
         ("sc[1]",),
         "",
     ),
     ("first_scan fs s_fs firstscan s:fs", "write {}: the first scan", ("sc._1st_SCAN",), ""),
 )
-"""What is written as a condition."""
+"""Words that are written as a condition."""

@@ -1,6 +1,8 @@
-"""What is written as a function of a formula elsewhere."""
+"""Words that are functions of a formula elsewhere."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 from clickgen.dialects.if_rungs.trade.advice import (
     CLAMP,
@@ -71,3 +73,12 @@ FORMULAS = table(
     ("bxor", "words are combined in math_hex: {}", ('math_hex("dh.A XOR dh.B", dh.C)',), ""),
 )
 """What is written as a function of a formula."""
+
+
+def formula_advice(word: str, arguments: Sequence[str], target: str) -> str:
+    """What a function of another machine is here, with the person's own arguments where they fit; "" for any other."""
+    found = FORMULAS.get(word.lower())
+    if found is None:
+        return ""
+    written = found.written(arguments, target)
+    return found.of(written) if written else found.shown

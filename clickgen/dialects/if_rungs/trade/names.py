@@ -1,8 +1,9 @@
-"""What arguments, units of time, banks and members of a timer are called elsewhere."""
+"""What arguments and members of a timer are called elsewhere; ``device/elsewhere.py`` has banks and units."""
 
 from __future__ import annotations
 
-from clickgen.device.banks import BANKS as CLICK_BANKS
+from clickgen.formula.spelling import SPELL
+from clickgen.ir.addresses import AddressReader
 
 ARGUMENTS = {
     word: name
@@ -26,55 +27,7 @@ ARGUMENTS = {
     )
     for word in words.split()
 }
-"""What an argument is called elsewhere, and here."""
-
-UNITS = {
-    word: unit
-    for words, unit in (
-        ("tms ms msec msecs millisecond milliseconds", "Tms"),
-        ("ts s sec secs second seconds tsec", "Ts"),
-        ("tm m min mins minute minutes tmin", "Tm"),
-        ("th h hr hrs hour hours thr", "Th"),
-        ("td d day days tday", "Td"),
-    )
-    for word in words.split()
-}
-"""Units of time as people write them."""
-
-BANKS = {
-    word: bank
-    for words, bank in (
-        ("i in input inputs inp di", "x"),
-        ("q o output outputs outp do", "y"),
-        ("m b b3 cr mx bit bits flag relay coil memory", "c"),
-        ("v n n7 d w vw mw reg register int ints data hr", "ds"),
-        ("dint md vd dw long", "dd"),
-        ("f f8 real float", "df"),
-        ("h hex word words", "dh"),
-        ("tim tmr t4 timer timers", "t"),
-        ("cnt ctr c5 counter counters z", "ct"),
-        ("str string st st9 text char", "txt"),
-        ("sm s2 sys system sp", "sc"),
-        ("iw", "xd"),
-        ("qw", "yd"),
-        ("tv", "td"),
-        ("cv ctv", "ctd"),
-    )
-    for word in words.split()
-}
-"""What a bank is called in other machines."""
-
-
-def bank_hint(name: str, index: str = "") -> str:
-    """What a bank of another machine is here, with the number where it fits; "" for a word that is none."""
-    found = BANKS.get(name.lower())
-    if found is None:
-        return ""
-    bank = CLICK_BANKS[found.upper()]
-    number = int(index) if index.isascii() and index.isdigit() and len(index) < 6 else 0
-    shown = number if bank.has(number) else bank.first
-    return f"{bank.title} are in {bank.name}: write {bank.dsl}[{shown}], or {bank.dsl}.Name"
-
+"""The names of arguments elsewhere, and here."""
 
 MEMBERS = {
     word: kind
@@ -94,3 +47,9 @@ MEMBERS = {
     for word in words.split()
 }
 """What people write behind an address with a dot, and what they mean by it."""
+
+
+def bank_hint(name: str, index: str = "") -> str:
+    """What a bank of another machine is here, with the number where it fits; "" for a word that is none."""
+    is_number = index.isascii() and index.isdigit() and len(index) < 6
+    return AddressReader(SPELL).foreign_bank(name, int(index) if is_number else 0)

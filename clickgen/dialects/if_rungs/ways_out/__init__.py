@@ -1,1 +1,1 @@
-"""Ways out for what people bring along from other languages and machines."""
+"""Ways out for code that people bring from other languages and machines."""

@@ -1,4 +1,4 @@
-"""What the signs of an expression take together: in Python & and | bind before the comparisons around them."""
+"""The grouping of operators in an expression: in Python & and | bind before the comparisons around them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _Sign = cst.BaseCompOp | cst.BaseBinaryOp
 def compare(
     context: Context, operators: Sequence[cst.BaseCompOp], operands: Sequence[cst.BaseExpression]
 ) -> cst.Comparison:
-    """A comparison that is not written as such. Its place is from the first operand to the last."""
+    """A comparison that is not written as one. Its place is from the first operand to the last."""
     targets = zip(operators, operands[1:], strict=True)
     node = cst.Comparison(operands[0], [cst.ComparisonTarget(sign, operand) for sign, operand in targets])
     context.places.note(node, context.extent(operands[0])[0], context.extent(operands[-1])[1])
@@ -86,7 +86,7 @@ def is_tight(node: Node) -> bool:
 
 
 def _loose(node: cst.BaseExpression) -> list[tuple[cst.BaseBinaryOp, cst.BaseExpression]]:
-    """The terms of & and |, each with the sign in front of it."""
+    """The terms of & and |, each with the operator before it."""
     if not isinstance(node, cst.BinaryOperation) or not is_tight(node):
         return [(cst.BitAnd(), node)]
     right = _loose(node.right)
@@ -99,7 +99,7 @@ def _is_word(node: Node) -> bool:
 
 
 def _has_brackets(context: Context, whole: str, terms: Sequence[Node]) -> bool:
-    """True where parentheses say what belongs together."""
+    """True if parentheses show what belongs together."""
     rest = whole
     for term in terms:
         rest = rest.replace(context.text(term), " ", 1)

@@ -1,4 +1,4 @@
-"""Calculations in Python's signs as the text of a formula, and the rung that makes them for a condition."""
+"""Writes calculations in Python's operators as the text of a formula, and the rung that makes it for a condition."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def is_formula(context: Context, text: str, is_hex: bool) -> bool:
 
 
 def calculated(context: Context, node: cst.BaseExpression, count: int = 0) -> Calculation | None:
-    """The rungs that calculate an expression; ``count`` are results that there are. None for what CLICK has not."""
+    """The rungs that calculate an expression after ``count`` earlier results. None for what CLICK does not have."""
     banks = [bank for part in every(node) if (bank := bank_of(part)) is not None]
     if not banks or any(bank.is_bit or bank.kind is Kind.TEXT for bank in banks):
         return None
@@ -91,7 +91,7 @@ def calculated(context: Context, node: cst.BaseExpression, count: int = 0) -> Ca
 
 
 def bit_under_mask(context: Context, node: Node) -> Calculation | None:
-    """``dd.A & 0x0001``: a double word has no place in math_hex, and its bits are copied out."""
+    """``dd.A & 0x0001``: math_hex takes no double word, so its bits are copied out."""
     if not isinstance(node, cst.BinaryOperation) or not isinstance(node.operator, cst.BitAnd):
         return None
     word, mask = (node.right, node.left) if is_literal(node.left) else (node.left, node.right)
@@ -115,7 +115,7 @@ class _Writer:
         self.copies: list[str] = []
 
     def written(self, node: cst.BaseExpression) -> str:
-        """An expression as a formula has it; "" for what none takes."""
+        """Return an expression as the text of a formula; "" for one that no formula takes."""
         if isinstance(node, cst.BinaryOperation):
             sign = self._signs.get(node.operator.__class__, "")
             left, right = (self._side(side, node.operator) for side in (node.left, node.right))

@@ -1,4 +1,4 @@
-"""Ways out for what people bring along from other machines and languages, in the words that they wrote themselves."""
+"""Ways out for code that people bring from other machines and languages, in their own words."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from collections.abc import Callable, Sequence
 
 import libcst as cst
 
-from clickgen.device.banks import BANKS, VALUE_BANK, Address, Bank, Kind, parse_address, points_of
+from clickgen.device.banks import VALUE_BANK, Address, Bank, Kind, parse_address, points_of
+from clickgen.device.elsewhere import BANKS as FOREIGN_BANKS
 from clickgen.device.nicknames import nickname_fault
 from clickgen.dialects.if_rungs.read.context import Context, Located
 from clickgen.dialects.if_rungs.read.nodes import (
@@ -22,8 +23,12 @@ from clickgen.dialects.if_rungs.read.nodes import (
     whole_number,
     word,
 )
+from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
 from clickgen.dialects.if_rungs.trade import ARGUMENTS, CONDITIONS, MEMBERS, Advice, advice, bank_hint
-from clickgen.dialects.if_rungs.trade import BANKS as FOREIGN_BANKS
+from clickgen.dialects.ways_out import reset_hint, with_reset
+from clickgen.formula.spelling import SPELL
+from clickgen.instructions.offered import CTU
+from clickgen.ir.addresses import BANK_NAMES
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile
@@ -31,24 +36,23 @@ from clickgen.text.source import SourceFile
 Fits = Callable[[str], bool]
 """True for code that the language takes in this place."""
 
-BANK_NAMES = {bank.dsl: bank for bank in BANKS.values()}
 _OWN_MAX = 120
-"""So much of a person's own code is repeated in a message."""
+"""At most this much of a person's own code is repeated in a message."""
 
 _HEX_WORD = re.compile(r"([A-Fa-f][0-9A-Fa-f]{0,7})[hH]")
 _FLAT = re.compile(r"([A-Za-z]+?)([0-9]{1,4}[uU]?)")
 """A text that may be an address: ``"ds.A"``."""
 _SURE_MEMBERS = frozenset(("done", "dn", "q", "acc", "accum", "accumulator", "et", "cv", "current"))
-"""Members of a timer or counter that mean one thing only."""
+"""Members of a timer or counter with only one meaning."""
 
 
 def expression_of(text: str) -> cst.BaseExpression | None:
-    """The expression that a text is; None where it is none."""
+    """A text as an expression; None if it is not one."""
     return Context(SourceFile("", text), Diagnostics()).expression()
 
 
 def own(context: Context, node: Located) -> str:
-    """A node as it is written, on one line; "" where a message cannot repeat it."""
+    """A node as written, on one line; "" if a message cannot repeat it."""
     text = context.text(node)
     text = "" if "#" in text and "\n" in text else " ".join(text.split())
     return text if len(text) <= _OWN_MAX else ""
@@ -61,7 +65,7 @@ def own_advice(
     fits: Fits,
     keywords: Sequence[cst.Arg] = (),
 ) -> str:
-    """What a word of the trade is here, with the person's own arguments where that gives code that is right."""
+    """The way out for a word of the trade, with the person's own arguments if that gives correct code."""
     if found is None:
         return ""
     written = own_code(context, found, arguments, fits, keywords)
@@ -75,7 +79,7 @@ def own_code(
     fits: Fits,
     keywords: Sequence[cst.Arg] = (),
 ) -> str:
-    """The person's own arguments as they are written here; "" where that gives nothing that is right."""
+    """The person's own arguments as the code is written here; "" if that gives nothing correct."""
     texts = [own(context, argument) for argument in arguments]
     if keywords:
         if "$*" not in found.own or not all(keyword.keyword for keyword in keywords):
@@ -83,7 +87,7 @@ def own_code(
         names = [keyword_name(keyword) for keyword in keywords]
         given = [own(context, keyword.value) for keyword in keywords]
         texts += [f"{ARGUMENTS.get(name, name)}={text}" for name, text in zip(names, given, strict=True)]
-    # In a formula an argument that calculates would need parentheses of its own.
+    # An argument that is a calculation would need parentheses of its own in a formula.
     if '"' in found.own and not all(_is_operand(one, "math_hex" in found.own) for one in arguments):
         return ""
     written = found.written(texts, is_action=True) if all(texts) else ""
@@ -92,7 +96,7 @@ def own_code(
 
 
 def around_value(word: str, arguments: Sequence[Node]) -> Sequence[Node]:
-    """The limits of LIM around its value, which other functions, such as ``between``, take first."""
+    """Put the limits of LIM around its value, which other functions, such as ``between``, take first."""
     if len(arguments) != 3 or advice(word, CONDITIONS) != CONDITIONS["lim"]:
         return arguments
     registers = [argument for argument in arguments if isinstance(argument, cst.Attribute | cst.Subscript)]
@@ -124,26 +128,21 @@ def trade_advice(
 
 
 def replaced(context: Context, node: Located, text: str, is_safe: bool) -> Fix:
-    """The fix that writes this text in a node's place."""
+    """The fix that replaces a node by this text."""
     return Fix((Edit(context.span(node), text),), is_safe)
 
 
 # -- addresses --------------------------------------------------------------------------------------------------------
 
 
-def cell_text(address: Address) -> str:
-    """An address as a program writes it: ``x[1]``, ``xd["0u"]``."""
-    return f"{address.bank.lower()}[{chr(34) + '0u' + chr(34) if address.upper else address.number}]"
-
-
 def flat_address(text: str) -> str:
-    """How the language writes what looks like an address of CLICK's: ``C1``, ``ds5``, ``X001``; "" for others."""
+    """The language's form of what looks like one of CLICK's addresses: ``C1``, ``ds5``, ``X001``; "" for others."""
     address = parse_address(text) if len(text) < 10 else None
-    return cell_text(address) if address is not None else ""
+    return SPELL.cell(address) if address is not None else ""
 
 
 def name_hint(name: str) -> str:
-    """The way out for a bare word in the place of an address; "" for a word that says nothing."""
+    """The way out for a bare word in place of an address; "" for a word that says nothing."""
     exact = flat_address(name)
     if exact:
         return f"write {exact}"
@@ -160,7 +159,7 @@ def name_hint(name: str) -> str:
 
 
 def text_hint(value: str, bank: str = "c") -> str:
-    """The way out for a text in quotes in the place of an address, which is likely one of a bank."""
+    """The way out for a text in quotes in place of an address, likely one of a bank."""
     exact = flat_address(value)
     if exact:
         return f"write {exact}, without quotes"
@@ -173,19 +172,14 @@ def text_hint(value: str, bank: str = "c") -> str:
     return f"a nickname follows its bank, without quotes around it all: {bank}{shown}"
 
 
-def banks_hint() -> str:
-    """All banks, and how an address of one is written."""
-    return f"the banks: {', '.join(BANK_NAMES)}; an address is written ds[5] or ds.Name"
-
-
 def bit_of_word(word: str, bank: Bank, index: int | None) -> str:
-    """How a bit of a word is looked at: ``ds[1][3]``."""
+    """The way to look at a bit of a word, for ``ds[1][3]``."""
     bits = 32 if bank.kind in (Kind.INT32, Kind.FLOAT) else 16
     number = 3 if index is None or not 0 <= index < bits else index
     match = re.fullmatch(r"[xy]d\[(\d)\]", word)
     if match and bank.has(int(match[1])):
         point = points_of(Address(bank.name, int(match[1])))[number]
-        return f"bit {number} of this word is {cell_text(point)}"
+        return f"bit {number} of this word is {SPELL.cell(point)}"
     source, before = word, ""
     if bank.name not in ("DS", "DD", "DH", "DF"):
         if bank.kind is Kind.TEXT:
@@ -199,7 +193,7 @@ def bit_of_word(word: str, bank: Bank, index: int | None) -> str:
 
 
 def bank_of(node: Located) -> Bank | None:
-    """The bank of an address, be it a name, a number or a range; None for anything else."""
+    """The bank of an address, whether a name, a number or a range; None for anything else."""
     inner = node
     while isinstance(inner, cst.Attribute | cst.Subscript):
         inner = inner.value
@@ -207,7 +201,7 @@ def bank_of(node: Located) -> Bank | None:
 
 
 def has_bits(node: Node) -> bool:
-    """True for an expression with a bit in it, of which no formula takes any."""
+    """True for an expression with a bit in it, which no formula takes."""
     banks = (bank_of(part) for part in every(node) if part.__class__ in ADDRESSES)
     return any(bank is not None and bank.is_bit for bank in banks)
 
@@ -219,7 +213,7 @@ _NEVER = frozenset(("false", "off", "never"))
 
 
 def truth_of(node: Node) -> bool | None:
-    """What a value means for a bit: True, 1, on; None for anything else."""
+    """The meaning of a value for a bit: True, 1, on; None for anything else."""
     value = literal(node)
     if isinstance(value, int) and value in (0, 1):
         return bool(value)
@@ -228,7 +222,7 @@ def truth_of(node: Node) -> bool | None:
 
 
 def is_condition(node: Node) -> bool:
-    """True for what is on or off: a bit, a comparison, a function of conditions, and what joins such."""
+    """True for something that is on or off: a bit, a comparison, a function of conditions, a combination of them."""
     if isinstance(node, cst.Attribute | cst.Subscript):
         bank = bank_of(node)
         return bank is not None and bank.is_bit
@@ -260,7 +254,7 @@ def number_of(node: Node | None) -> int | None:
 
 
 def member_hint(context: Context, node: cst.Attribute, bank: Bank, rest: str) -> tuple[str, Fix | None]:
-    """The way out for ``t.A.done`` and the like; ``rest`` is what stands behind the bank: ``.A``."""
+    """The way out for ``t.A.done`` and the like; ``rest`` follows the bank: ``.A``."""
     base, kind = f"{bank.dsl}{rest}", MEMBERS.get(word(node.attr).lower(), "")
     value = VALUE_BANK.get(bank.name, "").lower()
     fix: Fix | None = None
@@ -279,12 +273,16 @@ def member_hint(context: Context, node: cst.Attribute, bank: Bank, rest: str) ->
     elif kind == "immediate" and bank.name in ("X", "Y"):
         text = f"{base}.immediate"
     elif kind == "setpoint" and value:
-        example = f"ton({base}, setpoint=ds.Limit)" if bank.name == "T" else _counter(base, "ds.Limit")
+        example = (
+            f"ton({base}, setpoint=ds.Limit)"
+            if bank.name == "T"
+            else with_reset(IfRungsSpelling(), CTU, base, "ds.Limit")
+        )
         return f"a setpoint is not read back: keep it in a register, {example}, and read that, ds.Limit", None
     elif kind == "enabled" and value:
         return "CLICK has no such bit: test what the rung of the instruction tests", None
     elif kind == "reset" and value:
-        return reset_hint(bank.name, base, timers_of(context, base)), None
+        return reset_hint(IfRungsSpelling(), bank.name, base, timers_of(context, base)), None
     else:
         return "", None
     if value and word(node.attr).lower() in _SURE_MEMBERS:
@@ -304,7 +302,7 @@ def timers_of(context: Context, bit: str) -> frozenset[str]:
 
 
 def _while_timing(context: Context, bit: str, current: str, kind: str) -> str:
-    """How ``t.A.tt`` and ``t.A.expired`` are written, which depends on the instruction that owns the timer.
+    """The code for ``t.A.tt`` and ``t.A.expired``, which depends on the instruction that owns the timer.
 
     The bit of an off-delay is on while it counts and goes off at its end (click-facts [timer.off-delay]).
     """
@@ -317,18 +315,3 @@ def _while_timing(context: Context, bit: str, current: str, kind: str) -> str:
     if len(owners) == 1:
         return f"write {table[owners.pop()]}"
     return f"of an on-delay (ton) write {table['ton']}, of an off-delay (tof) {table['tof']}"
-
-
-def _counter(name: str, setpoint: str) -> str:
-    return f"ctu({name}, setpoint={setpoint}, reset=lambda: c.Clear)"
-
-
-def reset_hint(bank: str, shown: str, owners: frozenset[str] = frozenset()) -> str:
-    """How a timer or a counter is reset: ``reset(t.A)`` does not do it. ``owners`` are its instructions, if known."""
-    if bank in ("CT", "CTD"):
-        return f"a counter has an input for its reset: {_counter(shown, '10')}"
-    retentive = f"rton({shown}, setpoint=5, unit=Ts, reset=lambda: c.Clear)"
-    if owners == {"tof"}:
-        return f"a tof is reset when its rung comes on; a retentive timer has an input for it: {retentive}"
-    plain = "" if owners <= {"ton", "rton"} and owners else ", a tof when it comes on"
-    return f"a ton is reset when its rung goes off{plain}; a retentive timer has an input for it: {retentive}"

@@ -1,4 +1,4 @@
-"""Arguments that stand for something else: values and conditions given to coils, decimal commas, swapped ends."""
+"""Arguments given in place of something else: values and conditions for coils, decimal commas, swapped ends."""
 
 from __future__ import annotations
 
@@ -23,12 +23,9 @@ from clickgen.dialects.if_rungs.read.nodes import (
 from clickgen.dialects.if_rungs.trade import FORMULAS, advice
 from clickgen.dialects.if_rungs.ways_out.hints import Fits, bank_of, own
 from clickgen.dialects.if_rungs.ways_out.unwritable import instead, of_current_value, why_unwritable
-from clickgen.instructions.coils import OUT, RESET, SET
-from clickgen.instructions.copies import COPY, COPY_FILL
+from clickgen.instructions.effects import Shape
 from clickgen.instructions.spec import Spec
 
-_COILS = (OUT, SET, RESET)
-_OPPOSITE = {"set": "reset", "reset": "set"}
 _CONDITIONS = ("all", "any", "nc", "re", "fe")
 _NEGATIONS = (cst.Not, cst.BitInvert)
 _SUMS = (cst.Add, cst.Subtract, cst.Multiply, cst.Divide, cst.Power)
@@ -36,7 +33,7 @@ _BITS = {"true": True, "1": True, "on": True, "false": False, "0": False, "off":
 
 
 class Misgiven(NamedTuple):
-    """A problem with an argument, where it is more than that the instruction does not take it."""
+    """A problem with an argument, if there is more to say than that the instruction does not take it."""
 
     code: str
     node: Node
@@ -45,12 +42,13 @@ class Misgiven(NamedTuple):
 
 
 def misgiven(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiven | None:
-    """What is wrong with the arguments of a call, where it says what was meant; None for a call that may be right."""
+    """The fault in the arguments of a call, if they show what was meant; None for a call that may be right."""
     if context.is_trial or not arguments(node):
         return None
-    if spec in _COILS:
+    if spec.effects.is_coil:
         return _of_coil(context, spec, node, fits)
-    return _of_copy(context, spec, node, fits) if spec in (COPY, COPY_FILL) else None
+    is_copy = spec.effects.shape in (Shape.VALUE, Shape.FILL) and all(spec.matrix)
+    return _of_copy(context, spec, node, fits) if is_copy else None
 
 
 # -- coils ------------------------------------------------------------------------------------------------------------
@@ -70,9 +68,9 @@ def _of_coil(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiv
         return None
     value = own(context, rest[0]) if rest else ""
     if not bank.is_bit:
-        # Of pointers and immediates the rules speak: no coil takes one of a register.
+        # Rules report pointers and immediates: no coil takes one of a register.
         return _of_register(context, spec, first, bank, value, fits) if _is_plain(first) else None
-    if not rest or (spec is OUT and not _is_number(rest[0])):
+    if not rest or (spec.effects.follows_power and not _is_number(rest[0])):
         return None
     if why_unwritable(first):
         action = _by_value(spec, value) or spec.name
@@ -85,7 +83,7 @@ def _of_coil(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiv
             return None
         help = f"each gets a line of its own: {' and '.join(written)}; {spec.signature}"
         return Misgiven("CG109", rest[0], f"{spec.name} takes no more than 1 address or range", help)
-    if spec is OUT:
+    if spec.effects.follows_power:
         help = f"it follows its rung: out({shown}); for one scan alone out({shown}, oneshot=True)"
         return Misgiven("CG115", rest[0], "out takes no value", help)
     action = _by_value(spec, value)
@@ -96,11 +94,11 @@ def _of_coil(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiv
 
 
 def _by_value(spec: Spec, value: str) -> str:
-    """``set`` or ``reset`` for a bit that is given a value; "" for no value of a bit."""
+    """``set`` or ``reset`` for a value given for a bit; "" for any other value."""
     state = _BITS.get(value.lower())
     if state is None:
         return ""
-    return "set" if state and spec is not RESET else "reset"
+    return "set" if state and not spec.effects.turns_off else "reset"
 
 
 def _is_plain(node: Node) -> bool:
@@ -126,19 +124,19 @@ def _of_register(context: Context, spec: Spec, first: Node, bank: Bank, value: s
     shown = own(context, first)
     if why_unwritable(first):
         message = f"{shown} is {why_unwritable(first)}: no instruction writes it"
-        default = "" if bank.name == "XD" else "0" if spec is RESET else "1"
+        default = "" if bank.name == "XD" else "0" if spec.effects.turns_off else "1"
         return Misgiven("CG304", first, message, instead(context, first, "copy", value or default))
-    number = value or ("0" if spec is RESET else "1")
+    number = value or ("0" if spec.effects.turns_off else "1")
     message = f"{spec.name} does not take {shown} as 'address': it is for bits"
-    if bank.name in CURRENT_VALUE_OF and (spec is RESET or value == "0"):
+    if bank.name in CURRENT_VALUE_OF and (spec.effects.turns_off or value == "0"):
         return Misgiven("CG301", first, message, of_current_value(context, first, "0"))
     if bank.name in CURRENT_VALUE_OF:
         return Misgiven("CG301", first, message, of_current_value(context, first, number))
     if bank.kind is Kind.TEXT and not value:
-        number = '" "' if spec is RESET else '"A"'
+        number = '" "' if spec.effects.turns_off else '"A"'
     written = f"copy({number}, {shown})"
     if not fits(written):
-        written = f"copy({'0' if spec is RESET else '1'}, {shown})"
+        written = f"copy({'0' if spec.effects.turns_off else '1'}, {shown})"
         if not fits(written):
             return None
     what = "a character" if bank.kind is Kind.TEXT else "a number"
@@ -157,12 +155,12 @@ def _of_condition(context: Context, spec: Spec, first: Node) -> Misgiven | None:
         message = f"{own(context, first)} is a condition, and {spec.name} takes an address"
         if why_unwritable(bit):
             condition = shown if is_on else f"nc({shown})"
-            help = f"a condition stands in the if: write if {condition}: {spec.name}(c.Name)"
+            help = f"a condition belongs in the if: write if {condition}: {spec.name}(c.Name)"
             return Misgiven("CG113", first, message, help)
         if is_on:
             return Misgiven("CG113", first, message, f"write {spec.name}({shown})")
-        if spec is not OUT:
-            return Misgiven("CG113", first, message, f"write {_OPPOSITE[spec.name]}({shown})")
+        if not spec.effects.follows_power:
+            return Misgiven("CG113", first, message, f"write {'set' if spec.effects.turns_off else 'reset'}({shown})")
         help = f"CLICK has no coil that is turned round: write out({shown}) in a rung with the opposite condition"
         return Misgiven("CG113", first, message, help)
     name = called(first)
@@ -176,14 +174,14 @@ def _of_condition(context: Context, spec: Spec, first: Node) -> Misgiven | None:
     condition = as_condition(context, first)
     if not condition:
         return None
-    help = f"a condition stands in the if: write if {condition}: {spec.name}(c.Name)"
-    if name == "re" and isinstance(first, cst.Call) and spec is OUT and len(arguments(first)) == 1:
+    help = f"a condition belongs in the if: write if {condition}: {spec.name}(c.Name)"
+    if name == "re" and isinstance(first, cst.Call) and spec.effects.follows_power and len(arguments(first)) == 1:
         help = f"for one scan alone write out({own(context, arguments(first)[0])}, oneshot=True)"
     return Misgiven("CG113", first, f"{own(context, first)} is a condition, and {spec.name} takes an address", help)
 
 
 def _turned(node: Node) -> tuple[Node, bool] | None:
-    """A bit that is negated or compared with a constant, and whether that leaves it as it is."""
+    """A bit that is negated or compared with a constant, and whether the result equals the bit."""
     if isinstance(node, cst.UnaryOperation) and isinstance(node.operator, _NEGATIONS):
         return node.expression, False
     if isinstance(node, cst.Call) and called(node) == "nc" and len(arguments(node)) == 1:
@@ -205,7 +203,7 @@ def _turned(node: Node) -> tuple[Node, bool] | None:
 def _of_copy(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiven | None:
     given = arguments(node)
     texts = [own(context, one) for one in given]
-    if spec is COPY and len(texts) >= 2:
+    if spec.effects.shape is Shape.VALUE and len(texts) >= 2:
         found = _of_source(context, given[0], given[1], fits)
         if found is not None:
             return found
@@ -247,6 +245,6 @@ def _of_source(context: Context, source: Node, target: Node, fits: Fits) -> Misg
             condition = own(context, turned[0]) if turned[1] else f"nc({own(context, turned[0])})"
         action = f"out({shown})" if bank.is_bit else f"copy(1, {shown})"
         if condition and fits(action):
-            help = f"a condition stands in the if: write if {condition}: {action}"
+            help = f"a condition belongs in the if: write if {condition}: {action}"
             return Misgiven("CG113", source, f"{text} is a condition, and a copy reads a value", help)
     return None

@@ -1,4 +1,4 @@
-"""Ways out for calls of instructions that there are not, and for arguments that are called otherwise elsewhere."""
+"""Ways out for calls of instructions that do not exist, and for arguments that have other names elsewhere."""
 
 from __future__ import annotations
 
@@ -10,19 +10,20 @@ import libcst as cst
 from clickgen.device.banks import Bank
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import Node, arguments, is_name, keyword_name, keywords, name_of, word
+from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
 from clickgen.dialects.if_rungs.trade import ACTIONS, ARGUMENTS, CONDITIONS, advice
 from clickgen.dialects.if_rungs.ways_out.hints import (
-    BANK_NAMES,
     Fits,
     own,
     own_code,
     replaced,
-    reset_hint,
     timers_of,
     trade_advice,
 )
+from clickgen.dialects.ways_out import reset_hint
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.instructions.spec import ParamKind, Spec
+from clickgen.ir.addresses import BANK_NAMES
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.text.edits import Edit, Fix
 
@@ -39,11 +40,11 @@ _METHODS = {
     "write": "copy",
     "assign": "copy",
 }
-"""What people call an address to do, and the instruction for it; others keep their name."""
+"""The methods that people call on an address, and the instruction for each; others keep their name."""
 
 
 def no_instruction(context: Context, node: cst.Call, fits: Fits) -> tuple[str, Fix | None]:
-    """The way out for a call of what is no instruction, and a fix where the meaning is certain."""
+    """The way out for a call of something that is not an instruction, and a fix if the meaning is certain."""
     if context.is_trial:
         return "", None
     func, given = node.func, arguments(node)
@@ -70,13 +71,13 @@ def no_instruction(context: Context, node: cst.Call, fits: Fits) -> tuple[str, F
     bank = _bank_of(context, given[0]) if given else None
     if lower in _RESETS and bank is not None and bank.name in ("T", "CT"):
         shown = own(context, given[0])
-        return reset_hint(bank.name, shown, timers_of(context, shown)), None
+        return reset_hint(IfRungsSpelling(), bank.name, shown, timers_of(context, shown)), None
     told = trade_advice(context, name, ACTIONS, given, fits, keywords(node))
     if told:
         return told, _rename(context, node, name, fits)
     told = trade_advice(context, name, CONDITIONS, given, lambda _: False)
     if told:
-        return f"a condition stands in the if: {told}", None
+        return f"a condition belongs in the if: {told}", None
     return did_you_mean(name, (*INSTRUCTIONS, "return", "pass")) or _LIST, None
 
 
@@ -86,7 +87,7 @@ def _renamed(context: Context, node: cst.Call, name: str) -> str:
 
 
 def _rename(context: Context, node: cst.Call, name: str, fits: Fits) -> Fix | None:
-    """The fix that writes a word of the trade as it is called here, with the same arguments."""
+    """The fix that renames a word of the trade to the instruction here, with the same arguments."""
     found = advice(name, ACTIONS)
     is_one = found is not None and not found.has_several
     text = own_code(context, found, arguments(node), fits, keywords(node)) if found and is_one else ""
@@ -105,7 +106,7 @@ def _of_address(context: Context, node: cst.Call, func: cst.Attribute, fits: Fit
     if holder_name in INSTRUCTIONS:
         if method in ("res", "reset", "rst"):
             owner = "CT" if holder_name.startswith("ct") else "T"
-            return reset_hint(owner, own(context, given[0]) if given else f"{owner.lower()}.A")
+            return reset_hint(IfRungsSpelling(), owner, own(context, given[0]) if given else f"{owner.lower()}.A")
         return f"an instruction is written alone: {INSTRUCTIONS[holder_name].example}"
     name = _METHODS.get(method, method)
     if name in INSTRUCTIONS and own(context, holder):
@@ -115,13 +116,15 @@ def _of_address(context: Context, node: cst.Call, func: cst.Attribute, fits: Fit
             return f"an instruction is called, and the address is its argument: {text}"
         bank = _bank_of(context, holder)
         if name == "reset" and bank is not None and bank.name in ("T", "CT"):
-            return reset_hint(bank.name, own(context, holder), timers_of(context, own(context, holder)))
+            return reset_hint(
+                IfRungsSpelling(), bank.name, own(context, holder), timers_of(context, own(context, holder))
+            )
     told = trade_advice(context, word(func.attr), ACTIONS, (), fits)
     return told or f"an instruction is called by its name alone: {INSTRUCTIONS['out'].example}; {_LIST}"
 
 
 def routine_named(context: Context, name: str) -> str:
-    """The function of this file, or one that it imports, which a call means; "" for none."""
+    """The function of this file, or one that it imports, that a call means; "" for none."""
     word = re.escape(name)
     text = context.source.text
     for found in re.finditer(
@@ -137,7 +140,7 @@ def routine_named(context: Context, name: str) -> str:
 
 
 def other_argument(context: Context, spec: Spec, keyword: cst.Arg, names: Sequence[str]) -> tuple[str, Fix | None]:
-    """The way out for an argument that is called otherwise here; "" for a word that says nothing."""
+    """The way out for an argument that has another name here; "" for a word that says nothing."""
     written = keyword_name(keyword)
     lower = written.lower()
     if lower in names:

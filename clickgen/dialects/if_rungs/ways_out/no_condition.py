@@ -1,4 +1,4 @@
-"""Ways out for what stands in the place of a condition and is none: words of other machines, compared bits, chains."""
+"""Ways out for code in place of a condition that is not one: words of other machines, compared bits, chains."""
 
 from __future__ import annotations
 
@@ -30,6 +30,7 @@ from clickgen.dialects.if_rungs.read.nodes import (
 )
 from clickgen.dialects.if_rungs.read.operands import address_hint
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, advice
+from clickgen.dialects.if_rungs.ways_out.condition_parts import SIGNS
 from clickgen.dialects.if_rungs.ways_out.hints import (
     Fits,
     around_value,
@@ -44,7 +45,7 @@ from clickgen.dialects.if_rungs.ways_out.hints import (
     trade_advice,
     truth_of,
 )
-from clickgen.dialects.if_rungs.ways_out.meant import SIGNS, Meant, meant
+from clickgen.dialects.if_rungs.ways_out.meant import Meant, meant
 from clickgen.dialects.if_rungs.ways_out.no_call import routine_named
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.ir.operands import Immediate, Operand, Range
@@ -69,11 +70,11 @@ _NO_CALCULATION = (
     "and write dd.Result > 5"
 )
 _RANGE_MAX = 8
-"""Of a longer range a message does not name each address."""
+"""A message does not name each address of a longer range."""
 
 
 def way_out(context: Context, node: Node, fits: Fits) -> tuple[str, Fix | None]:
-    """The way out for an expression that is no condition, and a fix where the meaning is certain."""
+    """The way out for an expression that is not a condition, and a fix if the meaning is certain."""
     if context.is_trial:
         return "", None
     name = name_of(node)
@@ -86,9 +87,9 @@ def way_out(context: Context, node: Node, fits: Fits) -> tuple[str, Fix | None]:
     if len(readings) == 2:
         return f"in series write {readings[0].text}, in parallel {readings[1].text}", None
     if readings and is_literal(node):
-        return f"a condition stands without quotes: {readings[0].way_out}", None
+        return f"a condition has no quotes: {readings[0].way_out}", None
     if literal(node) is None:
-        return "a rung that always runs stands under if True:", None
+        return "put a rung that always runs under if True:", None
     if isinstance(node, cst.Lambda):
         text = own(context, node.body)
         return (f"lambda: is for the inputs of a box; write {text} alone" if fits(text) else ""), None
@@ -108,7 +109,7 @@ def way_out(context: Context, node: Node, fits: Fits) -> tuple[str, Fix | None]:
 
 
 def readings_of(context: Context, node: Node, fits: Fits) -> list[Meant]:
-    """What an expression can mean as a condition: one thing, for a list two; none where nothing is certain."""
+    """The possible meanings of an expression as a condition: one, two for a list, none if nothing is certain."""
     if isinstance(node, cst.Tuple | cst.List) and len(node.elements) > 1:
         terms = [meant(context, element, fits) for element in elements(node)]
         kept = [term for term in terms if term is not None and not term.before]
@@ -163,12 +164,12 @@ def _called(context: Context, node: cst.Call, fits: Fits) -> tuple[str, Fix | No
         found = advice(lower, ACTIONS)
         shown = spec.example if spec else found.code[0] if found and found.code else ""
         shown = own(context, node) if name in INSTRUCTIONS and node.args and own(context, node) else shown
-        return f"an action stands under the if, not in it: {shown}", None
+        return f"an action belongs under the if, not in it: {shown}", None
     return address_hint(node) or did_you_mean(name, _FUNCTIONS), None
 
 
 def _calculation(context: Context, node: cst.BinaryOperation, fits: Fits) -> tuple[str, Fix | None]:
-    """A sum in the place of a condition: most often a name with a sign in it."""
+    """A sum in place of a condition: most often a name with a sign in it."""
     left, right = node.left, name_of(node.right)
     if isinstance(node.operator, cst.Subtract) and isinstance(left, cst.Attribute) and right:
         return f"CLICK takes no - in a nickname: write {own(context, left)}_{right}", None
@@ -207,7 +208,7 @@ def unchained(context: Context, node: cst.Comparison, fits: Fits) -> tuple[str, 
 
 
 def _between(context: Context, operands: Sequence[Node]) -> str:
-    """What stands between the operands of a comparison, comments left out: its signs, and parentheses."""
+    """The text between the operands of a comparison without comments: its operators, and parentheses."""
     gaps: list[str] = []
     spans = [context.span(operand) for operand in operands]
     for one, other in pairwise(spans):
@@ -219,8 +220,8 @@ def _between(context: Context, operands: Sequence[Node]) -> str:
 
 
 class ComparedBit(NamedTuple):
-    """The way out for a bit that is compared. ``turned`` is the bit where its opposite is meant, which is for the judge
-    of fixes: a name may be that of a block."""
+    """The way out for a compared bit. ``turned`` is the bit if its opposite is meant, for the judge of
+    fixes: a name may be that of a block."""
 
     help: str
     fix: Fix | None = None
@@ -228,7 +229,7 @@ class ComparedBit(NamedTuple):
 
 
 def compared_bit(context: Context, node: cst.Comparison, fits: Fits) -> ComparedBit | None:
-    """The way out for a bit that is compared: with True, 0, "ON", another bit; None where no bit is."""
+    """The way out for a bit compared with True, 0, "ON" or another bit; None if there is no bit."""
     target = node.comparisons[0]
     left, right, sign = node.left, target.comparator, _COMPARED.get(target.operator.__class__, "")
     if bank_of(right) is not None and _is_bit(right) and not _is_bit(left):
@@ -267,7 +268,7 @@ def compared_bit(context: Context, node: cst.Comparison, fits: Fits) -> Compared
 
 
 def _compared_bits(node: Node, text: str, is_on: bool) -> str:
-    """The way out for ``c[1:3] == True``; all of them off and not all of them on are two things."""
+    """The way out for ``c[1:3] == True``: all of them off, and not all of them on, are different."""
     index = index_of(node) if isinstance(node, cst.Subscript) else None
     if is_on or not isinstance(index, cst.Slice):
         return f"write {text}" if is_on else bit_help(text)
@@ -292,7 +293,7 @@ def _is_bit(node: Node) -> bool:
 
 
 def searched(context: Context, node: cst.Comparison, fits: Fits) -> str:
-    """``ds.A in ds[1:50]`` by a search; "" for any other comparison."""
+    """A search for ``ds.A in ds[1:50]``; "" for any other comparison."""
     operator, span = node.comparisons[0].operator, node.comparisons[0].comparator
     if not isinstance(operator, cst.In | cst.NotIn) or not isinstance(span, cst.Subscript | cst.Attribute):
         return ""
@@ -305,7 +306,7 @@ def searched(context: Context, node: cst.Comparison, fits: Fits) -> str:
 
 
 def compared_condition(context: Context, node: cst.Comparison, fits: Fits) -> str:
-    """The way out for ``re(x[1]) == False``, and other conditions of which the language has no opposite."""
+    """The way out for ``re(x[1]) == False``, and other conditions without an opposite in the language."""
     operator, right = node.comparisons[0].operator, node.comparisons[0].comparator
     sides = [side for side in (node.left, right) if is_condition(side)]
     other = right if sides[0] is node.left else node.left
@@ -316,7 +317,7 @@ def compared_condition(context: Context, node: cst.Comparison, fits: Fits) -> st
 
 
 def compared_range(context: Context, node: cst.Comparison, side: Operand, fits: Fits) -> str:
-    """The way out for a range that is compared: a search for a text, each register by itself for numbers."""
+    """The way out for a compared range: a search for a text, each register by itself for numbers."""
     if isinstance(side, Immediate) or not isinstance(side, Range):
         return ""
     target = node.comparisons[0]

@@ -1,12 +1,12 @@
-"""Conditions in words and without them, which Python cannot read: ``ds.A between 1 and 5``, ``x[1] x[2]``."""
+"""Conditions in words or without any, which Python cannot read: ``ds.A between 1 and 5``, ``x[1] x[2]``."""
 
 from __future__ import annotations
 
 import re
 
 from clickgen.dialects.if_rungs.read.calls import fits_action
-from clickgen.dialects.if_rungs.ways_out.hints import BANK_NAMES
-from clickgen.dialects.if_rungs.ways_out.slip_kinds import Line, Told, after_head, condition_of, without
+from clickgen.dialects.if_rungs.ways_out.slip_line import Line, Told, after_head, condition_of, without
+from clickgen.ir.addresses import BANK_NAMES
 
 _BANKS = "|".join(sorted(BANK_NAMES, key=len, reverse=True))
 _ADDRESS = rf"\b(?:{_BANKS})(?:\[[^\[\]]{{1,60}}\]|\.[A-Za-z_]\w{{0,40}})"
@@ -125,4 +125,4 @@ def acted(line: Line, match: re.Match[str]) -> Told | None:
         return None
     way = condition_of(line, test)
     is_right = way.startswith("write if ")
-    return Told("an action stands under its condition", f"{way} {action}", spans[0]) if is_right else None
+    return Told("an action belongs under its condition", f"{way} {action}", spans[0]) if is_right else None

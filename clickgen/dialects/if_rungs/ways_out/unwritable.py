@@ -1,4 +1,4 @@
-"""What no program writes: inputs, bits of timers and counters, CLICK's own points; and what to write in their place."""
+"""Addresses that no program writes: inputs, bits of timers and counters, CLICK's own points; what to use instead."""
 
 from __future__ import annotations
 
@@ -10,14 +10,16 @@ from clickgen.device.banks import CURRENT_VALUE_OF, READ_ONLY, Bank
 from clickgen.device.system import WRITABLE_SC, WRITABLE_SD, system_nicknames
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import Node, index_of, name_of, text_value, whole_number, word
-from clickgen.dialects.if_rungs.ways_out.hints import bank_of, own, reset_hint
+from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
+from clickgen.dialects.if_rungs.ways_out.hints import bank_of, own
+from clickgen.dialects.ways_out import counting, instead_of, reset_hint
+from clickgen.instructions import INSTRUCTIONS
 
 _WRITABLE = {"SC": WRITABLE_SC, "SD": WRITABLE_SD}
-_CLOCK = re.compile(r"_RTC_(?!New_)", re.IGNORECASE)
 
 
 def why_unwritable(node: Node) -> str:
-    """What an address is that no instruction writes: ``an input``; "" for one that can be written."""
+    """The description of an address that no instruction writes: ``an input``; "" for one that can be written."""
     bank = bank_of(node)
     if bank is None:
         return ""
@@ -46,39 +48,11 @@ def _name_of(node: Node) -> str:
 
 
 def instead(context: Context, node: Node, action: str, value: str = "") -> str:
-    """What to write in the place of an address that nothing writes: ``instead_of`` for a node."""
+    """The code to write instead of an address that nothing writes: ``instead_of`` for a node."""
     bank = bank_of(node)
     assert bank is not None
-    return instead_of(bank.name, own(context, node), action, value, _name_of(node))
-
-
-def instead_of(
-    bank: str, shown: str, action: str, value: str = "", name: str = "", owners: frozenset[str] = frozenset()
-) -> str:
-    """What to write in the place of an address that nothing writes. It is shown as the program writes it.
-
-    ``action`` is the instruction that is to write it, and ``value`` the number or address that a copy has for it.
-    ``owners`` are the instructions of a timer, where they are known.
-    """
-    if bank in ("T", "CT"):
-        if action not in ("set", "out"):
-            return reset_hint(bank, shown, owners)
-        box = f"ton({shown}, setpoint=5, unit=Ts)" if bank == "T" else f"ctu({shown}, setpoint=10).reset(c.Clear)"
-        what = "timer" if bank == "T" else "counter"
-        return f"its {what} alone turns it on, {box}; turn on a bit of the program, {action}(c.Name)"
-    written = f"{action}({{}}.Name)" if action in ("set", "reset", "out") else f"copy({value or 'c.A'}, {{}}.Name)"
-    if bank == "X":
-        output, bit = written.format("y"), written.format("c")
-        return f"an input follows its terminal; write an output, {output}, or a bit of the program, {bit}"
-    if bank == "SC":
-        return f"write a bit of the program: {written.format('c')}"
-    if bank == "XD":
-        return f"an input word follows its terminals; write a register of the program: copy({value or shown}, dh.Name)"
-    new = system_nicknames().get(_CLOCK.sub("_RTC_New_", name).lower()) if _CLOCK.match(name) else None
-    if new is not None and new[1].number in WRITABLE_SD:
-        text = f"sd.{new[0]}" if new[0].isidentifier() else f'sd["{new[0]}"]'
-        return f"CLICK's clock shows its time there; what it is set to goes to {text}: copy({value or '0'}, {text})"
-    return f"write a register of the program: copy({value or '0'}, ds.Name)"
+    spec = INSTRUCTIONS[action]
+    return instead_of(IfRungsSpelling(), bank.name, own(context, node), spec, value, _name_of(node))
 
 
 def is_known_owner(context: Context, node: Node) -> bool:
@@ -96,17 +70,17 @@ def _owner(context: Context, node: Node) -> str:
 
 
 def of_current_value(context: Context, node: Node, value: str) -> str:
-    """The way out where somebody resets or starts a timer by its current value: ``reset(td.A)``, ``td.A = 0``."""
+    """The way out when somebody resets or starts a timer by its current value: ``reset(td.A)``, ``td.A = 0``."""
     bank, shown = bank_of(node), own(context, node)
     assert bank is not None
     owner, written = _owner(context, node), f"copy({value}, {shown})"
     is_timer = bank.name == "TD"
     if value == "0":
-        hint = reset_hint(CURRENT_VALUE_OF[bank.name], owner)
+        hint = reset_hint(IfRungsSpelling(), CURRENT_VALUE_OF[bank.name], owner)
         alone = f"its current value alone is cleared with {written}"
         return f"{alone}; {hint}" if is_known_owner(context, node) else f"{hint}; then {alone}"
     if is_known_owner(context, node):
         return f"write {written}"
-    box = f"ton({owner}, setpoint=5, unit=Ts)" if is_timer else f"ctu({owner}, setpoint=10).reset(c.Clear)"
+    box = counting(IfRungsSpelling(), CURRENT_VALUE_OF[bank.name], owner)
     what = "timer" if is_timer else "counter"
     return f"a {what} counts by itself, {box}, and then its current value is written with {written}"

@@ -1,1 +1,1 @@
-"""A program written as a person would."""
+"""Writes a program as a person would."""

@@ -1,44 +1,22 @@
-"""The names of a program that has no address table beside it, declared in the program."""
+"""Declares in the program the names of a program that has no address table beside it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address, Kind
-from clickgen.device.system import find_system_name
+from clickgen.device.banks import BANKS, Kind
 from clickgen.dialects.if_rungs.write.expressions import operand_text, quoted
 from clickgen.dialects.if_rungs.write.layout import Atom, Brackets, Keyword, Piece, lines
-from clickgen.dialects.if_rungs.write.nicknames import Nicknames
-from clickgen.ir.operands import Cell, Immediate, Named
-from clickgen.ir.program import Routine
-from clickgen.ir.walk import rung_operands
+from clickgen.ir.operands import Cell, Named
 from clickgen.table.rows import Row, default_row, initial_fault
 from clickgen.text.source import Span
 
 _HERE = Span("", 1, 1, 1, 2)
 
 
-def declarations(routines: Iterable[Routine], nicknames: Nicknames) -> str:
-    """``nickname(c.Run, c[7])`` for every name of the table that these routines are written with."""
-    used: set[Address] = set()
-    for routine in routines:
-        for operand in (operand for rung in routine.rungs for operand in rung_operands(rung)):
-            cell = operand.target if isinstance(operand, Immediate) else operand
-            if isinstance(cell, Cell):
-                used.add(cell.address)
-                bit = CURRENT_VALUE_OF.get(cell.bank)
-                if bit and cell.address not in nicknames.names:
-                    used.add(Address(bit, cell.address.number))
-    rows = [row for row in nicknames.table.rows if row.address in used and not _is_known(row)]
-    rows = [row for row in rows if row.nickname and nicknames.names.get(row.address) == row.nickname]
-    rows.sort(key=lambda row: row.address.sort_key)
+def declarations(rows: Iterable[Row]) -> str:
+    """``nickname(c.Run, c[7])`` for each of these rows."""
     return "\n".join(line for row in rows for line in lines(_declaration(row), 0))
-
-
-def _is_known(row: Row) -> bool:
-    """True for a name of CLICK's own that means this address without a declaration."""
-    own = find_system_name(row.nickname)
-    return own is not None and own[1] == row.address
 
 
 def _declaration(row: Row) -> Piece:

@@ -9,13 +9,15 @@ from clickgen.click.draw.tokens import real_token
 from clickgen.device.banks import CURRENT_VALUE_OF, Address
 from clickgen.dialects.if_rungs.write.layout import Atom, Brackets, Comparison, Keyword, Piece
 from clickgen.formula import print_source
-from clickgen.instructions.data import SEARCH
 from clickgen.instructions.spec import Param, ParamKind
-from clickgen.ir.conditions import EDGE_FUNCTIONS, All, Always, Any, Compare, Condition
+from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Edge
 from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget, Target, TcpTarget
 from clickgen.ir.operands import Cell, CharCode, Hex, Immediate, Integer, Named, Operand, Pointer, Range, Real, Text
 from clickgen.ir.program import Action, FormulaText, KeptToken, Operands, Options, Pattern, Word
 from clickgen.ir.walk import Rewriter
+
+EDGE_FUNCTIONS = {Edge.RISE: "re", Edge.FALL: "fe"}
+"""How the language writes a contact on an edge."""
 
 Names = Mapping[Address, str]
 """The nicknames to write in place of addresses."""
@@ -36,9 +38,10 @@ class WithNames(Rewriter):
         return cell if name is None else Named(cell.bank, name, cell.span)
 
     def action(self, action: Action) -> Action:
-        """The ends of a search keep their numbers where only one has a name: then they are written as a slice."""
+        """Keep the numbers of a search's ends if only one has a name: then they are written as a slice."""
         changed = super().action(action)
-        ends = [name for name in ("start", "end") if action.spec is SEARCH]
+        finds = action.effects.finds
+        ends = (finds.start, finds.end) if finds is not None else ()
         if all(isinstance(changed.args[name], Named) for name in ends):
             return changed
         return Action(action.spec, {**changed.args, **{name: action.args[name] for name in ends}}, action.span)
@@ -77,7 +80,7 @@ def operand_text(operand: Operand) -> str:
 
 
 def quoted(text: str) -> str:
-    """A text as a literal: in double quotes, unless single ones save escapes."""
+    """Return a text as a literal: in double quotes, unless single ones save escapes."""
     escaped = "".join(map(_escaped, text))
     if '"' in escaped and "'" not in escaped:
         return f"'{escaped}'"
@@ -116,7 +119,7 @@ def action_piece(action: Action) -> Piece:
     name = action.spec.name
     if name in ("return", "pass"):
         return Atom(name)
-    parts = _search_parts(action) if action.spec is SEARCH else list(_parts(action))
+    parts = _search_parts(action) if action.effects.finds is not None else list(_parts(action))
     return Brackets(f"{name}(", tuple(parts), ")")
 
 
@@ -150,7 +153,7 @@ def _search_parts(action: Action) -> list[Piece]:
 
 
 def value_piece(action: Action, param: Param) -> Piece:
-    """One argument; those of a pin aside."""
+    """One argument, except those of a pin."""
     value = action.args[param.name]
     if isinstance(value, Operand):
         return Atom(operand_text(value))
@@ -166,7 +169,7 @@ def value_piece(action: Action, param: Param) -> Piece:
     if isinstance(value, Target):
         return _target_piece(value)
     if isinstance(value, Remote):
-        return _remote_piece(value)
+        return remote_piece(value)
     if isinstance(value, KeptToken):
         return Atom(quoted(value.text))
     assert isinstance(value, Word)
@@ -200,7 +203,8 @@ def _target_piece(target: Target) -> Piece:
     return Brackets("ModbusRtuTarget(", tuple(map(Atom, parts)), ")")
 
 
-def _remote_piece(remote: Remote) -> Piece:
+def remote_piece(remote: Remote) -> Piece:
+    """An address of another device."""
     if isinstance(remote, RemoteCell):
         return Atom(f'"{remote.address}"')
     assert isinstance(remote, RemoteModbus)

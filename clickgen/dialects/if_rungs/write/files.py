@@ -1,4 +1,4 @@
-"""Routines to the texts of a program's files: one for all, or one for each subroutine."""
+"""Writes routines as the texts of a program's files: one for all, or one for each subroutine."""
 
 from __future__ import annotations
 

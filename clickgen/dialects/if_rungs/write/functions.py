@@ -26,26 +26,26 @@ RESERVED = frozenset(
         *_OTHERS,
         *keyword.kwlist,
         *keyword.softkwlist,
-        # What a site adds, such as exit, is no built-in function.
+        # Functions that a site adds, such as exit, are not built in.
         *(name for name, value in vars(builtins).items() if isinstance(value, type | BuiltinFunctionType)),
     )
 )
-"""Words that mean something else: those of the language and Python's own."""
+"""Words with another meaning: those of the language and Python's own."""
 
 
 def function_name(name: str, taken: Collection[str]) -> str:
-    """The function for a subroutine: its own name where Python and the language have no other use for it.
+    """Return the function for a subroutine: its own name if Python and the language have no other use for it.
 
-    ``Auto Mode`` is ``Auto_Mode``, ``2nd-Line`` is ``sub_2nd_Line``, ``reset`` is ``reset_``. One that is ``taken``,
-    capital letters aside, gets a number, since it may be the name of a file as well. The same names in the same order
-    have the same functions.
+    ``Auto Mode`` is ``Auto_Mode``, ``2nd-Line`` is ``sub_2nd_Line``, ``reset`` is ``reset_``. A name that is ``taken``,
+    whatever its case, gets a number, since it may be the name of a file as well. The same names in the same order
+    get the same functions.
     """
     word = re.sub(r"[^A-Za-z0-9_]+", "_", name)
     if not word.strip("_"):
         word = "sub"
     if word[0].isdigit():
         word = f"sub_{word}"
-    if word in RESERVED:
+    if word in RESERVED or word in INSTRUCTIONS:
         word = f"{word}_"
     others = {other.lower() for other in taken}
     numbered = (f"{word.rstrip('_')}_{number}" for number in count(2))

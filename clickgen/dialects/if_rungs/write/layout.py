@@ -1,4 +1,4 @@
-"""Source text laid out as ``ruff format`` does it: on one line where it fits, else inside its brackets."""
+"""Lays out source text as ``ruff format`` does: on one line if it fits, else inside its brackets."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ INDENT = "    "
 
 @dataclass(frozen=True, slots=True)
 class Atom:
-    """What is never divided."""
+    """A piece that is never divided."""
 
     text: str
 
 
 @dataclass(frozen=True, slots=True)
 class Brackets:
-    """``all(...)`` or ``[...]``: parts between an opening, which includes what stands before it, and a closing."""
+    """``all(...)`` or ``[...]``: parts between an opening, with the text before it, and a closing."""
 
     opening: str
     parts: tuple[Piece, ...]
@@ -34,7 +34,7 @@ class Keyword:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """``ds.Level >= ds.High``, which may be divided in front of its operator."""
+    """``ds.Level >= ds.High``, which may be divided before its operator."""
 
     left: str
     op: str
@@ -45,7 +45,7 @@ Piece = Atom | Brackets | Keyword | Comparison
 
 
 def flat(piece: Piece) -> str:
-    """On one line."""
+    """Return a piece on one line."""
     if isinstance(piece, Atom):
         return piece.text
     if isinstance(piece, Keyword):
@@ -56,7 +56,7 @@ def flat(piece: Piece) -> str:
 
 
 def lines(piece: Piece, depth: int, before: str = "", after: str = "") -> list[str]:
-    """The lines of a piece at a depth of indentation, with what stands before it and behind it."""
+    """Return the lines of a piece at a depth of indentation, with the text before and after it."""
     indent = INDENT * depth
     whole = f"{indent}{before}{flat(piece)}{after}"
     if len(whole) <= WIDTH or isinstance(piece, Atom):
@@ -69,9 +69,9 @@ def lines(piece: Piece, depth: int, before: str = "", after: str = "") -> list[s
 
 
 def _inside(piece: Brackets, depth: int) -> list[str]:
-    """The parts of brackets that do not fit on one line: the arguments of a call on one of their own, or one each.
+    """Return the parts of brackets that do not fit on one line: the arguments of a call on one line, or on one each.
 
-    An only argument that cannot be divided has no comma behind it.
+    A single argument that cannot be divided has no comma after it.
     """
     together = f"{INDENT * depth}{', '.join(map(flat, piece.parts))}"
     is_only_atom = len(piece.parts) == 1 and isinstance(piece.parts[0], Atom)
@@ -81,7 +81,7 @@ def _inside(piece: Brackets, depth: int) -> list[str]:
 
 
 def _divided(piece: Comparison, depth: int, before: str, after: str) -> list[str]:
-    """A comparison in two lines: as an argument without brackets, behind ``if`` and ``lambda:`` with them."""
+    """Return a comparison in two lines: as an argument without brackets, after ``if`` and ``lambda:`` with them."""
     indent = INDENT * depth
     if not before:
         return [f"{indent}{piece.left}", f"{indent}{piece.op} {piece.right}{after}"]

@@ -1,4 +1,4 @@
-"""Routines to the text of a program, laid out as ``ruff format`` does it."""
+"""Writes routines as the text of a program, laid out as ``ruff format`` does."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from clickgen.dialects.if_rungs.write.expressions import (
     value_piece,
 )
 from clickgen.dialects.if_rungs.write.layout import INDENT, Brackets, Keyword, Piece, lines
-from clickgen.instructions.control import CALL
+from clickgen.instructions.effects import Flow
 from clickgen.ir.program import Action, Branch, Item, Loop, Routine, Rung, Value, Word
 from clickgen.ir.walk import Rewriter
 
@@ -27,9 +27,9 @@ NO_FUNCTIONS: Functions = {}
 def write_source(
     routines: Iterable[Routine], names: Names = NO_NAMES, header: str = "", functions: Functions = NO_FUNCTIONS
 ) -> str:
-    """The text of a file with these routines; ``names`` are the nicknames to write in place of addresses.
+    """Return the text of a file with these routines; ``names`` are the nicknames to write in place of addresses.
 
-    ``header`` stands above: a docstring, imports, declarations. ``functions`` are those that it imports.
+    ``header`` goes above: a docstring, imports, declarations. ``functions`` are those that it imports.
     """
     routines = tuple(routines)
     functions = {**functions, **functions_of(routines)}
@@ -39,12 +39,12 @@ def write_source(
 
 
 def functions_of(routines: Iterable[Routine]) -> Functions:
-    """How the source calls these routines, by CLICK's names."""
+    """The functions of these routines in the source, by CLICK's names."""
     return {routine.name: routine.function for routine in routines if not routine.is_main}
 
 
 def routine_lines(routine: Routine, names: Names = NO_NAMES, functions: Functions = NO_FUNCTIONS) -> list[str]:
-    """A routine, blank lines between its rungs."""
+    """Return the lines of a routine, with blank lines between its rungs."""
     title = "" if routine.function == routine.name else f"({quoted(routine.name)})"
     head = [f"def {routine.function}():"]
     rungs = _WithFunctions(functions).rungs(WithNames(names).rungs(routine.rungs))
@@ -58,9 +58,9 @@ class _WithFunctions(Rewriter):
         self._functions = functions
 
     def action(self, action: Action) -> Action:
-        if action.spec is not CALL:
+        if action.effects.flow is not Flow.CALL:
             return action
-        return Action(CALL, {name: self.value(value) for name, value in action.args.items()}, action.span)
+        return Action(action.spec, {name: self.value(value) for name, value in action.args.items()}, action.span)
 
     def value(self, value: Value) -> Value:
         function = self._functions.get(str(value.value)) if isinstance(value, Word) else None
@@ -68,7 +68,7 @@ class _WithFunctions(Rewriter):
 
 
 def comment_lines(comment: str, depth: int = 0) -> list[str]:
-    """A rung comment as the block that is read as the same comment, but for spaces at the ends of lines."""
+    """Return a rung comment as the block that reads as the same comment, except for spaces at the ends of lines."""
     shown = [line.rstrip() for line in comment.split("\n")]
     if shown == [""]:
         return []
@@ -76,7 +76,7 @@ def comment_lines(comment: str, depth: int = 0) -> list[str]:
 
 
 def rung_lines(rungs: Sequence[Rung], depth: int = 0) -> list[str]:
-    """Rungs with blank lines between them; addresses are written as they stand in the rungs."""
+    """Return rungs with blank lines between them; addresses are written as they are in the rungs."""
     written: list[str] = []
     for rung in rungs:
         written += [""] if written else []
