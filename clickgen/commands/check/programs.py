@@ -14,7 +14,7 @@ from clickgen.commands.check.judging import Judge
 from clickgen.config import Config
 from clickgen.dialects.discover import Target, discover, partly_judged, wholly_judged
 from clickgen.dialects.registry import dialect_of
-from clickgen.problems.codes import CODES, LEFT
+from clickgen.problems.codes import CODES, LEFT, waits_for_errors
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.rules.select import Selection
 from clickgen.text.edits import Fix
@@ -227,7 +227,7 @@ def _judged_codes(request: Request, path: str, judged: Mapping[Target, Cached]) 
     whole = not any(
         finding.is_error for cached in judged.values() if path in cached.sources for finding in cached.findings
     )
-    return [code for code in CODES if request.selection.wants(code) and (whole or not code.startswith("CG5"))]
+    return [code for code in CODES if request.selection.wants(code) and (whole or not waits_for_errors(code))]
 
 
 # -- fixing -----------------------------------------------------------------------------------------------------------
