@@ -53,7 +53,7 @@ def _hook(event: str, arguments: tuple[object, ...]) -> None:
     is_written = isinstance(flags, int) and flags & (os.O_WRONLY | os.O_RDWR)
     frames = list(_callers(sys._getframe(1)))
     # To open with an opener is two events, and the second one is counted.
-    if is_written or not frames or frames[0] in ("workspace.py read_file", "workspace.py read_start"):
+    if is_written or not frames or frames[0] in ("workspace/disk.py read_file", "workspace/disk.py read_start"):
         return
     if not path.startswith(os.getcwd() + os.sep):
         return
