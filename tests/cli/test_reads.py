@@ -115,11 +115,13 @@ COMMANDS = (
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-@pytest.mark.parametrize("is_edited", [False, True], ids=["as built", "edited"])
-def test_a_file_is_read_once(project: Path, command: str, is_edited: bool) -> None:
-    """Also where something is to be told and written: a name is new, and one has left."""
+@pytest.mark.parametrize("state", ["as built", "edited", "run before"])
+def test_a_file_is_read_once(project: Path, command: str, state: str) -> None:
+    """Also if there is something to tell and to write (a name is new, one has left), and out of the memory."""
     global _watched
-    if is_edited:
+    if state == "run before":
+        main(command.split())
+    if state == "edited":
         program = project / "plc.py"
         program.write_text(program.read_text().replace("c.Motor)", "c.Engine)"))
         (project / "build" / "plc" / "listing.txt").write_text("")
