@@ -8,6 +8,7 @@ from __future__ import annotations
 import csv
 import io
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -454,6 +455,8 @@ def _in_other_process(folder: Path, seed: str, program: dict[str, str]) -> dict[
         check=True,
         capture_output=True,
     )
+    # What is remembered of a file is named by its place and signed for one user.
+    shutil.rmtree(folder / ".clickgen_cache")
     return {
         path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()
     }
