@@ -129,9 +129,7 @@ def _resolve(state: Build) -> None:
 def _judge_fixes(state: Build) -> None:
     if state.program is not None and state.resolved is not None:
         is_part = state.settings.is_part
-        judge_proposals(
-            state.program.proposals, state.resolved, state.sources, state.dialect.spell, state.problems, is_part
-        )
+        judge_proposals(state.program.proposals, state.resolved, state.sources, state.dialect, state.problems, is_part)
 
 
 def _lay_out(state: Build) -> None:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import libcst as cst
 
 from clickgen.device.banks import CURRENT_VALUE_OF, VALUE_BANK, Bank, Kind
-from clickgen.dialects.if_rungs.fix.rewrite import python_logic
+from clickgen.dialects.if_rungs.fix.logic import python_logic
 from clickgen.dialects.if_rungs.read.calls import fits_action
 from clickgen.dialects.if_rungs.read.conditions import as_condition, fits_condition, rewrites
 from clickgen.dialects.if_rungs.read.context import Context
