@@ -277,6 +277,10 @@ class Mender(ABC):
     def proposed(self, proposal: Proposal) -> Written | None:
         """The fix of a proposal as the reader left it, with names; None where there is none to write."""
 
+    @abstractmethod
+    def without_terms(self, terms: Sequence[Span]) -> tuple[Edit, ...] | None:
+        """The edits that take these terms out of a condition; None if more than the terms would go."""
+
 
 class NamePlaces(ABC):
     """Where names are written in one file."""

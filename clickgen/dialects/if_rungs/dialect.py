@@ -65,12 +65,12 @@ class IfRungs(Dialect):
         return _ROUTINE.findall(source.text)
 
     def places(self, source: SourceFile, formulas: Sequence[FormulaText]) -> NamePlaces:
-        from clickgen.dialects.if_rungs.read.names import FilePlaces
+        from clickgen.dialects.if_rungs.fix.names import FilePlaces
 
         return FilePlaces(source, formulas)
 
     def comments_with(self, source: SourceFile, word: str) -> int:
-        from clickgen.dialects.if_rungs.read.names import comments_with
+        from clickgen.dialects.if_rungs.fix.names import comments_with
 
         return comments_with(source, word)
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import libcst as cst
 
 from clickgen.dialects.base import Mender, Written
 from clickgen.dialects.if_rungs.fix.logic import in_language
+from clickgen.dialects.if_rungs.fix.repeats import without_terms
 from clickgen.dialects.if_rungs.fix.statement import Statements
 from clickgen.dialects.if_rungs.read.nodes import called, on_one_line
 from clickgen.dialects.if_rungs.write.expressions import EDGE_FUNCTIONS
@@ -14,7 +17,7 @@ from clickgen.ir.proposals import Alternative, Proposal, Rewrite
 from clickgen.ir.walk import condition_operands
 from clickgen.logic.conditions import terms_of
 from clickgen.text.edits import Edit
-from clickgen.text.source import SourceFile
+from clickgen.text.source import SourceFile, Span
 
 
 class IfRungsMender(Mender):
@@ -25,6 +28,9 @@ class IfRungsMender(Mender):
 
     def proposed(self, proposal: Proposal) -> Written | None:
         return written(self._statements, proposal)
+
+    def without_terms(self, terms: Sequence[Span]) -> tuple[Edit, ...] | None:
+        return without_terms(self._statements, terms)
 
 
 def written(statements: Statements, proposal: Proposal) -> Written | None:

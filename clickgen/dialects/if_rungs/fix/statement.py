@@ -42,6 +42,11 @@ class Statements:
         """The ``if``, ``elif`` or ``else`` that begins with this word."""
         return self._read(word.line).heads.get((word.line, word.col))
 
+    def holders(self, line: int) -> list[cst.Call | cst.List | cst.Tuple]:
+        """The calls and lists of the statement in this line."""
+        kinds = cst.Call | cst.List | cst.Tuple
+        return [node for node in self._read(line).expressions.values() if isinstance(node, kinds)]
+
     def edit(self, old: cst.BaseExpression, new: cst.BaseExpression) -> Edit | None:
         """The edit that puts an expression in the place of one of the statement that was read last.
 
