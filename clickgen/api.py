@@ -54,10 +54,10 @@ def build(
     )
 
 
-def build_all(programs: Iterable[tuple[str, Settings]]) -> list[BuildResult]:
+def build_all(programs: Iterable[tuple[str, Settings]], workspace: Workspace | None = None) -> list[BuildResult]:
     """Build programs one after the other, each with the address table that those before it made of theirs."""
     results: list[BuildResult] = []
-    files = Workspace()
+    files = workspace or Workspace()
     for path, settings in programs:
         result = build(path, settings=settings, workspace=files)
         if result.ok:

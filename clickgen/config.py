@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.table.names import TABLE_NAME, is_workbook
-from clickgen.workspace import MIB, CouldNotRun, read_file
+from clickgen.workspace import MIB, CouldNotRun, Workspace
 
 if TYPE_CHECKING:
     from clickgen.device.banks import Address
@@ -97,22 +97,23 @@ class Config(NamedTuple):
         return ProgramSettings(path)
 
 
-def find_config(start: Path) -> Config:
+def find_config(start: Path, files: Workspace | None = None) -> Config:
     """Return the settings for the folder ``start``: the nearest file upward. Raises ConfigError."""
+    files = files or Workspace()
     for folder in (start.absolute(), *start.absolute().parents):
         for name in (OWN_FILE, PROJECT_FILE):
             path = folder / name
             # Whoever reads it refuses an entry that is not a file: a pipe or a device has no settings.
             if path.exists() and not path.is_dir():
-                config = _read(path, optional=name == PROJECT_FILE)
+                config = _read(path, files, optional=name == PROJECT_FILE)
                 if config is not None:
                     return config
     return Config(start)
 
 
-def read_config(path: Path) -> Config:
+def read_config(path: Path, files: Workspace | None = None) -> Config:
     """Return the settings in a named file. Raises ConfigError, also if a project file has none for clickgen."""
-    config = _read(path, optional=False)
+    config = _read(path, files or Workspace(), optional=False)
     assert config is not None
     return config
 
@@ -138,11 +139,11 @@ def code_prefix(value: object) -> str:
 T = TypeVar("T")
 
 
-def _read(path: Path, optional: bool) -> Config | None:
+def _read(path: Path, files: Workspace, optional: bool) -> Config | None:
     import tomllib
 
     try:
-        text = read_file(path, _FILE_MAX).decode("utf-8-sig")
+        text = files.read(path, _FILE_MAX).decode("utf-8-sig")
         tree: object = tomllib.loads(text.replace("\r\n", "\n").replace("\r", "\n"))
     except OSError as error:
         raise ConfigError(f"{path} cannot be read: {error.strerror or error}") from None

@@ -10,11 +10,10 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain, tell
-from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
+from clickgen.cli.jobs import Job, Run, near
 from clickgen.commands.nicknames.elsewhere import build_among
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.problems.name_slips import Spellings
@@ -25,7 +24,7 @@ from clickgen.table.rows import Row
 from clickgen.text.lock import locked
 from clickgen.text.wording import counted
 from clickgen.text.write import ChangedMeanwhile
-from clickgen.workspace import CouldNotRun, read_file
+from clickgen.workspace import CouldNotRun, Workspace
 
 _NAMES_MAX = 8
 """A build lists this many new names."""
@@ -51,53 +50,59 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="the address table, or a workbook with lists of addresses (default: nicknames.csv beside the program)",
     )
     parser.add_argument("--frozen", action="store_true", help="choose no address; fail where one is missing")
+    parser.add_argument("--no-cache", action="store_true", help="read everything anew, and remember nothing")
     parser.add_argument("--config", metavar="FILE", help="the settings: clickgen.toml or pyproject.toml")
 
 
 def run(options: argparse.Namespace) -> int:
     """Build and write one program or, without one, every configured one, all of them or none; return the exit code."""
-    jobs = _jobs(options.program, options.output, options.nicknames, options.frozen, options.config)
-    settle(jobs, options.config)
-    results = _built(jobs, options.config)
+    this = Run(options.config)
+    if not options.no_cache:
+        this.remember()
+    jobs = _jobs(this, options.program, options.output, options.nicknames, options.frozen)
+    this.settle(jobs)
+    results = _built(jobs, this)
     if not all(result.ok for result in results):
         complain(f"{_summary(results)}; nothing was written")
         return PROBLEMS
     for job, result in zip(jobs, results, strict=True):
-        tell(*_report(result, job, options.config))
+        tell(*_report(result, job, this))
     return OK
 
 
 _TRIES = 5
 
 
-def _built(jobs: Sequence[Job], config: str | None) -> list[BuildResult]:
+def _built(jobs: Sequence[Job], this: Run) -> list[BuildResult]:
     """Build and write; if a table changed in between, again, now with the folders locked against other builds."""
     told: set[Diagnostic] = set()
+    files = this.files
     with ExitStack() as stack:
         for left in reversed(range(_TRIES)):
-            results = build_among(jobs, partial(settings_of, config))
+            results = build_among(jobs, lambda: this.settings, files)
             # The table is shown as it was read, so before anything is written.
             for result in results:
-                write_problems((each for each in result.diagnostics if each not in told), result.sources, sys.stderr)
+                news = [each for each in result.diagnostics if each not in told]
+                write_problems(news, result.sources, sys.stderr, files)
                 told.update(result.diagnostics)
             if not all(result.ok for result in results):
                 break
             try:
                 write_all([(result, job.folder) for job, result in zip(jobs, results, strict=True)])
+                files.memory.save()
                 break
             except ChangedMeanwhile:
                 if not left:
                     raise
+                files = Workspace(memory=files.memory)  # Somebody wrote a table after it was read.
                 stack.enter_context(locked(folder for job in jobs for folder in job.folders[1:] if folder.is_dir()))
     return results
 
 
-def _jobs(
-    program: str | None, output: str | None, nicknames: str | None, frozen: bool, config: str | None
-) -> list[Job]:
+def _jobs(this: Run, program: str | None, output: str | None, nicknames: str | None, frozen: bool) -> list[Job]:
     if output == "":
         raise CouldNotRun("the output folder after -o is empty")
-    found = jobs([program] if program is not None else [], nicknames, frozen, config)
+    found = this.jobs([program] if program is not None else [], nicknames, frozen)
     if len(found) > 1 and (output or nicknames):
         raise CouldNotRun("several programs are configured: -o and --nicknames go with one, so name it")
     if output:
@@ -109,7 +114,7 @@ def _jobs(
     return found
 
 
-def _report(result: BuildResult, job: Job, config: str | None) -> list[str]:
+def _report(result: BuildResult, job: Job, this: Run) -> list[str]:
     folder = job.folder
     main, subroutines = result.main, result.subroutines
     counts = [f"{counted(len(main.rungs), 'rung')} in main"]
@@ -121,7 +126,7 @@ def _report(result: BuildResult, job: Job, config: str | None) -> list[str]:
     if new:
         lines.append(f"{counted(len(new), 'new address', 'new addresses')} in {result.table_path}: commit it.")
         lines += _new_names(result)
-        lines += _shared(result, job, config)
+        lines += _shared(result, job, this)
     noted = _summary([result])
     if noted:
         lines.append(f"{noted[0].upper() + noted[1:]} above.")
@@ -163,20 +168,20 @@ def _new_names(result: BuildResult) -> list[str]:
 _MAIN = re.compile(rb"^def main\(", re.MULTILINE)
 
 
-def _shared(result: BuildResult, job: Job, config: str | None) -> Iterator[str]:
+def _shared(result: BuildResult, job: Job, this: Run) -> Iterator[str]:
     """How to separate two programs that share a table because nobody named one.
 
     If the settings name both, somebody has decided it.
     """
     if job.settings.nicknames is not None:
         return
-    configured = {os.path.realpath(program.path) for program in settings_of(config).programs}
+    configured = {os.path.realpath(program.path) for program in this.settings.programs}
     is_configured = os.path.realpath(result.program) in configured
     own = {os.path.realpath(source.path) for source in result.sources}
     for path in sorted(result.program.parent.glob("*.py")):
         if is_configured and os.path.realpath(path) in configured:
             continue
-        if os.path.realpath(path) not in own and path.is_file() and _MAIN.search(read_file(path)):
+        if os.path.realpath(path) not in own and path.is_file() and _MAIN.search(this.files.read(path)):
             copy = near(result.program).with_suffix(".csv")
             yield f"{near(path)} has this table too. For two PLCs copy it to {copy}, and name that in clickgen.toml:"
             yield f"  {own_table_setting(near(result.program))}"

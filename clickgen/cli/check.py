@@ -24,7 +24,7 @@ from clickgen.problems.formats import FORMATS
 from clickgen.problems.report import Report, render, shown_path, use_color
 from clickgen.rules.select import Selection
 from clickgen.text.wording import counted, escaped
-from clickgen.workspace import READ_MAX, CouldNotRun, require_size
+from clickgen.workspace import READ_MAX, CouldNotRun, Workspace, require_size
 
 if TYPE_CHECKING:
     from clickgen.commands.check.baseline import Baseline
@@ -95,12 +95,13 @@ def _codes(text: str) -> list[str]:
 def run(options: argparse.Namespace) -> int:
     """Check what the command line names; return the exit code."""
     _refuse_contradictions(options)
-    config = read_config(Path(options.config)) if options.config else find_config(Path.cwd())
+    files = Workspace()
+    config = read_config(Path(options.config), files) if options.config else find_config(Path.cwd(), files)
     _refuse_input(options, _inputs(options, config))
     if options.fix or options.add_ignore:
         _put_back(options, config)
     with _progress() as progress:
-        request = _request(options, config, progress)
+        request = _request(options, config, files, progress)
         outcome = run_check(request, options.fix or options.diff, options.unsafe_fixes)
     _refuse_input(options, outcome.checked)
     for folder in outcome.empty:
@@ -202,7 +203,9 @@ def _is_same(path: str | os.PathLike[str], place: str) -> bool:
     return os.path.exists(path) and os.path.exists(place) and os.path.samefile(path, place)
 
 
-def _request(options: argparse.Namespace, config: Config, progress: Callable[[int, int], None]) -> Request:
+def _request(
+    options: argparse.Namespace, config: Config, files: Workspace, progress: Callable[[int, int], None]
+) -> Request:
     settings = config.check
     select = _joined(options.select)
     selection = Selection(
@@ -224,8 +227,9 @@ def _request(options: argparse.Namespace, config: Config, progress: Callable[[in
         not options.no_cache,
         stdin,
         progress,
-        _baseline(Path(options.baseline)) if options.baseline else None,
-        partial(_named_elsewhere, config),
+        _baseline(Path(options.baseline), files) if options.baseline else None,
+        partial(_named_elsewhere, config, files),
+        files,
     )
 
 
@@ -236,14 +240,14 @@ def _standard_input() -> bytes:
     return sys.stdin.buffer.read(READ_MAX + 1)
 
 
-def _named_elsewhere(config: Config, target: Target) -> frozenset[str]:
+def _named_elsewhere(config: Config, files: Workspace, target: Target) -> frozenset[str]:
     """The names that the other programs around the table of one use."""
     from clickgen.cli.jobs import Job
     from clickgen.commands.nicknames.elsewhere import named_elsewhere
     from clickgen.config import Settings
 
     job = Job(target.path, Settings(target.nicknames, reserved=config.reserved), Path())
-    return named_elsewhere(job, config)
+    return named_elsewhere(job, config, files)
 
 
 def _joined(lists: list[list[str]] | None) -> tuple[str, ...] | None:
@@ -279,11 +283,11 @@ def _report(options: argparse.Namespace, outcome: Outcome, color: bool = False) 
     )
 
 
-def _baseline(path: Path) -> Baseline | None:
+def _baseline(path: Path, files: Workspace) -> Baseline | None:
     """The findings from when the repository began; None if this run should write them."""
     from clickgen.commands.check.baseline import Baseline, read_baseline
 
-    known = read_baseline(path)
+    known = read_baseline(path, files)
     return None if known is None else Baseline(known, _named_from(path))
 
 

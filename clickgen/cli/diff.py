@@ -9,8 +9,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from clickgen.cli import COULD_NOT_RUN, OK, PROBLEMS, complain
-from clickgen.cli.jobs import jobs
-from clickgen.cli.jobs import settings_of as settings_of_folder
+from clickgen.cli.jobs import Run
 from clickgen.commands.diff.as_text import Line, report, summary
 from clickgen.commands.diff.changes import Difference
 from clickgen.commands.diff.names import name_changes
@@ -61,18 +60,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Compare two sides and show the difference; return the exit code."""
+    this = Run(options.config)
 
     def settings_of(program: str) -> Settings:
-        [job] = jobs([program], options.nicknames, config=options.config)
+        [job] = this.jobs([program], options.nicknames)
         return job.settings
 
-    wanted = Wanted(settings_of, options.nicknames, options.export, options.config)
+    wanted = Wanted(settings_of, this.files, options.nicknames, options.export, options.config)
 
     def configured(revision: str) -> list[str]:
         with TemporaryDirectory(prefix="clickgen-") as folder:
             return configured_in(revision, wanted, Path(folder))
 
-    pairs = pairs_of(options.one, options.other, settings_of_folder(options.config), configured)
+    pairs = pairs_of(options.one, options.other, this.settings, configured, this.files)
     compared: list[tuple[Pair, Difference | None]] = []
     for pair in pairs:
         if compared and options.output_format == "text":

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain, tell
-from clickgen.cli.jobs import near, settings_of
+from clickgen.cli.jobs import Run, near
 from clickgen.commands.import_.project import ImportResult, Target, import_project
 from clickgen.config import Settings
 from clickgen.problems.report.frames import summary, write_problems
@@ -53,9 +53,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Import, verify and write, all of it or nothing; return the exit code."""
     table = Path(options.nicknames) if options.nicknames is not None else None
-    target = _target(options.output, options.config)
-    result = import_project(Path(options.source), target, table, options.keep_going, options.verify)
-    write_problems(result.diagnostics, result.sources, sys.stderr)
+    this = Run(options.config)
+    target = _target(options.output, this)
+    result = import_project(Path(options.source), target, table, options.keep_going, options.verify, this.files)
+    write_problems(result.diagnostics, result.sources, sys.stderr, this.files)
     noted = summary(problem.severity for problem in result.diagnostics)
     if not result.files:
         complain(f"{noted}; nothing was written")
@@ -70,7 +71,7 @@ def run(options: argparse.Namespace) -> int:
     return OK if result.ok else PROBLEMS
 
 
-def _target(output: str, config: str | None) -> Target:
+def _target(output: str, this: Run) -> Target:
     """The place for the program: a file that ends in .py, else a folder; ``-`` is the standard output."""
     if output == "-":
         return Target(Path("<standard output>") / "prog.py", is_shown=True)
@@ -81,7 +82,7 @@ def _target(output: str, config: str | None) -> Target:
     if is_folder and path.suffix and not path.is_dir() and not output.endswith(("/", os.sep)):
         raise CouldNotRun(f"{output} does not end in .py; to make a folder of this name write {output}/")
     program = path / "main.py" if is_folder else path
-    settings = settings_of(config)
+    settings = this.settings
     own = settings.program(program)
     return Target(
         program, is_folder, settings=Settings(own.nicknames and near(own.nicknames), False, False, settings.reserved)

@@ -5,11 +5,13 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from clickgen.cli import complain
 from clickgen.config import Config, ProgramSettings, Settings, find_config, read_config
-from clickgen.workspace import CouldNotRun
+from clickgen.workspace import CouldNotRun, Workspace
+from clickgen.workspace.memory import Memory
 
 
 @dataclass(frozen=True)
@@ -29,21 +31,38 @@ class Job:
         return [Path(self.program).parent, table.parent, self.folder, *(self.folder / name for name in folders())]
 
 
-def settings_of(config: str | None) -> Config:
-    """Return the settings in the named file, else those of the working folder. Raises CouldNotRun."""
-    return read_config(Path(config)) if config else find_config(Path.cwd())
+class Run:
+    """One run of a command: its files, each read once, and its settings. ``config`` names the file of the settings."""
 
+    def __init__(self, config: str | None) -> None:
+        self.config = config
+        self.files = Workspace()
 
-def jobs(
-    programs: Sequence[str], nicknames: str | None = None, frozen: bool = False, config: str | None = None
-) -> list[Job]:
-    """Return the named programs, else all that the settings name. Raises CouldNotRun if there are none."""
-    settings = settings_of(config)
-    if programs:
-        return [_job(program, settings.program(Path(program)), nicknames, frozen, settings) for program in programs]
-    if not settings.programs:
-        raise CouldNotRun("no program is named: name one, such as prog.py, or name programs in clickgen.toml")
-    return [_job(str(near(own.path)), own, nicknames, frozen, settings) for own in settings.programs]
+    @cached_property
+    def settings(self) -> Config:
+        """The settings in the named file, else those of the working folder. Raises CouldNotRun."""
+        return read_config(Path(self.config), self.files) if self.config else find_config(Path.cwd(), self.files)
+
+    def remember(self) -> None:
+        """Keep what is read on disk, beside the settings. Raises CouldNotRun."""
+        self.files.memory = Memory(self.settings.root)
+
+    def jobs(self, programs: Sequence[str], nicknames: str | None = None, frozen: bool = False) -> list[Job]:
+        """Return the named programs, else all that the settings name. Raises CouldNotRun if there are none."""
+        settings = self.settings
+        if programs:
+            return [_job(program, settings.program(Path(program)), nicknames, frozen, settings) for program in programs]
+        if not settings.programs:
+            raise CouldNotRun("no program is named: name one, such as prog.py, or name programs in clickgen.toml")
+        return [_job(str(near(own.path)), own, nicknames, frozen, settings) for own in settings.programs]
+
+    def settle(self, found: Sequence[Job]) -> None:
+        """Put back what a killed command left half written near these and the configured programs.
+
+        Call it before anything but the settings is read. Raises CouldNotRun and OSError.
+        """
+        programs = [*found, *(self.jobs([]) if self.settings.programs else [])]
+        put_back(folder for job in programs for folder in job.folders)
 
 
 def _job(program: str, own: ProgramSettings, nicknames: str | None, frozen: bool, config: Config) -> Job:
@@ -51,15 +70,6 @@ def _job(program: str, own: ProgramSettings, nicknames: str | None, frozen: bool
     folder = own.output or root / "build" / Path(program).stem
     table = nicknames if nicknames is not None else own.nicknames and near(own.nicknames)
     return Job(program, Settings(table, nicknames is not None, frozen, config.reserved), near(folder))
-
-
-def settle(found: Sequence[Job], config: str | None) -> None:
-    """Put back what a killed command left half written near these and the configured programs.
-
-    Raises CouldNotRun and OSError.
-    """
-    programs = [*found, *(jobs([], config=config) if settings_of(config).programs else [])]
-    put_back(folder for job in programs for folder in job.folders)
 
 
 def put_back(folders: Iterable[Path]) -> None:

@@ -11,13 +11,13 @@ from pathlib import Path
 
 from clickgen.api import known_names
 from clickgen.cli import OK, PROBLEMS, complain, tell
-from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
+from clickgen.cli.jobs import Job, Run, near
 from clickgen.commands.stubs.stub import MARK, builtins_stub
 from clickgen.dialects.discover import targets
 from clickgen.results import KnownNames
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
-from clickgen.workspace import CouldNotRun, Workspace, read_file
+from clickgen.workspace import CouldNotRun, Workspace
 
 STUB_NAME = "__builtins__.pyi"
 """Pyright takes this file for names that are known everywhere in its folder."""
@@ -47,12 +47,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Write the stub file of every folder with a program, or say which are stale; return the exit code."""
     programs, nicknames, frozen, config = options.programs, options.nicknames, options.frozen, options.config
-    named = jobs(programs, nicknames, frozen, config)
+    this = Run(config)
+    named = this.jobs(programs, nicknames, frozen)
     if not options.check:
-        settle(named, config)
-    names = _names([*named, *_beside(named, frozen, config)])
+        this.settle(named)
+    names = _names([*named, *_beside(named, frozen, this)], this.files)
     stubs = {near(folder / STUB_NAME): _stub(found) for folder, found in names.items()}
-    stale = {path: text for path, text in stubs.items() if _is_stale(path, text)}
+    stale = {path: text for path, text in stubs.items() if _is_stale(path, text, this.files)}
     if options.check:
         return _say_stale(stale, _command(programs, nicknames, frozen, config))
     put_in_place(stale, no_links=stale)
@@ -61,27 +62,25 @@ def run(options: argparse.Namespace) -> int:
     return OK
 
 
-def _beside(found: Sequence[Job], frozen: bool, config: str | None) -> list[Job]:
+def _beside(found: Sequence[Job], frozen: bool, this: Run) -> list[Job]:
     """The other programs of the same folders: they share the file."""
-    settings = settings_of(config)
     folders = sorted({os.path.dirname(os.path.abspath(job.program)) for job in found})
     known = {os.path.realpath(job.program) for job in found}
     others = [
         target.path
-        for target in targets([str(near(Path(folder))) for folder in folders], settings)
+        for target in targets([str(near(Path(folder))) for folder in folders], this.settings, workspace=this.files)
         if os.path.dirname(os.path.abspath(target.path)) in folders and os.path.realpath(target.path) not in known
         if not target.is_part
     ]
-    return jobs(others, None, frozen, config) if others else []
+    return this.jobs(others, None, frozen) if others else []
 
 
-def _names(found: Sequence[Job]) -> dict[Path, list[KnownNames]]:
+def _names(found: Sequence[Job], files: Workspace) -> dict[Path, list[KnownNames]]:
     """The names of every program by its folder; each is resolved with the table that those before it leave."""
     names: dict[Path, list[KnownNames]] = {}
     tables: dict[str, bytes] = {}
-    workspace = Workspace()
     for job in found:
-        known = known_names(job.program, job.settings, workspace.apart(tables))
+        known = known_names(job.program, job.settings, files.apart(tables))
         tables[os.path.realpath(known.table_path)] = known.table
         names.setdefault(Path(job.program).parent.absolute(), []).append(known)
         _say_errors(job.program, known)
@@ -100,10 +99,10 @@ def _stub(names: Sequence[KnownNames]) -> bytes:
     return builtins_stub(rows, [block for known in names for block in known.blocks]).encode()
 
 
-def _is_stale(path: Path, text: bytes) -> bool:
+def _is_stale(path: Path, text: bytes, files: Workspace) -> bool:
     """True if a file is missing or differs. Raises CouldNotRun if it is not clickgen's."""
     try:
-        stands = read_file(path).replace(b"\r\n", b"\n")
+        stands = files.read(path).replace(b"\r\n", b"\n")
     except FileNotFoundError:
         return True
     if not stands.startswith(MARK.encode()):

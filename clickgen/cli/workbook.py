@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import argparse
 import sys
-from functools import partial
 from pathlib import Path
 
 from clickgen.cli import OK, PROBLEMS, complain, tell
-from clickgen.cli.jobs import jobs, settings_of, settle
+from clickgen.cli.jobs import Run
 from clickgen.commands.nicknames.elsewhere import build_among
 from clickgen.commands.workbook.place import former, place_of
 from clickgen.problems.report.frames import summary, write_problems
@@ -39,12 +38,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Write the workbook of a program; return the exit code."""
-    (job,) = jobs([options.program], options.nicknames, config=options.config)
-    settle([job], options.config)
+    this = Run(options.config)
+    (job,) = this.jobs([options.program], options.nicknames)
+    this.settle([job])
     path = place_of(options.output, job.program, job.folder)
-    before = former(path, job.settings.nicknames)
-    (result,) = build_among([job], partial(settings_of, options.config))
-    write_problems(result.diagnostics, result.sources, sys.stderr)
+    before = former(path, job.settings.nicknames, this.files)
+    (result,) = build_among([job], lambda: this.settings, this.files)
+    write_problems(result.diagnostics, result.sources, sys.stderr, this.files)
     noted = summary(problem.severity for problem in result.diagnostics)
     if not result.ok:
         complain(f"{noted}; nothing was written")

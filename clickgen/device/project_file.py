@@ -9,8 +9,6 @@ import io
 import os
 import re
 import shlex
-import zipfile
-import zlib
 
 _MARKS = (b"SC-PRJ", b"scp.bin.zi")
 """Each alone marks a project: some have both, some only the first."""
@@ -65,6 +63,10 @@ def is_click_project(data: bytes, name: str = "") -> bool:
 
 def _has_project(data: bytes) -> bool:
     """True for an archive with a member that begins like a project."""
+    # Few programs are archives.
+    import zipfile
+    import zlib
+
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             for member in archive.infolist()[:_MEMBERS_MAX]:

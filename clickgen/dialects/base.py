@@ -248,7 +248,7 @@ class Look(ABC):
     @property
     @abstractmethod
     def imports(self) -> tuple[str, ...]:
-        """The files that it may bring in, by their real paths; not all of them need be there."""
+        """The names of the files beside it that it may bring in; not all of them need be there."""
 
 
 class Place(NamedTuple):

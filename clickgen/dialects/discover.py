@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import NamedTuple, NoReturn
 
 from clickgen.config import Config
-from clickgen.dialects.base import Look
 from clickgen.dialects.registry import dialect_of, suffixes
 from clickgen.text.patterns import meets, names_below, steps_of
 from clickgen.workspace import CouldNotRun, Workspace
+from clickgen.workspace.memory import Memory
 
 _USUAL_EXCLUDES = ("build", "dist", "venv", "node_modules", "__pycache__", "site-packages")
 """Folders that hold no sources; those with a dot in front are left out too."""
@@ -49,7 +49,7 @@ def discover(
     """
     repository = _Repository(config, (*config.check.exclude, *exclude), workspace or Workspace())
     if not paths and config.programs:
-        return Found(_each_once(repository.configured_targets()))
+        return Found(_each_once(repository.configured_targets(), repository.real))
     found: list[Target] = []
     empty: list[str] = []
     for path in paths or ["."]:
@@ -57,7 +57,7 @@ def discover(
         found += targets
         if not targets and os.path.isdir(path):
             empty.append(path)
-    return Found(_each_once(found), tuple(empty))
+    return Found(_each_once(found, repository.real), tuple(empty))
 
 
 def targets(
@@ -99,10 +99,10 @@ def _programs_of(
     return done, {path: {os.path.realpath(program) for program in repository.programs_with(path)} for path in paths}
 
 
-def _each_once(targets: Iterable[Target]) -> list[Target]:
+def _each_once(targets: Iterable[Target], real: Callable[[str], str]) -> list[Target]:
     programs: dict[str, Target] = {}
     for target in targets:
-        programs.setdefault(os.path.realpath(target.path), target)
+        programs.setdefault(real(target.path), target)
     return sorted(programs.values(), key=lambda target: target.path)
 
 
@@ -115,6 +115,45 @@ def _shown(path: Path) -> str:
 # -- the files --------------------------------------------------------------------------------------------------------
 
 
+class _File(NamedTuple):
+    """What a look at a file tells: see ``Look``."""
+
+    is_program: bool
+    has_main: bool
+    imports: Sequence[str]
+
+
+def _look_at(path: str, text: str) -> _File:
+    look = dialect_of(path, text).look(path, text)
+    return _File(look.is_program, look.has_main, look.imports)
+
+
+_NAME_IN_MEMORY = "discovered.json"
+_REMEMBERED_MAX = 20_000
+"""So many files are remembered: the last that were new."""
+
+
+class _Seen:
+    """What looks at files told, by their contents and suffixes: an unchanged file is not looked through again."""
+
+    def __init__(self, memory: Memory) -> None:
+        found = memory.get(_NAME_IN_MEMORY)
+        self._memory = memory
+        self._known: dict[str, list[object]] = found if isinstance(found, dict) else {}
+
+    def get(self, key: str) -> _File | None:
+        match self._known.get(key):
+            case [bool() as is_program, bool() as has_main, list() as imports]:
+                return _File(is_program, has_main, imports)
+        return None
+
+    def put(self, key: str, file: _File) -> None:
+        self._known[key] = [file.is_program, file.has_main, [*file.imports]]
+        while len(self._known) > _REMEMBERED_MAX:
+            del self._known[next(iter(self._known))]
+        self._memory.put(_NAME_IN_MEMORY, self._known)
+
+
 class _Repository:
     """The files around the programs, each read once."""
 
@@ -122,7 +161,8 @@ class _Repository:
         self._config = config
         self._patterns = patterns
         self._workspace = files
-        self._files: dict[str, Look] = {}
+        self._seen = _Seen(files.memory)
+        self._files: dict[str, _File] = {}
         self._programs: dict[str, list[str]] = {}
         self._parts: dict[str, set[str]] = {}
 
@@ -139,7 +179,7 @@ class _Repository:
         if os.path.isdir(path):
             for file in self._walk(path):
                 yield from self._targets_of(file)
-        elif not os.path.exists(path) and self._real(path) not in self._workspace.overlay:
+        elif not os.path.exists(path) and self.real(path) not in self._workspace.overlay:
             raise CouldNotRun(f"there is no file or folder {path}")
         elif not force or (not self._is_excluded(path) and (self._is_ours(path) or self._importers(path))):
             yield from self._targets_of(path)
@@ -187,17 +227,17 @@ class _Repository:
         return any(meets(names, steps_of(pattern, root)) for pattern in self._patterns)
 
     def _is_ours(self, path: str) -> bool:
-        return self._look(path).is_program or self._real(path) in self._named
+        return self._look(path).is_program or self.real(path) in self._named
 
     def _is_whole(self, path: str) -> bool:
         """True for a program, however broken; not for a part of one."""
-        return self._look(path).has_main or self._real(path) in self._configured
+        return self._look(path).has_main or self.real(path) in self._configured
 
     @cached_property
     def _configured(self) -> dict[str, str]:
         """The configured programs that are there, by their real paths."""
         programs = [_shown(program.path) for program in self._config.programs if program.path.is_file()]
-        return {self._real(program): program for program in programs}
+        return {self.real(program): program for program in programs}
 
     @cached_property
     def _named(self) -> set[str]:
@@ -211,7 +251,7 @@ class _Repository:
         return [*([path] if self._is_whole(path) else []), *self._importers(path)]
 
     def _importers(self, path: str) -> list[str]:
-        real = self._real(path)
+        real = self.real(path)
         return [program for program in self._programs_around(path) if real in self._imported(program)]
 
     def _programs_around(self, path: str) -> list[str]:
@@ -221,7 +261,7 @@ class _Repository:
             beside = (
                 os.path.normpath(os.path.join(folder, name)) for name in _names(folder) if name.endswith(suffixes())
             )
-            programs = {self._real(file): file for file in beside if self._is_program_with_main(file)}
+            programs = {self.real(file): file for file in beside if self._is_program_with_main(file)}
             self._programs[folder] = [*({**programs, **self._configured}).values()]
         return self._programs[folder]
 
@@ -244,31 +284,42 @@ class _Repository:
         seen: set[str] = set()
         waiting = [program]
         while waiting:
-            new = [file for file in self._look(waiting.pop()).imports if file not in seen and os.path.isfile(file)]
+            path = waiting.pop()
+            folder = os.path.dirname(path)
+            imported = [os.path.realpath(os.path.join(folder, name)) for name in self._look(path).imports]
+            new = [file for file in imported if file not in seen and os.path.isfile(file)]
             seen.update(new)
             waiting += new
         return seen
 
     # -- reading ------------------------------------------------------------------------------------------------------
 
-    def _look(self, path: str) -> Look:
+    def _look(self, path: str) -> _File:
         """What a file is. Raises CouldNotRun when it cannot be read: it could be a program."""
-        real = self._real(path)
+        real = self.real(path)
         if real not in self._files:
-            text = self._text(path)
-            self._files[real] = dialect_of(path, text).look(path, text)
+            self._files[real] = self._seen_or_known(path)
         return self._files[real]
 
-    def _real(self, path: str) -> str:
+    def _seen_or_known(self, path: str) -> _File:
+        data = self._bytes(path)
+        key = f"{self._workspace.digest(path)}{os.path.splitext(path)[1]}"
+        file = self._seen.get(key)
+        if file is None:
+            text = data.decode("utf-8-sig", "replace")
+            file = _look_at(path, text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text)
+            self._seen.put(key, file)
+        return file
+
+    def real(self, path: str) -> str:
         return self._workspace.real(path)
 
-    def _text(self, path: str) -> str:
+    def _bytes(self, path: str) -> bytes:
         try:
-            text = self._workspace.read(path).decode("utf-8-sig", "replace")
+            return self._workspace.read(path)
         except OSError as error:
             error.filename = path
             _give_up(error)
-        return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
 
 def _give_up(error: OSError) -> NoReturn:
@@ -294,16 +345,14 @@ _SIBLINGS_MAX = 200
 def importers(path: str, read_bytes: ReadBytes) -> list[str]:
     """The programs beside a file that it is a part of: they have a main, and import it, or import what does."""
     folder, own = os.path.split(path)
-    looks: dict[str, Look] = {}
+    looks: dict[str, _File] = {}
     for name in [name for name in _names(folder) if name.endswith(suffixes())][:_SIBLINGS_MAX]:
         other = os.path.join(folder, name)
         with suppress(OSError):
             if name != own and os.path.isfile(other):
-                text = read_bytes(other).decode("utf-8-sig", "replace").replace("\r\n", "\n")
-                looks[name] = dialect_of(other, text).look(other, text)
-    imported = {name: {os.path.basename(file) for file in look.imports} for name, look in looks.items()}
+                looks[name] = _look_at(other, read_bytes(other).decode("utf-8-sig", "replace").replace("\r\n", "\n"))
     known = waiting = {own}
     while waiting:
-        waiting = {name for name, files in imported.items() if not files.isdisjoint(waiting)} - known
+        waiting = {name for name, look in looks.items() if not waiting.isdisjoint(look.imports)} - known
         known = known | waiting
     return [os.path.join(folder, name) for name in sorted(known - {own}) if looks[name].has_main]

@@ -13,7 +13,7 @@ from clickgen.table.names import record_beside
 from clickgen.table.record import read_record, with_placed
 from clickgen.table.rows import Row
 from clickgen.text.write import put_in_place
-from clickgen.workspace import CouldNotRun, read_if_there
+from clickgen.workspace import CouldNotRun, Workspace
 
 
 class TableChange(NamedTuple):
@@ -46,6 +46,8 @@ def deliver(deliveries: Iterable[Delivery]) -> list[Path]:
     clickgen's and in the way; OSError when something cannot be written; ChangedMeanwhile when a table changed since it
     was read.
     """
+    # A fresh view of the disk: a build may be delivered long after it has read its files, and more than once.
+    disk = Workspace()
     writes: dict[Path, bytes] = {}
     removals: list[Path] = []
     no_links: list[Path] = []
@@ -55,25 +57,32 @@ def deliver(deliveries: Iterable[Delivery]) -> list[Path]:
         writes.update((folder / name, data) for name, data in outputs.items())
         no_links += (folder / name for name in outputs)
         try:
-            removals += stale_files(folder, outputs)
+            removals += stale_files(folder, outputs, disk)
         except ForeignFiles as error:
             raise CouldNotRun(str(error)) from None
         if table is not None:
             changes.append(table)
-    tables, records = _tables(changes), _records(changes)
+    tables, records = _tables(changes), _records(changes, disk)
     for path in writes:
         if os.path.realpath(path) in tables:
             raise CouldNotRun(f"{path.parent} holds the address table {path.name}; choose another folder with -o")
     unchanged: dict[Path, bytes | None] = {}
     for path, before, after in tables.values():
         # A result that is written a second time finds the table as it wants it.
-        unchanged[path] = after if read_if_there(path) == after else before
+        unchanged[path] = after if _holds(path, after, disk) else before
         if after != before:
             writes[path] = after
     for path, (before, record) in records.items():
         if record is not None and record != before:
             writes[path], unchanged[path] = record, before
     return put_in_place(writes, removals, unchanged, [*no_links, *records])
+
+
+def _holds(path: Path, data: bytes, disk: Workspace) -> bool:
+    try:
+        return disk.read(path) == data
+    except (FileNotFoundError, NotADirectoryError):
+        return False
 
 
 def _tables(changes: Iterable[TableChange]) -> dict[str, tuple[Path, bytes | None, bytes]]:
@@ -86,7 +95,7 @@ def _tables(changes: Iterable[TableChange]) -> dict[str, tuple[Path, bytes | Non
     return tables
 
 
-def _records(changes: Iterable[TableChange]) -> dict[Path, tuple[bytes | None, bytes | None]]:
+def _records(changes: Iterable[TableChange], disk: Workspace) -> dict[Path, tuple[bytes | None, bytes | None]]:
     """The record beside each table, before and after."""
     first: dict[str, Path] = {}
     placed: dict[Path, list[Row]] = {}
@@ -97,6 +106,6 @@ def _records(changes: Iterable[TableChange]) -> dict[Path, tuple[bytes | None, b
         left.setdefault(path, {}).update(change.left)
     records: dict[Path, tuple[bytes | None, bytes | None]] = {}
     for path, rows in placed.items():
-        data = read_record(path)
+        data = read_record(path, disk)
         records[path] = data, with_placed(data, rows, left[path])
     return records

@@ -15,15 +15,15 @@ from pathlib import Path
 from clickgen.emit.registry import folders, writer_of
 from clickgen.emit.source_map import PATH as MAP
 from clickgen.emit.writer import Writer
-from clickgen.workspace import leads_elsewhere, read_file, read_if_there
+from clickgen.workspace import Workspace, leads_elsewhere
 
 
 class ForeignFiles(Exception):
     """The folder holds files in the way that clickgen did not make; the message names them."""
 
 
-def stale_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
-    """Files of an earlier build that this one does not make.
+def stale_files(folder: Path, files: Mapping[str, bytes], disk: Workspace) -> list[Path]:
+    """Return the files of an earlier build that this one does not make. ``disk`` shows what the folder holds now.
 
     Raises ForeignFiles when an output would replace a file that is not an earlier output, and when other CSV files
     are there: ClickNick's guided paste takes every CSV file of the folder as ladder (click-facts [ladder-file.guided]).
@@ -31,7 +31,7 @@ def stale_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     for away in (folder / name for name in folders()):
         if leads_elsewhere(away):
             raise ForeignFiles(f"{away} is a link to another place; take it away, or choose another folder with -o")
-    noted = _Noted.of(folder)
+    noted = _Noted.of(folder, disk)
     there = {path.relative_to(folder).as_posix(): path for path in _csv_files(folder)}
     leftovers = {name: path for name, path in there.items() if name not in files}
     in_the_way = [path for name, path in leftovers.items() if not noted.may_go(name)]
@@ -40,7 +40,7 @@ def stale_files(folder: Path, files: Mapping[str, bytes]) -> list[Path]:
     taken = [
         folder / name
         for name, data in files.items()
-        if _differs(folder / name, data) and not noted.may_be_replaced(name)
+        if _differs(folder / name, data, disk) and not noted.may_be_replaced(name)
     ]
     if taken:
         raise ForeignFiles(_message(folder, "these are not an earlier build's", taken))
@@ -54,8 +54,8 @@ def _csv_files(folder: Path) -> list[Path]:
     return sorted(path for place in places for path in place.iterdir() if path.suffix.casefold() == ".csv")
 
 
-def _differs(path: Path, data: bytes) -> bool:
-    return path.is_file() and read_file(path) != data
+def _differs(path: Path, data: bytes, disk: Workspace) -> bool:
+    return path.is_file() and disk.read(path) != data
 
 
 def _message(folder: Path, why: str, paths: list[Path]) -> str:
@@ -68,20 +68,22 @@ def _message(folder: Path, why: str, paths: list[Path]) -> str:
 class _Noted:
     """What the source map of the last build says about the folder, and which of it is to be believed."""
 
-    def __init__(self, folder: Path, files: Iterable[object], digests: Mapping[str, object]) -> None:
+    def __init__(self, folder: Path, disk: Workspace, files: Iterable[object], digests: Mapping[str, object]) -> None:
         self._folder = folder
+        self._disk = disk
         self._digests = digests
         self.files = {name: None for name in files if isinstance(name, str)}
 
     @classmethod
-    def of(cls, folder: Path) -> _Noted:
+    def of(cls, folder: Path, disk: Workspace) -> _Noted:
         try:
-            noted = json.loads(read_file(folder / MAP))
+            noted = json.loads(disk.read(folder / MAP))
         except (OSError, ValueError, RecursionError):
             noted = None
         is_ours = isinstance(noted, dict) and noted.get("generator") == "clickgen"
         files, digests = (noted.get("files"), noted.get("digests")) if is_ours else (None, None)
-        return cls(folder, files if isinstance(files, list) else (), digests if isinstance(digests, dict) else {})
+        known = digests if isinstance(digests, dict) else {}
+        return cls(folder, disk, files if isinstance(files, list) else (), known)
 
     def digest(self, path: str) -> str:
         """The digest of what the build wrote into a file; "" where the map has none."""
@@ -90,7 +92,10 @@ class _Noted:
 
     def read(self, path: str) -> bytes:
         """The bytes of a file in the folder; none where there is no such file."""
-        return read_if_there(self._folder / path) or b""
+        try:
+            return self._disk.read(self._folder / path)
+        except (FileNotFoundError, NotADirectoryError):
+            return b""
 
     def inside(self) -> Iterator[str]:
         """The noted files that lie where writers put theirs."""
@@ -117,7 +122,7 @@ class _Noted:
             return None
         try:
             is_file = stat.S_ISREG((self._folder / name).lstat().st_mode)
-            data = read_file(self._folder / name) if is_file else None
+            data = self._disk.read(self._folder / name) if is_file else None
         except (OSError, ValueError):  # ValueError: a name that no file can have
             return None
         return writer if data is not None and (not data or writer.is_own(data)) else None

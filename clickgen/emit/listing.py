@@ -8,9 +8,10 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from operator import itemgetter
 
 from clickgen.click.draw.tokens import operand_token
-from clickgen.device.banks import Address, parse_address
+from clickgen.device.banks import UPPER_BYTE_BANKS, Address, parse_address
 from clickgen.emit.built import BuiltProgram
 from clickgen.emit.rung_words import Names, condition_lines, item_lines
 from clickgen.emit.uses import RungUse, known_numbers
@@ -70,17 +71,28 @@ class _CrossReference:
 
     def __init__(self, known: Mapping[str, Sequence[int]]) -> None:
         self._known = known
-        self.uses: dict[_Key, _Uses] = {}
+        self._cells: dict[Address, _Uses] = {}
+        self._others: dict[_Key, _Uses] = {}
+
+    @property
+    def uses(self) -> list[tuple[_Key, _Uses]]:
+        """The lines in their order."""
+        cells = (((address.sort_key, 0, str(address)), uses) for address, uses in self._cells.items())
+        return sorted((*cells, *self._others.items()), key=itemgetter(0))
 
     def add(self, use: RungUse) -> None:
         operand = use.target
         if isinstance(operand, Cell):
             self._note_cell(operand.address, use)
+            if operand.address.bank not in UPPER_BYTE_BANKS:
+                return  # Only a word holds points.
         elif isinstance(operand, Range):
             low, high = sorted((operand.first, operand.last))
             first, length = Address(operand.bank, low), high - low + 1
-            text = str(first) if length == 1 else f"{first}..{Address(operand.bank, high)}"
-            self._note((first.sort_key, length - 1, text), use)
+            if length == 1:
+                self._note_cell(first, use)
+            else:
+                self._note((first.sort_key, length - 1, f"{first}..{Address(operand.bank, high)}"), use)
         elif isinstance(operand, Pointer):
             self._note((Address(operand.bank, -1).sort_key, 0, operand_token(operand)), use)
         for index, (bank, low, high) in enumerate(extents_of(operand)):
@@ -94,12 +106,15 @@ class _CrossReference:
         return numbers[bisect_left(numbers, low) : bisect_left(numbers, high + 1)]
 
     def _note_cell(self, address: Address, use: RungUse) -> None:
-        self._note((address.sort_key, 0, str(address)), use)
+        uses = self._cells.get(address)
+        if uses is None:
+            uses = self._cells[address] = _Uses()
+        uses.add(use)
 
     def _note(self, key: _Key, use: RungUse) -> None:
-        uses = self.uses.get(key)
+        uses = self._others.get(key)
         if uses is None:
-            uses = self.uses[key] = _Uses()
+            uses = self._others[key] = _Uses()
         uses.add(use)
 
 
@@ -109,7 +124,7 @@ def _cross_reference(built: BuiltProgram) -> list[str]:
     for use in uses:
         table.add(use)
     rows = [("Address", "Nickname", "Written", "Read")]
-    for key, found in sorted(table.uses.items()):
+    for key, found in table.uses:
         _, length, text = key
         address = parse_address(text) if length == 0 else None
         nickname = names.nickname(address) if address else ""

@@ -75,10 +75,13 @@ def _broken(indent: str, token: str, is_kept: bool) -> Iterator[str]:
 
     So have the fields of a long one that is kept, and a pattern has a line for each of its rows.
     """
+    if len(token) <= _WIDTH:
+        yield indent + token
+        return
     head, opening, inner = token.partition("(")
     parts = _parts(inner[:-1])
     is_kept = is_kept and len(parts) > _KEPT_HEAD
-    if len(token) <= _WIDTH or not (is_kept or all(_KEYWORD.match(part) for part in parts)):
+    if not (is_kept or all(_KEYWORD.match(part) for part in parts)):
         yield indent + token
         return
     if is_kept:

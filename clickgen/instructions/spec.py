@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import Enum
+from functools import cached_property
 from typing import Final
 
 from clickgen.device.banks import READ_ONLY
@@ -193,9 +194,14 @@ class Spec:
     """CLICK has no such box: clickgen builds it from this one and scratch bits."""
     notes: tuple[str, ...] = ()
 
-    @property
+    @cached_property
     def pins(self) -> tuple[Param, ...]:
         return tuple(param for param in self.params if param.kind is ParamKind.PIN)
+
+    @cached_property
+    def ends(self) -> frozenset[str]:
+        """The parameters that name the last address of what another one begins."""
+        return frozenset(param.extends_to for param in self.params if param.extends_to)
 
     @property
     def forms(self) -> tuple[Spec, ...]:

@@ -165,9 +165,12 @@ class AddressReader:
         if isinstance(index, str | Bounds | Odd):
             part = Part.WHOLE if isinstance(index, Bounds) else Part.INDEX
             return Fault("CG214", part, "a block takes a number or a range after its name", example)
+        fault = f"a pointer cannot count inside {shown}"
+        if block.bank not in POINTED:
+            return Fault("CG214", Part.INDEX, fault, f"name the members: {example}")
         pointer = self._spell.pointer(block.bank, self._name("ds", "Index"))
         way = f"point into the bank: {pointer}, with the block's first address added to the index"
-        return Fault("CG214", Part.INDEX, f"a pointer cannot count inside {shown}", way)
+        return Fault("CG214", Part.INDEX, fault, way)
 
     @property
     def banks(self) -> str:

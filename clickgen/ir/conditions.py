@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import Enum
 
 from clickgen.ir.operands import Cell, Immediate, Named, Range, Single
+from clickgen.records import dataclass
 from clickgen.text.source import Span
 
 OPPOSITE = {"==": "!=", "!=": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}

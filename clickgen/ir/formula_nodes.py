@@ -6,10 +6,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Literal
 
 from clickgen.ir.operands import Cell, Named, Pointer, Range
+from clickgen.records import dataclass
 
 Mode = Literal["decimal", "hex"]
 """``decimal`` for calc, ``hex`` for math_hex."""

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from clickgen.records import dataclass
 from clickgen.text.source import Span
 
 

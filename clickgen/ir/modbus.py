@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from clickgen.device.banks import Address
+from clickgen.records import dataclass
 from clickgen.text.source import Span
 
 

@@ -5,12 +5,12 @@ A program has ``Named``; resolving replaces each by the ``Cell`` of its nickname
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
 from clickgen.device.banks import Address
 from clickgen.instructions.spec import CODE, HEX, INTEGER, REAL, TEXT
+from clickgen.records import dataclass
 from clickgen.text.source import EmbeddedText, Span
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from clickgen.device.banks import BANKS, Kind
@@ -13,6 +13,7 @@ from clickgen.instructions.spec import ParamKind, Spec, Variant
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.modbus import Remote, Target
 from clickgen.ir.operands import Cell, Constant, Hex, Integer, Named, Operand, Pointer, Range, Single, form_of
+from clickgen.records import dataclass
 from clickgen.text.source import SourceFile, Span
 
 if TYPE_CHECKING:
@@ -304,7 +305,7 @@ class Offer:
     module: str
 
 
-@dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True)
 class Program:
     """All that was read: routines in the order of their definitions, main among them."""
 
@@ -314,7 +315,7 @@ class Program:
     blocks: tuple[BlockDeclaration, ...] = ()
     misimported: frozenset[str] = frozenset()
     """Functions that an import should bring and does not: their problem is reported there."""
-    offered: Mapping[str, Offer] = field(default_factory=dict)
+    offered: Mapping[str, Offer] = dataclasses.field(default_factory=dict)
     """Subroutines that could be imported, by their functions."""
     proposals: tuple[Proposal, ...] = ()
     """The fixes that the text of all its files suggests."""

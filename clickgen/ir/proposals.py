@@ -6,10 +6,10 @@ The reader proposes; ``clickgen.fixes`` judges, once names are addresses, and on
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from clickgen.ir.conditions import Compare, Condition, Contact
 from clickgen.ir.program import Item, Rung
+from clickgen.records import dataclass
 from clickgen.text.source import Span
 
 

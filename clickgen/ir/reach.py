@@ -6,7 +6,7 @@ They belong to the program as much as those that it names.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import NamedTuple
+from typing import NamedTuple, get_args
 
 from clickgen.device.banks import BANKS, TEXT_WIDTHS, Address, Kind, current_value
 from clickgen.instructions.spec import Access, Param
@@ -29,7 +29,12 @@ def reached(action: Action, param: Param) -> Operand | None:
         if length > 1 or param.extends_over:
             first = operand.address.number
             return Range(operand.bank, first, first + length - 1, operand.span)
-    return operand if isinstance(operand, Operand) else None
+        return operand
+    return operand if operand.__class__ in _OPERANDS and isinstance(operand, Operand) else None
+
+
+_OPERANDS: frozenset[type] = frozenset(get_args(Operand))
+"""To ask for one class is faster than to ask for each of these in turn."""
 
 
 def length_of(action: Action, param: Param, address_of: AddressOf = cell_address) -> int:
@@ -85,9 +90,10 @@ class Touch(NamedTuple):
 
 def touches(action: Action) -> Iterator[Touch]:
     """Yield every operand of an action, including those of its pins and formulas and the registers of its pointers."""
-    ends = {param.extends_to for param in action.spec.params}
+    args = action.args
+    ends = action.spec.ends
     for param in action.spec.params:
-        if param.name in ends:
+        if param.name not in args or param.name in ends:
             continue
         operand = reached(action, param)
         is_written = param.slot.access is not Access.READ
@@ -97,8 +103,8 @@ def touches(action: Action) -> Iterator[Touch]:
                 yield Touch(operand.register, False, param)
             if param.slot.access is Access.OWN and isinstance(operand, Cell):
                 yield Touch(Cell(current_value(operand.address), operand.span), True, param)
-        elif param.name in action.args:
-            value = action.args[param.name]
+        else:
+            value = args[param.name]
             for operand in value_operands(value):
                 is_kept = isinstance(value, KeptToken)
                 if is_kept:

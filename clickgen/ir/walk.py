@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import typing as tp
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
@@ -30,11 +31,11 @@ def condition_operands(condition: Condition) -> Iterator[Operand]:
 
 def leaves(condition: Condition) -> Iterator[Contact | Compare]:
     """Every contact and comparison of a condition in source order."""
-    if isinstance(condition, All | Any):
+    if isinstance(condition, Contact) or isinstance(condition, Compare):  # noqa: SIM101
+        yield condition
+    elif not isinstance(condition, Always):
         for term in condition.terms:
             yield from leaves(term)
-    elif not isinstance(condition, Always):
-        yield condition
 
 
 def action_operands(action: Action) -> Iterator[Operand]:
@@ -44,18 +45,19 @@ def action_operands(action: Action) -> Iterator[Operand]:
 
 
 def value_operands(value: Value) -> Iterator[Operand]:
-    if isinstance(value, Contact | Compare | All | Any | Always):
-        yield from condition_operands(value)
-    elif isinstance(value, FormulaText):
-        for node in references(value.formula):
-            yield from _with_register(node.ref if isinstance(node, FormulaOperand) else node.range)
-    elif isinstance(value, Operands):
-        for item in value.items:
-            yield from _with_register(item)
-    elif isinstance(value, KeptToken):
-        yield from value.operands
-    elif isinstance(value, Operand):
-        yield from _with_register(value)
+    """Every operand of an argument; a pointer brings its register."""
+    parts = _PARTS.get(value.__class__)
+    return iter(()) if parts is None else parts(value)
+
+
+def _formula_operands(value: FormulaText) -> Iterator[Operand]:
+    for node in references(value.formula):
+        yield from _with_register(node.ref if isinstance(node, FormulaOperand) else node.range)
+
+
+def _listed_operands(value: Operands) -> Iterator[Operand]:
+    for item in value.items:
+        yield from _with_register(item)
 
 
 def _with_register(operand: Operand) -> Iterator[Operand]:
@@ -63,6 +65,16 @@ def _with_register(operand: Operand) -> Iterator[Operand]:
     yield operand
     if isinstance(operand, Pointer):
         yield operand.register
+
+
+_PARTS: dict[type, Callable[[tp.Any], Iterator[Operand]]] = {
+    **dict.fromkeys((Contact, Compare, All, Any, Always), condition_operands),
+    FormulaText: _formula_operands,
+    Operands: _listed_operands,
+    KeptToken: lambda token: iter(token.operands),
+    **dict.fromkeys(tp.get_args(Operand), _with_register),
+}
+"""The operands of each kind of argument; others have none."""
 
 
 def rung_operands(rung: Rung) -> Iterator[Operand]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from clickgen.click.draw.tokens import operand_token
 from clickgen.device.banks import BANKS, Address, Kind
@@ -15,6 +15,7 @@ from clickgen.ir.made import coil, copy
 from clickgen.ir.operands import Cell, Immediate, Integer, Named, Pointer, Range
 from clickgen.ir.program import Action, FormulaText
 from clickgen.ir.walk import Rewriter
+from clickgen.records import dataclass
 from clickgen.text.source import Span
 
 _SCRATCH_BANK = {Kind.INT16: "DS", Kind.INT32: "DD", Kind.HEX: "DH", Kind.FLOAT: "DF"}

@@ -111,7 +111,7 @@ class _RungSplit:
         parts = apart([step for step in steps if step.action.effects.flow is not Flow.PASS] or steps[:1])
         rung = self._rung_of(parts[0])
         if len(parts) == 1 and _draws(rung) and not parts[0][0].action.spec.pins:
-            self._emit_part(parts[0])
+            self._emit_drawn(parts[0], rung)
             return
         looking = [part for part in parts if is_of_program(part)]
         if len(looking) > 1 or not _draws(self._rung_of(looking[0])):
@@ -254,7 +254,10 @@ class _RungSplit:
 
     def _emit_part(self, part: Part) -> None:
         rung = self._rung_of(part)
-        self._put(rung if _draws(rung) else self._squeezed(part[0]))
+        self._emit_drawn(part, rung if _draws(rung) else self._squeezed(part[0]))
+
+    def _emit_drawn(self, part: Part, rung: ClickRung) -> None:
+        self._put(rung)
         body = part[-1].body
         if body is not None:
             self._home.lower(body)

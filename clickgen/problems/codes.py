@@ -45,3 +45,13 @@ CODES: dict[str, Entry] = dict(map(entry_of, TABLE.splitlines()))
 
 LEFT = "CG541"
 """The code of a name that left its program: only a look at the other programs of its table settles it."""
+
+_LATE = ("advice.", "lowered.")
+"""The folders of the rules that judge only programs without errors."""
+_LATE_CODES = (LEFT, "CG424")
+"""The codes that later stages report: what left the program, and how main is divided into files."""
+
+
+def waits_for_errors(code: str) -> bool:
+    """True if nothing can report this code while the program has an error."""
+    return CODES[code].home.startswith(_LATE) or code in _LATE_CODES

@@ -51,14 +51,17 @@ class Spellings:
     """Many names, and which of them another one looks like."""
 
     def __init__(self, names: Iterable[str]) -> None:
-        self._by_stem: dict[str, list[str]] = defaultdict(list)
+        # Names with different numbers are never slips of each other, and share most of their stems.
+        self._by_stem: dict[tuple[str, str], list[str]] = defaultdict(list)
         for name in dict.fromkeys(names):
+            digits = _digits(name)
             for stem in _stems(name):
-                self._by_stem[stem].append(name)
+                self._by_stem[digits, stem].append(name)
 
     def near(self, name: str) -> list[str]:
         """Those of the names that are this one but for a slip, in their order."""
-        found = dict.fromkeys(other for stem in _stems(name) for other in self._by_stem.get(stem, ()))
+        digits = _digits(name)
+        found = dict.fromkeys(other for stem in _stems(name) for other in self._by_stem.get((digits, stem), ()))
         return [other for other in found if is_slip(name, other)]
 
 
@@ -72,8 +75,12 @@ def _plain(name: str) -> str:
     return _SEPARATORS.sub("", name).lower()
 
 
-def _digits(name: str) -> list[str]:
-    return re.findall(r"[0-9]+", name)
+def _digits(name: str) -> str:
+    """The numbers in a name, apart from each other."""
+    return " ".join(_NUMBERS.findall(name))
+
+
+_NUMBERS = re.compile(r"[0-9]+")
 
 
 def _words(name: str) -> list[str]:

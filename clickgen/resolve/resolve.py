@@ -12,7 +12,7 @@ from clickgen.device.system import addresses_of_system_name, doubt_about, near_s
 from clickgen.dialects.base import Dialect
 from clickgen.instructions.spec import Access
 from clickgen.ir.conditions import Compare
-from clickgen.ir.operands import Cell, Constant, Immediate, Named, Operand, Range
+from clickgen.ir.operands import Cell, Constant, Immediate, Named, Operand
 from clickgen.ir.program import Action, Program, Routine, Value, Word, actions_in, rungs_in
 from clickgen.ir.proposals import Proposal
 from clickgen.ir.reach import reaching
@@ -22,11 +22,12 @@ from clickgen.resolve.allocate import Allocator
 from clickgen.resolve.constants import kind_of, stored, typed
 from clickgen.resolve.declare import Declared, Meaning, declare
 from clickgen.resolve.declare_blocks import declare_blocks
+from clickgen.resolve.guard_scratch import addresses_in, guard_scratch
 from clickgen.resolve.members import proposal_without_members, without_members
 from clickgen.table.address_table import AddressTable
 from clickgen.table.blocks import Block, covered
 from clickgen.table.masked import warn_of_masked
-from clickgen.table.rows import Row, is_scratch, looks_like_scratch
+from clickgen.table.rows import Row, looks_like_scratch
 from clickgen.text.wording import counted
 
 
@@ -76,12 +77,12 @@ def resolve(
     proposals = [proposal_without_members(proposal, blocks, table, dialect.spell) for proposal in program.proposals]
     proposed = replace(program, routines=tuple(Routine("", tuple(one.rungs()), one.span, False) for one in proposals))
     resolver = _Resolver(table, declared, frozen, problems, dialect, reserved)
-    resolver.allocator.take((*resolver.reserved, *covered(blocks.values()), *_addresses(operands)))
-    resolver.allocator.take(_addresses(program_operands(proposed)))
+    resolver.allocator.take((*resolver.reserved, *covered(blocks.values()), *addresses_in(operands)))
+    resolver.allocator.take(addresses_in(program_operands(proposed)))
     resolver.name(program, list(_named(operands)))
     functions = {routine.function: routine.name for routine in program.subroutines}
     resolved = _Names(resolver.addresses, functions).program(program)
-    _guard_scratch(resolved, table, problems)
+    guard_scratch(resolved, table, problems)
     rows = (*declared.rows, *resolver.allocated)
     warn_of_masked(program, rows, table, dialect.spell, problems)
     beside = resolver.beside()
@@ -106,40 +107,6 @@ def _faults(problems: Diagnostics) -> int:
 
 def _doubts_table(problems: Diagnostics) -> bool:
     return any(problem.code.startswith("CG6") for problem in problems.found)
-
-
-def _guard_scratch(program: Program, table: AddressTable, problems: Diagnostics) -> None:
-    """Refuse a program that uses one of clickgen's own scratch cells: both would write it."""
-    scratch = {row.address: row for row in table.rows if is_scratch(row)}
-    if not scratch:
-        return
-    touched = [(operand, _addresses([operand])) for operand in program_operands(program)]
-    for operand, length in reaching(program):
-        if isinstance(operand, Cell):
-            bank, number, _ = operand.address
-            touched.append((operand, (Address(bank, number + n) for n in range(length))))
-    for operand, addresses in touched:
-        for address in addresses:
-            row = scratch.get(address)
-            if row is not None:
-                problems.add(
-                    "CG205",
-                    operand.span,
-                    f"{address} is {row.nickname}, which clickgen uses for itself ({table.place(row)})",
-                    "use another address here, or delete that row of the table: then clickgen chooses another cell",
-                )
-                break
-
-
-def _addresses(operands: Iterable[Operand]) -> Iterable[Address]:
-    """Every address that the program writes by number."""
-    for operand in operands:
-        if isinstance(operand, Immediate):
-            operand = operand.target
-        if isinstance(operand, Cell):
-            yield operand.address
-        elif isinstance(operand, Range):
-            yield from operand.addresses()
 
 
 class _Resolver:

@@ -8,9 +8,9 @@ from __future__ import annotations
 import math
 import re
 import struct
-from dataclasses import dataclass
 
 from clickgen.device.banks import BANKS, FLOAT_MAX, INTEGER_RANGES, Address, Kind
+from clickgen.records import dataclass
 from clickgen.text.source import Span
 
 COLUMNS = ("Address", "Data Type", "Nickname", "Initial Value", "Retentive", "Address Comment")

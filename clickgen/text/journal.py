@@ -10,7 +10,6 @@ nothing outside its folder.
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import json
 import os
 import re
@@ -21,6 +20,7 @@ from typing import NamedTuple
 
 from clickgen.text.lock import locked
 from clickgen.workspace import read_file
+from clickgen.workspace.digest import digest_of
 
 _OWN = re.compile(r"\.clickgen-([0-9a-f]{16})(?:-\d+)?\.(new|old|journal|done)")
 _NOTE_MAX = 16 * 2**20
@@ -70,10 +70,6 @@ def _seen_from(folder: str, other: str) -> str:
         return os.path.relpath(other, folder)
     except ValueError:  # another drive of Windows
         return other
-
-
-def digest_of(data: bytes) -> str:
-    return hashlib.blake2b(data, digest_size=20).hexdigest()
 
 
 def recover(folders: Iterable[str | os.PathLike[str]]) -> list[Path]:

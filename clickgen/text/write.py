@@ -16,9 +16,10 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from pathlib import Path
 from types import FrameType
 
-from clickgen.text.journal import Note, Step, digest_of, done_name, journal_name, recover, sibling_name
+from clickgen.text.journal import Note, Step, done_name, journal_name, recover, sibling_name
 from clickgen.text.lock import locked
 from clickgen.workspace import CouldNotRun, leads_elsewhere, read_file, read_if_there
+from clickgen.workspace.digest import digest_of
 
 written: list[Path] = []
 """Every path that this process has put in place, for callers who report them when it is stopped."""
@@ -289,7 +290,13 @@ class _Work:
             raise _os_error(errno.ENOTDIR, f"{folder} is a file, and a folder is needed there", folder)
         for new in reversed(missing):
             self.made_folders.append(new)
-            new.mkdir()
+            try:
+                new.mkdir()
+            except FileExistsError:
+                # Another writer was faster; it is that one's folder now.
+                self.made_folders.remove(new)
+                if not new.is_dir():
+                    raise
 
 
 @contextlib.contextmanager

@@ -16,6 +16,7 @@ from clickgen.config import find_config
 from clickgen.device.banks import Kind
 from clickgen.device.limits import comment_bytes, styled_part
 from clickgen.dialects.if_rungs.look import is_program
+from clickgen.lower import split
 from clickgen.table.blocks import mark_in
 from clickgen.table.rows import initial_fault
 from clickgen.text.patterns import matches
@@ -52,11 +53,10 @@ def judged(text: str, folder: Path) -> int:
     return judged_and_told(text, folder)[0]
 
 
-def judged_and_told(text: str, folder: Path, reserved: str = "") -> tuple[int, list[str]]:
-    """The work of a check, and the codes of its findings; some addresses may be reserved."""
+def judged_and_told(text: str, folder: Path) -> tuple[int, list[str]]:
+    """The work of a check, and the codes of its findings."""
     (folder / "p.py").write_text(text, "utf-8")
-    settings = f'reserved = ["{reserved}"]\n' if reserved else ""
-    (folder / "clickgen.toml").write_text(f'{settings}[check.per-file-ignores]\n"**/q*.py" = ["CG5"]\n', "utf-8")
+    (folder / "clickgen.toml").write_text('[check.per-file-ignores]\n"**/q*.py" = ["CG5"]\n', "utf-8")
     request = Request(find_config(folder), paths=(str(folder / "p.py"),), use_cache=False)
     outcomes: list[Outcome] = []
     work = calls_in(lambda: outcomes.append(run_check(request)))
@@ -165,13 +165,19 @@ def test_marks_and_styles_are_looked_for_in_what_can_hold_them() -> None:
     assert comment_bytes(" __a" * 50_000) == 200_000
 
 
-def test_scratch_cells_that_cannot_be_placed_are_not_drawn(tmp_path: Path) -> None:
-    """Each of these rungs takes ten scratch bits; four hundred fill the free addresses, and the rest is not drawn."""
-    rungs = "    if nc(c[1:301]):\n        set(y[1])\n"
-    sources = ("def main():\n" + rungs * n + END for n in (4, 80))
-    (few, _), (many, codes) = (judged_and_told(source, tmp_path, "C401..C2000") for source in sources)
-    assert many < 12 * few, "twenty times as many rungs, of which the free bits serve half"
-    assert codes == ["CG208"]
+def test_scratch_cells_that_cannot_be_placed_are_not_drawn(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each of these rungs takes ten scratch bits; after two hundred the bank is full, and the rest is not drawn."""
+    divided: list[object] = []
+    real = split._RungSplit.run
+
+    def run(rung: split._RungSplit) -> None:
+        divided.append(rung)
+        real(rung)
+
+    monkeypatch.setattr(split._RungSplit, "run", run)
+    rungs = "    if nc(c[1:301]):\n        set(y[1])\n" * 220
+    assert judged_and_told("def main():\n" + rungs + END, tmp_path)[1] == ["CG208"]
+    assert len(divided) == 201
 
 
 def test_names_that_have_no_room_apart_are_not_compared(

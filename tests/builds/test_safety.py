@@ -9,8 +9,10 @@ import pytest
 from hostile import DOUBLE, GOOD, MENDED, check, outside, place, posix_only
 
 from clickgen.cli import main
-from clickgen.commands.check import secret
+from clickgen.commands.check.cache import NAME
 from clickgen.dialects.discover import Target
+from clickgen.workspace import secret
+from clickgen.workspace.memory import Memory
 
 __all__ = ["place"]
 
@@ -25,7 +27,7 @@ MINE = "mine, and no business of a build\n"
 
 
 def entries() -> list[Path]:
-    return sorted(Path(".clickgen_cache").glob("*.json"))
+    return sorted(Path(".clickgen_cache").glob("checked.json"))
 
 
 def test_findings_that_somebody_took_out_of_the_cache_are_found_again(capsys: pytest.CaptureFixture[str]) -> None:
@@ -33,8 +35,9 @@ def test_findings_that_somebody_took_out_of_the_cache_are_found_again(capsys: py
     told = check(capsys, "prog.py")
     assert told[0] == 1
     (entry,) = entries()
-    forged = {**json.loads(entry.read_text()), "findings": []}
-    entry.write_text(json.dumps(forged))
+    mark, body = entry.read_text().split("\n", 1)
+    forged = {key: {**known, "findings": []} for key, known in json.loads(body).items()}
+    entry.write_text(f"{mark}\n{json.dumps(forged)}")
     assert check(capsys, "prog.py") == told
 
 
@@ -60,23 +63,20 @@ def test_a_cache_of_another_user_counts_for_nothing(
 
 def test_a_fix_out_of_the_cache_changes_no_other_file(place: Path) -> None:
     """Not even with the mark of this user."""
-    from clickgen.commands.check.cache import _mark
-
     Path("prog.py").write_text(MENDED)
     (place / "outside" / "other.py").write_text(MINE)
     Path("other.py").write_text(MINE)
     main(["check", "prog.py"])
-    (entry,) = entries()
-    tree = json.loads(entry.read_text())
-    key = secret.user_secret(Path.cwd())
-    assert key is not None
+    memory = Memory(Path.cwd())
+    tree = memory.get(NAME)
+    assert isinstance(tree, dict)
+    (entry,) = tree.values()
     for other in (str(place / "outside" / "other.py"), "other.py"):
-        finding = next(finding for finding in tree["findings"] if finding[5])
+        finding = next(finding for finding in entry["findings"] if finding[5])
         for edit in finding[5][0]:
             edit[0][0] = other
-        del tree["mark"]
-        tree["mark"] = _mark({name: value for name, value in tree.items() if name != "mark"}, key)
-        entry.write_text(json.dumps(tree))
+        memory.put(NAME, tree)
+        memory.save()
         main(["check", "prog.py", "--fix"])
         assert outside(place) == {"other.py": MINE}
         assert Path("other.py").read_text() == MINE

@@ -45,7 +45,7 @@ def files(folder: Path) -> dict[str, bytes]:
 
 
 def test_a_build_writes_exactly_these_files(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["build", "prog.py"]) == 0
+    assert main(["build", "prog.py", "--no-cache"]) == 0
     assert set(files(folder)) == {
         "prog.py",
         "nicknames.csv",
@@ -61,6 +61,13 @@ def test_a_build_writes_exactly_these_files(folder: Path, capsys: pytest.Capture
     assert "3 rungs in main, 1 rung in 1 subroutine" in said.out
     assert "2 new addresses" in said.out
     assert "named wash" in said.out
+
+
+def test_a_build_remembers_what_it_read_where_git_looks_past_it(folder: Path) -> None:
+    assert main(["build", "prog.py"]) == 0
+    cache = folder / ".clickgen_cache"
+    assert (cache / ".gitignore").read_text() == "*\n"
+    assert [path.name.partition("-")[0] for path in cache.glob("*.json")] == ["rungs"]
 
 
 def test_a_second_build_changes_nothing(folder: Path) -> None:

@@ -17,7 +17,7 @@ from clickgen.cli.jobs import Job
 from clickgen.commands.nicknames.elsewhere import build_among
 from clickgen.config import Config
 from clickgen.results import BuildResult
-from clickgen.workspace import CouldNotRun
+from clickgen.workspace import CouldNotRun, Workspace
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="about signals and pipes of POSIX")
 
@@ -243,10 +243,10 @@ def test_a_table_that_changes_during_a_build_is_read_again(monkeypatch: pytest.M
     assert main(["build", "prog.py"]) == 0
     calls = 0
 
-    def changing(jobs: Sequence[Job], config: Callable[[], Config]) -> list[BuildResult]:
+    def changing(jobs: Sequence[Job], config: Callable[[], Config], files: Workspace) -> list[BuildResult]:
         nonlocal calls
         calls += 1
-        results = build_among(jobs, config)
+        results = build_among(jobs, config, files)
         if calls <= 2:
             with open("nicknames.csv", "a") as table:
                 table.write(f'C{100 + calls},BIT,"Mine{calls}",0,No,""\n')

@@ -11,8 +11,7 @@ from pathlib import Path
 import pytest
 
 from clickgen.cli import main
-from clickgen.commands.check.cache import Cache, Cached, _mark, key_of
-from clickgen.commands.check.secret import user_secret
+from clickgen.commands.check.cache import NAME, Cache, Cached, key_of
 from clickgen.config import Config, ConfigError, find_config
 from clickgen.device.banks import BANKS
 from clickgen.dialects.discover import Target, discover, targets, wholly_judged
@@ -20,6 +19,8 @@ from clickgen.dialects.if_rungs.look import BANK_WORDS, CALL_WORDS, is_program
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.text.patterns import matches
 from clickgen.workspace import CouldNotRun, Workspace
+from clickgen.workspace.digest import digest_of
+from clickgen.workspace.memory import FOLDER, Memory
 
 END = "    if True:\n        end()\n"
 RUNG = "    if c.A:\n        out(c.B)\n"
@@ -448,15 +449,35 @@ def test_a_pattern_that_can_never_meet_is_refused(key: str, pattern: str) -> Non
 def test_a_damaged_entry_is_no_cache(damage: dict[str, object]) -> None:
     """Even with the mark of this user: the mark says who wrote it, not that it is sound."""
     file = write("p.py", CLEAN)
-    cache, key = Cache(Path.cwd() / "cache"), key_of("p.py")
-    cache.put(key, Cached((), ("p.py",)), {"p.py": file.read_bytes()})
-    assert cache.get(key) == Cached((), ("p.py",))
-    (path,) = Path("cache").glob("*.json")
-    entry = json.loads(path.read_text("utf-8")) | damage
-    path.write_text(json.dumps(entry), "utf-8")
-    assert cache.get(key) is None
-    del entry["mark"]
-    secret = user_secret(Path.cwd())
-    assert secret is not None
-    path.write_text(json.dumps({**entry, "mark": _mark(entry, secret)}), "utf-8")
-    assert cache.get(key) is None
+    key, cached = key_of("p.py"), Cached((), ("p.py",))
+    memory = Memory(Path.cwd())
+    Cache(Workspace(memory=memory)).put(key, cached, {"p.py": file.read_bytes()})
+    memory.save()
+    assert remembered(key) == cached
+    path = Path(FOLDER, NAME)
+    mark, body = path.read_bytes().split(b"\n", 1)
+    damaged = {key: json.loads(body)[key] | damage}
+    path.write_bytes(mark + b"\n" + json.dumps(damaged).encode())
+    assert remembered(key) is None
+    memory.put(NAME, damaged)
+    memory.save()
+    assert remembered(key) is None
+
+
+def remembered(key: str) -> Cached | None:
+    """What a new process finds in the cache."""
+    return Cache(Workspace(memory=Memory(Path.cwd()))).get(key)
+
+
+@pytest.mark.parametrize("damage", [5, [], {"": 5}, {"": [True, True]}, {"": [1, 1, []]}, None], ids=repr)
+def test_a_damaged_discovery_is_made_anew(damage: object) -> None:
+    """An unchanged file is not looked through again, unless what is remembered of it has another form."""
+    file = write("p.py", CLEAN)
+    found = targets(["."], find_config(Path.cwd()))
+    memory = Memory(Path.cwd())
+    if isinstance(damage, dict):
+        damage = {digest_of(file.read_bytes()): one for one in damage.values()}
+    memory.put("discovered.json", damage)
+    memory.save()
+    workspace = Workspace(memory=Memory(Path.cwd()))
+    assert targets(["."], find_config(Path.cwd()), workspace=workspace) == found != []

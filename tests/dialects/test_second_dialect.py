@@ -23,7 +23,7 @@ from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.text.source import SourceFile
 
 TELL_TALE = re.compile(
-    r"\b[a-z_]+\(|\b(?:x|y|c|t|ct|sc|ds|dd|dh|df|xd|yd|td|ctd|sd|txt)(?:\[|\.[A-Za-z_])|\bif True\b|\bif .*:|\belif\b"
+    r"\b[a-z_]+\(|\b(?:x|y|c|t|ct|sc|ds|dd|dh|df|xd|yd|td|ctd|sd|txt)(?:\[|\.[A-Za-z_])|\bif [A-Z<].*:|\belif\b"
     r"|\bdef \w|@sub|lambda|# ?clickgen|\bslice|\w=(?!=)|\.immediate|nickname\(|\bfor _ in\b|\bfrom \w+ import\b|Python"
 )
 """Text of the ``if`` dialect: calls, addresses, rungs, comments for clickgen."""

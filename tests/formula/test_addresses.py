@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from hypothesis import example, given
 from hypothesis import strategies as st
 
@@ -91,3 +93,24 @@ def test_the_banks_of_pointers_are_said_alike() -> None:
         wrong = as_source(f"{bank}[ds.Index]")
         assert bool(wrong) is (bank.upper() not in POINTED)
         assert as_formula(f"{bank}[ds.Index]") == wrong
+
+
+SHOWN = re.compile(
+    rf"\b(?:{'|'.join(BANK_WORDS)})(?:\.\w+|\[(?:\"[^\"]*\"|[a-z]+\.\w+|[a-z]+\[\d+\]|[-\d:]+)\])(?:\[[-\d:]*\])?(?!\w)"
+)
+"""An address in a way out."""
+
+
+@given(ADDRESSES)
+@example("ds[ds.A + 1]")
+@example("x[1-40]")
+@example("sc[Name]")
+@example("XD[9]")
+@example("t4[1]")
+@example("x.Recipe[-1]")
+def test_a_way_out_shows_addresses_that_can_be_read(address: str) -> None:
+    for _, _, help, *_ in as_source(address):
+        # The person's own words come back after a bank in capital letters: they may have another fault.
+        own = "banks are written in small letters"
+        for shown in SHOWN.findall(help) if own not in help else ():
+            assert as_source(shown) == [], (help, shown)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from clickgen.cli import OK, PROBLEMS, tell
-from clickgen.cli.jobs import Job, jobs, near, settings_of, settle
+from clickgen.cli.jobs import Job, Run, near
 from clickgen.commands.nicknames.changes import KINDS, RENAMED, SWAPPED
 from clickgen.commands.nicknames.merge import Merge
 from clickgen.commands.nicknames.programs import Program
@@ -62,13 +62,14 @@ def run(options: argparse.Namespace) -> int:
     from clickgen.commands.nicknames.uses import ProgramsSay, places_in
 
     kinds = _kinds(options.accept)
-    target = _table_to_merge(options)
+    this = Run(options.config)
+    target = _table_to_merge(this, options)
     path = target.table
     if not options.dry_run:
-        settle(target.jobs, options.config)
-    table, before = _read(path, bool(options.nicknames) and target.workbook is None, target.workbook)
-    export, _ = _read(Path(options.export), must_exist=True)
-    around = programs_around(target.jobs, settings_of(options.config), Workspace(), [path])
+        this.settle(target.jobs)
+    table, before = _read(this.files, path, bool(options.nicknames) and target.workbook is None, target.workbook)
+    export, _ = _read(this.files, Path(options.export), must_exist=True)
+    around = programs_around(target.jobs, this.settings, this.files, [path])
     own = [program for program in around if program.table_key == os.path.realpath(path)]
     names = [_seen_from_here(file) for program in own for file in program.names]
     result = merge(table, export, places_in(names), ProgramsSay(names))
@@ -152,10 +153,9 @@ def _kinds(accepted: Iterable[str]) -> set[str]:
     return kinds
 
 
-def _table_to_merge(options: argparse.Namespace) -> _Merging:
+def _table_to_merge(this: Run, options: argparse.Namespace) -> _Merging:
     """The table that takes the export: the named one, else the one of the settings."""
-    config = settings_of(options.config)
-    found = jobs([], config=options.config) if config.programs else []
+    found = this.jobs([]) if this.settings.programs else []
     named = Path(options.nicknames) if options.nicknames else None
     if named is not None and not is_workbook(named):
         own = [job for job in found if _same(job.settings.table_of(job.program), named)]
@@ -183,18 +183,20 @@ def _one_workbook(own: Iterable[Job]) -> Path | None:
     return books[0] if books else None
 
 
-def _read(path: Path, must_exist: bool, workbook: Path | None = None) -> tuple[AddressTable, bytes | None]:
+def _read(
+    files: Workspace, path: Path, must_exist: bool, workbook: Path | None = None
+) -> tuple[AddressTable, bytes | None]:
     """A table, with the rows of a workbook in front, and the bytes of its file."""
     from clickgen.table.layers import read_layers
     from clickgen.table.read import TableUnreadable
 
     problems = Diagnostics()
     try:
-        table, before = read_layers(path, workbook, must_exist, Workspace(), problems)
+        table, before = read_layers(path, workbook, must_exist, files, problems)
     except TableUnreadable as error:
         raise CouldNotRun(str(error)) from None
     if problems.has_errors:
-        write_problems(problems.in_order(), [], sys.stderr)
+        write_problems(problems.in_order(), [], sys.stderr, files)
         raise CouldNotRun(f"{path} has {summary(problem.severity for problem in problems.found)}; nothing was written")
     return table, before
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from clickgen.cli import OK, tell
-from clickgen.cli.jobs import near, settings_of, settle
+from clickgen.cli.jobs import Run, near
 from clickgen.cli.nicknames.shared import add_programs, jobs_of
 from clickgen.commands.nicknames.rename import Rename, rename
 from clickgen.text.wording import counted
@@ -42,10 +42,11 @@ def _adoption_lines(result: Rename, is_dry: bool) -> Iterator[str]:
 
 def run(options: argparse.Namespace) -> int:
     """Rename a nickname or a block everywhere, after the proof that the ladder stays; return the exit code."""
-    found = jobs_of(options)
+    this = Run(options.config)
+    found = jobs_of(this, options)
     if not options.dry_run:
-        settle(found, options.config)
-    result = rename(options.old, options.new, found, settings_of(options.config))
+        this.settle(found)
+    result = rename(options.old, options.new, found, this.settings, this.files)
     programs = ", ".join(str(near(Path(program))) for program in result.programs)
     becomes, stays = ("would become", "would be") if options.dry_run else ("becomes", "stays")
     tell(f"{result.old} {becomes} {result.new}; the ladder of {programs} {stays} the same:")

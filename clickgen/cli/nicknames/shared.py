@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterable
 
-from clickgen.cli.jobs import Job, jobs
+from clickgen.cli.jobs import Job, Run
 from clickgen.commands.nicknames.sync import TableSync
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.problems.report.frames import summary
@@ -20,9 +20,9 @@ def add_programs(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("programs", metavar="PROG.py", nargs="*", help="the programs (default: every configured one)")
 
 
-def jobs_of(options: argparse.Namespace) -> list[Job]:
+def jobs_of(this: Run, options: argparse.Namespace) -> list[Job]:
     """Return the programs that the options name, else every configured one. Raises CouldNotRun."""
-    found = jobs(list(options.programs), options.nicknames, config=options.config)
+    found = this.jobs(list(options.programs), options.nicknames)
     if len(found) > 1 and options.nicknames and not options.programs:
         raise CouldNotRun("several programs are configured: --nicknames goes with those that you name")
     return found

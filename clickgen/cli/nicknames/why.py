@@ -7,6 +7,7 @@ import sys
 
 from clickgen.api import build
 from clickgen.cli import OK, PROBLEMS, complain, tell
+from clickgen.cli.jobs import Run
 from clickgen.cli.nicknames.shared import add_programs, jobs_of, summary_of
 from clickgen.problems.report.frames import write_problems
 
@@ -25,17 +26,19 @@ def run(options: argparse.Namespace) -> int:
     from clickgen.table.names import record_beside
     from clickgen.table.record import read_record
 
-    found = jobs_of(options)
-    results = [build(job.program, settings=job.settings) for job in found]
+    this = Run(options.config)
+    found = jobs_of(this, options)
+    results = [build(job.program, settings=job.settings, workspace=this.files) for job in found]
     broken = [result for result in results if not result.ok]
     for result in broken:
-        write_problems([problem for problem in result.diagnostics if problem.is_error], result.sources, sys.stderr)
+        errors = [problem for problem in result.diagnostics if problem.is_error]
+        write_problems(errors, result.sources, sys.stderr, this.files)
     if broken:
         complain(f"{summary_of(broken)}; a program with errors has no addresses yet")
         return PROBLEMS
     said = []
     for job, result in zip(found, results, strict=True):
-        data = read_record(record_beside(result.table_path))
+        data = read_record(record_beside(result.table_path), this.files)
         said += why(options.name, result, job.settings.reserved, data)
     if not said:
         hint = suggestion(options.name, results)

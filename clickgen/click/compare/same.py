@@ -86,6 +86,8 @@ def compare(
 
 def is_identical(one: DrawnRung, other: DrawnRung) -> bool:
     """True for the same squares and outputs in the same rows; blank rows at the end and spelling do not count."""
+    if one.is_drawn_as(other):
+        return True
     outputs = [[(box.row, said_by(box), [row for _, row in box.pins]) for box in rung.boxes] for rung in (one, other)]
     return outputs[0] == outputs[1] and _squares(one) == _squares(other)
 

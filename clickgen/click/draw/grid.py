@@ -10,13 +10,13 @@ boundary. Where parallel legs merge and outputs split at the same boundary they 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from clickgen.click.draw.network import Leaf, Net, Parallel, Series, network
 from clickgen.click.draw.tokens import ALWAYS_CONTACT, NEVER_CONTACT, action_token, pin_row, pin_token
 from clickgen.instructions.spec import Param
 from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.program import Action, Branch, Item
+from clickgen.records import dataclass
 
 COLUMNS = 31
 """Condition columns A to AE."""

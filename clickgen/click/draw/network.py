@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from clickgen.click.draw.tokens import compare_token, contact_token
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Immediate, Range
+from clickgen.records import dataclass
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from decimal import Decimal
+from typing import Any
 
 from clickgen.device.banks import Address, current_value
 from clickgen.device.system import ALWAYS_ON
 from clickgen.formula import print_formula
 from clickgen.instructions.spec import Param, ParamKind, Spec
 from clickgen.ir.conditions import Compare, Contact
-from clickgen.ir.modbus import Remote, RemoteCell, RtuTarget, Target, TcpTarget
+from clickgen.ir.modbus import Remote, RemoteCell, RemoteModbus, RtuTarget, Target, TcpTarget
 from clickgen.ir.operands import Cell, CharCode, Hex, Immediate, Integer, Named, Operand, Pointer, Range, Real, Text
 from clickgen.ir.program import Action, FormulaText, KeptToken, Operands, Options, Pattern, Word
 from clickgen.ir.reach import reached
@@ -27,25 +28,23 @@ CONVERSION = "convert"
 
 def operand_token(operand: Operand) -> str:
     """Return an operand as CLICK writes it: ``DS5``, ``C1..C8``, ``DS[DS1]``, ``00FFh``, ``"ABC"``, ``$0D``."""
-    if isinstance(operand, Cell):
-        return str(operand.address)
-    if isinstance(operand, Integer):
-        return str(operand.value)
-    if isinstance(operand, Range):
-        return f"{Address(operand.bank, operand.first)}..{Address(operand.bank, operand.last)}"
-    if isinstance(operand, Hex):
-        return f"{operand.value:04X}h"
-    if isinstance(operand, Real):
-        return real_token(operand)
-    if isinstance(operand, Text):
-        return '"' + operand.value.replace('"', '""') + '"'
-    if isinstance(operand, Pointer):
-        return f"{operand.bank}[{operand_token(operand.register)}]"
-    if isinstance(operand, Immediate):
-        return f"immediate({operand_token(operand.target)})"
-    if isinstance(operand, CharCode):
-        return f"${operand.value:02X}"
-    raise TypeError(f"{type(operand).__name__} has no token")
+    token = _TOKENS.get(operand.__class__)
+    if token is None:
+        raise TypeError(f"{type(operand).__name__} has no token")
+    return token(operand)
+
+
+_TOKENS: dict[type, Callable[[Any], str]] = {
+    Cell: lambda cell: str(cell.address),
+    Integer: lambda integer: str(integer.value),
+    Range: lambda span: f"{Address(span.bank, span.first)}..{Address(span.bank, span.last)}",
+    Hex: lambda number: f"{number.value:04X}h",
+    Real: lambda real: real_token(real),
+    Text: lambda text: '"' + text.value.replace('"', '""') + '"',
+    Pointer: lambda pointer: f"{pointer.bank}[{operand_token(pointer.register)}]",
+    Immediate: lambda immediate: f"immediate({operand_token(immediate.target)})",
+    CharCode: lambda code: f"${code.value:02X}",
+}
 
 
 def real_token(real: Real) -> str:
@@ -108,30 +107,22 @@ def _argument(action: Action, param: Param, name: Namer) -> str:
     value = reached(action, param) if param.extends_over else action.args.get(param.name)
     if param.kind is ParamKind.FLAG:
         return f",{keyword_of(param)}=1" if action.flag(param.name) else ""
-    if param.kind is ParamKind.OPTIONS:
-        return _options(value) if isinstance(value, Options) else ""
-    if isinstance(value, Word):
-        return str(value.value)
-    if isinstance(value, KeptToken):
-        return value.text
-    if isinstance(value, FormulaText):
-        return formula_text(value, name)
-    if param.kind is ParamKind.UNIT:
-        return str(param.default)
-    if isinstance(value, Operands):
-        return ",".join(map(name, value.items))
-    if isinstance(value, Pattern):
-        return ",".join(f"[{','.join(str(int(bit)) for bit in row)}]" for row in value.rows)
-    if isinstance(value, Target):
-        return _target(value)
-    if isinstance(value, Remote):
-        return _remote(value)
-    if not isinstance(value, Operand):
-        return ""
-    if isinstance(value, Range) and len(value) == 1 and value.bank in param.slot.cells and not param.extends_over:
-        value = Cell(Address(value.bank, value.first), value.span)
+    shown = _SHOWN.get(value.__class__)
+    if shown is not None:
+        return shown(value, param, name)
+    return str(param.default) if param.kind is ParamKind.UNIT else ""
+
+
+def _operand(value: Operand, param: Param, name: Namer) -> str:
+    if value.__class__ is Range and isinstance(value, Range):
+        is_cell = len(value) == 1 and value.bank in param.slot.cells and not param.extends_over
+        value = Cell(Address(value.bank, value.first), value.span) if is_cell else value
     word = keyword_of(param)
     return f",{word}={name(value)}" if word else name(value)
+
+
+def _pattern(pattern: Pattern) -> str:
+    return ",".join(f"[{','.join(str(int(bit)) for bit in row)}]" for row in pattern.rows)
 
 
 def keyword_of(param: Param) -> str:
@@ -165,6 +156,20 @@ def _options(options: Options) -> str:
     code = "none" if options.termination_code is None else f"${options.termination_code:02X}"
     suppress, exponential = int(options.suppress_zero), int(options.exponential)
     return f",{CONVERSION}=to_text(suppress_zero={suppress},exponential={exponential},termination_code={code})"
+
+
+_SHOWN: dict[type, Callable[[Any, Param, Namer], str]] = {
+    Word: lambda word, _, __: str(word.value),
+    Options: lambda options, _, __: _options(options),
+    KeptToken: lambda token, _, __: token.text,
+    FormulaText: lambda formula, _, name: formula_text(formula, name),
+    Operands: lambda operands, _, name: ",".join(map(name, operands.items)),
+    Pattern: lambda pattern, _, __: _pattern(pattern),
+    **dict.fromkeys((TcpTarget, RtuTarget), lambda target, _, __: _target(target)),
+    **dict.fromkeys((RemoteCell, RemoteModbus), lambda remote, _, __: _remote(remote)),
+    **dict.fromkeys((Named, *_TOKENS), _operand),
+}
+"""How each kind of argument is shown in a token; conditions are no part of one."""
 
 
 def pin_row(spec: Spec, param: Param) -> int:

@@ -244,15 +244,9 @@ def _drawn(rung: Rung, number: int, file: str) -> DrawnRung:
     problems = [LadderProblem(problem.message, file, 0, number) for problem in drawn.problems]
     if rung.comment is None and rung.comment_rtf:
         problems.append(LadderProblem("the comment cannot be read", file, 0, number))
-    return DrawnRung(
-        number,
-        file,
-        0,
-        comment,
-        tuple(replace(row, line=0) for row in drawn.rows),
-        drawn.boxes,
-        tuple(problems),
-    )
+    rows = tuple(replace(row, line=0) for row in drawn.rows)
+    written = drawn.written._replace(rows=rows) if drawn.written is not None else None
+    return DrawnRung(number, file, 0, comment, rows, drawn.boxes, tuple(problems), written=written)
 
 
 def _words(error: Exception) -> str:

@@ -11,6 +11,7 @@ import io
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 from clickgen.click.draw.grid import COLUMNS, MAX_ROWS
 from clickgen.click.ladder_csv import HEADER
@@ -52,6 +53,14 @@ class DrawnBox:
     pins: tuple[tuple[str, int], ...] = ()
 
 
+class AsWritten(NamedTuple):
+    """The text of each row of a rung, with the rows and boxes that the reader made of it."""
+
+    text: tuple[tuple[str, ...], ...]
+    rows: tuple[DrawnRow, ...]
+    boxes: tuple[DrawnBox, ...]
+
+
 @dataclass(frozen=True)
 class DrawnRung:
     """One rung. ``number`` counts from 1 in its routine; ``line`` is 0 in a binary file.
@@ -68,6 +77,8 @@ class DrawnRung:
     problems: tuple[LadderProblem, ...] = ()
     notes: tuple[str, ...] = ()
     """Notes for a person on how the rung was read."""
+    written: AsWritten | None = field(default=None, compare=False, repr=False)
+    """The text in the file, if the rung was read from text and has no problems."""
 
     @property
     def span(self) -> Span:
@@ -75,8 +86,22 @@ class DrawnRung:
         line = self.line or self.number
         return Span(self.file, line, 1, line, 2)
 
+    def is_drawn_as(self, other: DrawnRung) -> bool:
+        """True if both were read from the same text, so that they are drawn alike; False proves nothing."""
+        return self is other or (self.text is not None and self.text == other.text)
+
+    @property
+    def text(self) -> tuple[tuple[str, ...], ...] | None:
+        """The text of each row; None if it is not known, as after a change of the rung."""
+        written = self.written
+        if written is None or self.problems or written.rows is not self.rows or written.boxes is not self.boxes:
+            return None
+        return written.text
+
     def numbered(self, number: int) -> DrawnRung:
         """Return the same rung at another place of its routine."""
+        if number == self.number:
+            return self
         problems = tuple(problem.in_rung(number) for problem in self.problems)
         return replace(self, number=number, problems=problems)
 
@@ -129,6 +154,7 @@ class _Reader:
     rung_row: int = 0
     """The line of the open rung; 0 if none is open."""
     rows: list[DrawnRow] = field(default_factory=list)
+    cells: list[tuple[str, ...]] = field(default_factory=list)
     faults: list[LadderProblem] = field(default_factory=list)
 
     def records(self, text: str) -> Iterator[tuple[int, list[str]]]:
@@ -178,12 +204,12 @@ class _Reader:
         if "\n" in text or "\r" in text:
             self._fault("a cell holds a line break: is a quote missing?", row)
             return
+        plain = _PLAIN.get  # Most squares are blank or a wire.
         squares = tuple(
-            # Most squares are blank or a wire.
-            _PLAIN.get(cell) or self._square(cell.strip(), column, row)
-            for column, cell in enumerate(fields[1:-1])
+            [plain(cell) or self._square(cell.strip(), column, row) for column, cell in enumerate(fields[1:-1])]
         )
         self.rows.append(DrawnRow(squares, fields[-1].strip(), row))
+        self.cells.append(tuple(fields[1:]))
 
     def _square(self, text: str, column: int, row: int) -> Square:
         wires = _WIRES.get(text)
@@ -214,18 +240,20 @@ class _Reader:
         if height > MAX_ROWS:
             self._fault(f"the rung has {height} rows with its boxes at their full height, and CLICK {MAX_ROWS}", 0)
         number = len(self.rungs) + 1
+        rows = _joined(self.rows)
         problems = tuple(LadderProblem(p.message, p.file, p.row or self.rung_row, number) for p in self.faults)
         rung = DrawnRung(
             number,
             self.file,
             self.rung_row,
             "\n".join(self.comment),
-            _joined(self.rows),
+            rows,
             boxes,
             problems,
+            written=None if problems else AsWritten(tuple(self.cells), rows, boxes),
         )
         self.rungs.append(rung)
-        self.comment, self.rows, self.faults, self.rung_row = [], [], [], 0
+        self.comment, self.rows, self.cells, self.faults, self.rung_row = [], [], [], [], 0
 
     def _boxes(self) -> tuple[DrawnBox, ...]:
         """The instructions of the open rung, with each pin at the one directly above it."""

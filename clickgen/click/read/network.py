@@ -7,13 +7,13 @@ else; otherwise the wire stays an arc of its own.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from clickgen.click.draw.grid import COLUMNS
 from clickgen.click.draw.tokens import compare_token, contact_token
 from clickgen.click.ladder_csv import HEADER
-from clickgen.click.read.grid import DrawnRung, Square
+from clickgen.click.read.grid import DrawnRung
 from clickgen.click.read.problem import LadderProblem
 from clickgen.ir.conditions import Always, Compare, Condition, Contact
 
@@ -54,21 +54,33 @@ def network_of(rung: DrawnRung) -> Network:
     nodes = _Joined()
     for row, drawn in enumerate(rung.rows):
         nodes.join(RAIL, (row, 0))
-        for column, square in enumerate(drawn.squares):
-            if square.down and column and row + 1 < len(rung.rows):
-                nodes.join((row, column), (row + 1, column))
+        if row + 1 < len(rung.rows):
+            for column, square in enumerate(drawn.squares):
+                if square.down and column:
+                    nodes.join((row, column), (row + 1, column))
     wire = Always(rung.span)
     arcs: list[Arc] = []
     for row, drawn in enumerate(rung.rows):
-        above = rung.rows[row - 1].squares if row else ()
+        squares = drawn.squares
+        above = rung.rows[row - 1].squares if row else squares
+        # A wire ends at a contact, at a gap, and at a square where another wire meets it from above or below.
+        stops = [
+            column
+            for column, square in enumerate(squares)
+            if square.contact is not None or square.down or not square.right or (row and above[column].down)
+        ]
+        stops.append(COLUMNS)
+        following = iter(stops)
+        stop = next(following)
         column = 0
         while column < COLUMNS:
-            place, square = (row, column), drawn.squares[column]
+            place, square = (row, column), squares[column]
             column += 1
-            if square.contact is None:
+            if square.contact is None and square.right:
                 # A wire is one arc up to the next square that is more than a piece of it.
-                while column < COLUMNS and square.right and _goes_on(drawn.squares[column], above, column):
-                    column += 1
+                while stop < column:
+                    stop = next(following)
+                column = stop
             if square.right:
                 arcs.append(Arc(nodes.of(place), nodes.of((row, column)), square.contact or wire, place))
     rows = {row for box in rung.boxes for row in (box.row, *(row for _, row in box.pins))}
@@ -79,12 +91,6 @@ def network_of(rung: DrawnRung) -> Network:
     found = Network(kept, ends)
     _join_wires(found)
     return found
-
-
-def _goes_on(square: Square, above: Sequence[Square], column: int) -> bool:
-    """True for a piece of wire that no vertical wire meets at its left edge."""
-    is_wire = square.right and square.contact is None and not square.down
-    return is_wire and not (above and above[column].down)
 
 
 def leading(arcs: list[Arc], ends: Iterable[Place]) -> list[Arc]:

@@ -17,7 +17,7 @@ from clickgen.click.read.kinds import HEAD_BYTES, Kind, kind_of, other_kind
 from clickgen.click.read.problem import LadderProblem
 from clickgen.device.limits import SUBROUTINE_NAME_MAX
 from clickgen.device.project_file import PROGRAM_MAGIC, is_click_project
-from clickgen.workspace import CouldNotRun, read_file, read_start
+from clickgen.workspace import CouldNotRun, Workspace
 
 MAIN = "main"
 _PART = re.compile(r"main_0*([2-9]|[1-9][0-9]+)")
@@ -59,7 +59,7 @@ class Project:
     texts: Mapping[str, str]
 
 
-def read_project(path: Path) -> Project:
+def read_project(path: Path, files: Workspace | None = None) -> Project:
     """Return the contents of a file or folder. Raises CouldNotRun if there is nothing to read; damage becomes problems.
 
     A folder with main.csv is a bundle: main_2.csv, main_3.csv, … continue main, each file in subroutines/ is a
@@ -70,7 +70,8 @@ def read_project(path: Path) -> Project:
     A single file is main, or a subroutine if it says so, is in subroutines/, or returns and does not end.
     """
     try:
-        return _folder(path) if path.is_dir() else _single(path)
+        reading = _Reading(files or Workspace())
+        return _folder(path, reading) if path.is_dir() else _single(path, reading)
     except OSError as error:
         raise CouldNotRun(f"{error.filename or path} cannot be read: {error.strerror or error}") from None
 
@@ -79,6 +80,7 @@ def read_project(path: Path) -> Project:
 class _Reading:
     """The files so far."""
 
+    files: Workspace
     problems: list[LadderProblem] = field(default_factory=list)
     texts: dict[str, str] = field(default_factory=dict)
 
@@ -86,7 +88,7 @@ class _Reading:
         """Read a routine of one file or several, with its rungs numbered consecutively."""
         rungs: list[DrawnRung] = []
         for path in paths:
-            ladder = self.ladder(_bytes(path), _shown(path))
+            ladder = self.ladder(self.whole(path), _shown(path))
             before = len(rungs)
             rungs += (rung.numbered(before + rung.number) for rung in ladder.rungs)
         return DrawnRoutine(name, is_main, tuple(rungs), _shown(paths[0]))
@@ -111,6 +113,21 @@ class _Reading:
         except LadderProblem as problem:
             return Ladder((), (problem,))
 
+    def whole(self, path: Path) -> bytes:
+        """Read all of a file. Raises CouldNotRun if it is not a file, or far too large for ladder."""
+        if not path.exists():
+            raise CouldNotRun(f"there is no file or folder {_shown(path)}")
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise CouldNotRun(f"{_shown(path)} is no file")
+        if status.st_size > _BYTES_MAX:
+            raise CouldNotRun(f"{_shown(path)} is too large for ladder ({status.st_size} bytes)")
+        return self.files.read(path, _BYTES_MAX)
+
+    def head(self, path: Path) -> bytes:
+        """Return as much of a file as shows its kind. This reads all of it, since most such files are read later."""
+        return self.files.start(path, _BYTES_MAX + 1)[:HEAD_BYTES]
+
     def project(self, source: Path, routines: Iterable[DrawnRoutine], nicknames: Path | None = None) -> Project:
         return Project(source, tuple(routines), tuple(self.problems), nicknames, self.texts)
 
@@ -118,8 +135,8 @@ class _Reading:
 # -- one file ---------------------------------------------------------------------------------------------------------
 
 
-def _single(path: Path) -> Project:
-    data, file, reading = _bytes(path), _shown(path), _Reading()
+def _single(path: Path, reading: _Reading) -> Project:
+    data, file = reading.whole(path), _shown(path)
     if kind_of(data) is Kind.OTHER:
         raise CouldNotRun(f"{file} is {other_kind(data, file)}; import reads a ladder file, or {_READS}")
     ladder = reading.ladder(data, file)
@@ -148,16 +165,16 @@ def _usable(stem: str) -> str:
 # -- a folder ---------------------------------------------------------------------------------------------------------
 
 
-def _folder(path: Path) -> Project:
+def _folder(path: Path, reading: _Reading) -> Project:
     entries = sorted(entry for entry in path.iterdir() if not entry.name.startswith("."))
     _refuse_devices(entries)
     tables = [entry for entry in entries if entry.suffix.casefold() == ".csv" and entry.is_file()]
     nicknames = next((table for table in tables if table.name.casefold() == "nicknames.csv"), None)
     if any(table.stem.casefold() == MAIN for table in tables):
-        return _bundle(path, entries, [table for table in tables if table != nicknames], nicknames)
-    programs = [entry for entry in entries if _is_program(entry)]
+        return _bundle(path, entries, [table for table in tables if table != nicknames], nicknames, reading)
+    programs = [entry for entry in entries if _is_program(entry, reading)]
     if programs:
-        return _programs(path, entries, programs, nicknames)
+        return _programs(path, entries, programs, nicknames, reading)
     project = next((entry for entry in entries if is_click_project(b"", entry.name)), None)
     which = f" (and {project.name} is a project, which only CLICK opens)" if project else ""
     raise CouldNotRun(f"{path} holds neither main.csv nor a program file of CLICK{which}; import reads {_READS}")
@@ -171,9 +188,10 @@ def _refuse_devices(entries: Iterable[Path]) -> None:
             raise CouldNotRun(f"{_shown(entry)} is a pipe or a device, not a file")
 
 
-def _bundle(path: Path, entries: Sequence[Path], tables: Sequence[Path], nicknames: Path | None) -> Project:
-    reading = _Reading()
-    main = reading.routine(MAIN, _parts(tables, reading.problems), is_main=True)
+def _bundle(
+    path: Path, entries: Sequence[Path], tables: Sequence[Path], nicknames: Path | None, reading: _Reading
+) -> Project:
+    main = reading.routine(MAIN, _parts(tables, reading), is_main=True)
     subroutines: dict[str, DrawnRoutine] = {}
     for file in _subroutine_files(entries):
         name = _shown(Path(file.stem))
@@ -181,7 +199,7 @@ def _bundle(path: Path, entries: Sequence[Path], tables: Sequence[Path], nicknam
             reading.problems.append(LadderProblem(f"{subroutines[name].file} has the same name", _shown(file)))
         else:
             subroutines[name] = reading.routine(name, [file])
-    order = _order_of_build(path / "sources.json", subroutines) or _order_of_calls(main, subroutines)
+    order = _order_of_build(path / "sources.json", subroutines, reading.files) or _order_of_calls(main, subroutines)
     return reading.project(path, [main, *(subroutines[name] for name in order)], nicknames)
 
 
@@ -193,7 +211,7 @@ def _subroutine_files(entries: Sequence[Path]) -> list[Path]:
     return [file for file in tables if not _is_copy(file, tables)]
 
 
-def _parts(tables: Sequence[Path], problems: list[LadderProblem]) -> list[Path]:
+def _parts(tables: Sequence[Path], reading: _Reading) -> list[Path]:
     """The files of main in their order. Other ladder files are noted: ClickNick would paste them into main, too."""
     parts: dict[int, Path] = {}
     for table in tables:
@@ -203,13 +221,13 @@ def _parts(tables: Sequence[Path], problems: list[LadderProblem]) -> list[Path]:
         if number and number not in parts:
             parts[number] = table
         elif number:
-            problems.append(LadderProblem(f"{parts[number].name} is the same part of main", _shown(table)))
-        elif not _is_copy(table, tables) and kind_of(_head(table)) is not Kind.OTHER:
+            reading.problems.append(LadderProblem(f"{parts[number].name} is the same part of main", _shown(table)))
+        elif not _is_copy(table, tables) and kind_of(reading.head(table)) is not Kind.OTHER:
             message = "the file is ladder and belongs to no routine: subroutines are read from subroutines/"
-            problems.append(LadderProblem(message, _shown(table)))
+            reading.problems.append(LadderProblem(message, _shown(table)))
     missing = next((number for number in range(2, max(parts)) if number not in parts), None)
     if missing:
-        problems.append(LadderProblem(f"part {missing} of main is missing", _shown(parts[max(parts)])))
+        reading.problems.append(LadderProblem(f"part {missing} of main is missing", _shown(parts[max(parts)])))
     return [parts[number] for number in sorted(parts)]
 
 
@@ -222,10 +240,10 @@ def _stem(path: Path) -> str:
     return path.stem[: -len(_CAPTURE)] if path.stem.casefold().endswith(_CAPTURE) else path.stem
 
 
-def _order_of_build(path: Path, names: Iterable[str]) -> list[str] | None:
+def _order_of_build(path: Path, names: Iterable[str], files: Workspace) -> list[str] | None:
     """The subroutines in the order of the source map; None without one, or if it is that of another program."""
     try:
-        noted = json.loads(read_file(path))
+        noted = json.loads(files.read(path))
     except (OSError, ValueError, RecursionError):
         return None
     routines = noted.get("routines") if isinstance(noted, dict) and noted.get("generator") == "clickgen" else None
@@ -242,12 +260,13 @@ def _order_of_calls(main: DrawnRoutine, names: Iterable[str]) -> list[str]:
     return list(dict.fromkeys([*(known[name] for name in called if name in known), *sorted(names)]))
 
 
-def _programs(path: Path, entries: Sequence[Path], programs: Sequence[Path], nicknames: Path | None) -> Project:
+def _programs(
+    path: Path, entries: Sequence[Path], programs: Sequence[Path], nicknames: Path | None, reading: _Reading
+) -> Project:
     """Main has the index 1, the subroutines follow with theirs."""
-    reading = _Reading()
     found: list[tuple[int, DrawnRoutine]] = []
     for program in programs:
-        data = _bytes(program)
+        data = reading.whole(program)
         header = program_header(data)
         ladder = reading.ladder(data, _shown(program))
         if header:
@@ -271,28 +290,10 @@ def _programs(path: Path, entries: Sequence[Path], programs: Sequence[Path], nic
     return reading.project(path, routines, nicknames)
 
 
-def _is_program(path: Path) -> bool:
-    return path.suffix.casefold() in _PROGRAM_ENDINGS and path.is_file() and _head(path).startswith(PROGRAM_MAGIC)
-
-
-# -- bytes ------------------------------------------------------------------------------------------------------------
-
-
-def _bytes(path: Path) -> bytes:
-    """Read all of a file. Raises CouldNotRun if it is not a file, or far too large for ladder."""
-    if not path.exists():
-        raise CouldNotRun(f"there is no file or folder {_shown(path)}")
-    status = path.stat()
-    if not stat.S_ISREG(status.st_mode):
-        raise CouldNotRun(f"{_shown(path)} is no file")
-    if status.st_size > _BYTES_MAX:
-        raise CouldNotRun(f"{_shown(path)} is too large for ladder ({status.st_size} bytes)")
-    return read_file(path, _BYTES_MAX)
-
-
-def _head(path: Path) -> bytes:
-    """Read as much of a file as shows its kind."""
-    return read_start(path, HEAD_BYTES)
+def _is_program(path: Path, reading: _Reading) -> bool:
+    return (
+        path.suffix.casefold() in _PROGRAM_ENDINGS and path.is_file() and reading.head(path).startswith(PROGRAM_MAGIC)
+    )
 
 
 def _shown(path: Path) -> str:

@@ -67,9 +67,10 @@ def import_rung(drawn: DrawnRung) -> ImportedRung:
         if network.ends[box.row] not in fed and box.token != NOP_TOKEN:
             raise _problem(drawn, box.row, f"{_shortened(box.token)} is not connected to the power rail")
     try:
-        tree = tree_of(network.arcs, {network.ends[box.row] for box in boxes} & fed)
+        ends, taps = {network.ends[box.row] for box in boxes} & fed, {*network.ends.values()} & fed
+        tree = tree_of(network.arcs, ends)
         # A pin taps the part that it shares with an output, too.
-        notes += dict.fromkeys(tree_of(network.arcs, {*network.ends.values()} & fed).notes)
+        notes += dict.fromkeys((tree if taps == ends else tree_of(network.arcs, taps)).notes)
         actions = [_action(drawn, network, box, fed) for box in boxes]
     except TooEntangled:
         raise LadderProblem(ENTANGLED, drawn.file, drawn.line) from None
@@ -218,7 +219,8 @@ def _is_alone(rung: Rung, flow: Flow) -> bool:
 
 
 def _with_open_loop(rung: Rung) -> Rung:
-    return replace(rung, items=_opened(rung.items))
+    is_open = any(action.effects.flow is Flow.LOOP for action in actions_in(rung.items))
+    return replace(rung, items=_opened(rung.items)) if is_open else rung
 
 
 def _opened(items: Sequence[Item]) -> tuple[Item, ...]:

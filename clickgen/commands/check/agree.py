@@ -6,10 +6,8 @@ bit by the table of one program is a block by that of another.
 
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
-from functools import cache
 
 from clickgen.commands.check.cache import Cached
 from clickgen.dialects.discover import Target
@@ -17,12 +15,13 @@ from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.edits import Fix
 
 
-def agreed(judged: Mapping[Target, Cached], partly: Callable[[Iterable[str]], set[str]]) -> list[Diagnostic]:
+def agreed(
+    judged: Mapping[Target, Cached], partly: Callable[[Iterable[str]], set[str]], real: _Real
+) -> list[Diagnostic]:
     """Every finding once, with the most careful fix that a program gives it.
 
-    ``partly`` returns which of some files belong to a program that was not judged.
+    ``partly`` returns which of some files belong to a program that was not judged; ``real`` gives a file its one path.
     """
-    real = cache(os.path.realpath)
     findings: dict[object, Diagnostic] = {}
     votes: Counter[object] = Counter()
     programs: Counter[str] = Counter()

@@ -11,15 +11,15 @@ from typing import NamedTuple
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.problems.finding_keys import Key, keys_of
 from clickgen.text.wording import json_text
-from clickgen.workspace import CouldNotRun, read_file
+from clickgen.workspace import CouldNotRun, Workspace
 
 _FORMAT = 1
 
 
-def read_baseline(path: Path) -> Counter[Key] | None:
+def read_baseline(path: Path, files: Workspace) -> Counter[Key] | None:
     """Return how often each finding was there; None if there is no such file. Raises CouldNotRun."""
     try:
-        tree = json.loads(read_file(path).decode("utf-8"))
+        tree = json.loads(files.read(path).decode("utf-8"))
         if tree["format"] != _FORMAT:
             raise CouldNotRun(f"{path} is a baseline of another clickgen; delete it and make it anew")
         return Counter({(row["file"], row["code"], row["line"]): int(row["count"]) for row in tree["findings"]})

@@ -1,30 +1,22 @@
-"""The findings of checks, kept by the contents that they were found in: an unchanged program is not judged again.
-
-The cache is in the repository, so whoever made the repository could have put anything there. Each entry is therefore
-signed with a secret of this user; an unsigned one is ignored.
-"""
+"""The findings of checks, kept by the contents that they were found in: an unchanged program is not judged again."""
 
 from __future__ import annotations
 
-import contextlib
-import hashlib
 import json
 import os
 from collections.abc import Iterable, Mapping
-from functools import cache
-from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from clickgen import __version__
-from clickgen.commands.check.secret import user_secret
 from clickgen.problems.codes import CODES
 from clickgen.problems.diagnostics import Diagnostic, Label
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
-from clickgen.workspace import leads_elsewhere, read_file
+from clickgen.workspace import Workspace
+from clickgen.workspace.digest import digest_of
 
-FOLDER = ".clickgen_cache"
-_FORMAT = 2
+NAME = "checked.json"
+_KEPT_MAX = 5000
+"""So many programs are remembered, those that were checked last."""
 
 
 class Cached(NamedTuple):
@@ -35,96 +27,45 @@ class Cached(NamedTuple):
 
 
 class Cache:
-    """One file for each program in a folder that git ignores. An unusable cache is treated as missing."""
+    """The findings of every program, in one file of the memory. An unusable cache is treated as missing."""
 
-    def __init__(self, folder: Path | None) -> None:
-        usable = folder is not None and not leads_elsewhere(folder)
-        self._folder = folder if usable else None
-        self._secret = user_secret(folder.parent) if folder is not None and usable else None
+    def __init__(self, workspace: Workspace) -> None:
+        self._workspace = workspace
+        found = workspace.memory.get(NAME)
+        self._entries: dict[str, Any] = found if isinstance(found, dict) else {}
 
     def get(self, key: str) -> Cached | None:
         """Return the findings of a program, if every file in it is unchanged."""
-        if self._folder is None or self._secret is None:
-            return None
         try:
-            entry = json.loads(read_file(self._folder / _name(key)))
-            if entry.pop("mark") != _mark(entry, self._secret) or entry["key"] != key:
-                return None
-            if not _is_as_it_was(entry["reads"]):
+            entry = self._entries[key]
+            if not self._is_as_it_was(entry["reads"]):
                 return None
             sources = _sources(entry)
             return Cached(tuple(_finding(finding, sources) for finding in entry["findings"]), sources)
-        except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
+        except (OSError, ValueError, LookupError, TypeError, AttributeError):
             return None
 
     def put(self, key: str, cached: Cached, reads: Mapping[str, bytes | None]) -> None:
-        if self._folder is None or self._secret is None:
-            return
-        entry = {
-            "key": key,
-            "reads": {path: None if data is None else _digest(data) for path, data in reads.items()},
+        """Remember the findings of a program, until the memory is saved."""
+        self._entries.pop(key, None)
+        self._entries[key] = {
+            "reads": {path: None if data is None else digest_of(data) for path, data in reads.items()},
             "findings": [_entry(finding) for finding in cached.findings],
-            "sources": cached.sources,
+            "sources": list(cached.sources),
         }
-        data = json.dumps({**entry, "mark": _mark(entry, self._secret)}).encode()
-        try:
-            self._folder.mkdir(exist_ok=True)
-            with contextlib.suppress(FileExistsError):
-                _write_new(self._folder / ".gitignore", b"*\n")
-            path = self._folder / _name(key)
-            staged = path.with_suffix(f".{os.urandom(8).hex()}")
-            _write_new(staged, data)
-            staged.replace(path)
-        except OSError:
-            return
+        while len(self._entries) > _KEPT_MAX:
+            del self._entries[next(iter(self._entries))]
+        self._workspace.memory.put(NAME, self._entries)
 
-
-def _write_new(path: Path, data: bytes) -> None:
-    """Write a file that does not exist yet, not even as a link. Raises OSError."""
-    with open(path, "xb") as file:
-        file.write(data)
-
-
-def _mark(entry: object, secret: bytes) -> str:
-    """The mark that only this user could have written into the entry."""
-    return hashlib.blake2b(json.dumps(entry).encode(), key=secret, digest_size=32).hexdigest()
+    def _is_as_it_was(self, reads: object) -> bool:
+        if not isinstance(reads, dict) or not reads:
+            raise ValueError("a program is read from somewhere")
+        return all(self._workspace.digest(path) == digest for path, digest in reads.items())
 
 
 def key_of(*parts: object) -> str:
-    """The key of everything that a program's findings depend on besides its files: settings, and clickgen itself."""
-    return json.dumps([_FORMAT, __version__, _own_state(), os.getcwd(), *map(str, parts)])
-
-
-@cache
-def _own_state() -> int:
-    """The time of clickgen's newest own file: a checkout under development has no version of its own."""
-    youngest = 0
-    for folder, _, files in os.walk(Path(__file__).parents[2]):
-        for name in files:
-            if name.endswith((".py", ".lark", ".csv")):
-                youngest = max(youngest, os.stat(os.path.join(folder, name)).st_mtime_ns)
-    return youngest
-
-
-def _name(key: str) -> str:
-    return f"{_digest(key.encode())[:32]}.json"
-
-
-def _digest(data: bytes) -> str:
-    return hashlib.blake2b(data, digest_size=20).hexdigest()
-
-
-def _digest_of(path: str) -> str | None:
-    try:
-        return _digest(read_file(path))
-    except FileNotFoundError:
-        return None
-
-
-def _is_as_it_was(reads: object) -> bool:
-    if not isinstance(reads, dict) or not reads:
-        raise ValueError("a program is read from somewhere")
-    return all(_digest_of(path) == digest for path, digest in reads.items())
+    """The key of everything that a program's findings depend on besides its files and clickgen: settings, and place."""
+    return digest_of(json.dumps([os.getcwd(), *map(str, parts)]).encode())
 
 
 def _sources(entry: Mapping[str, Mapping[str, object]]) -> tuple[str, ...]:

@@ -49,6 +49,7 @@ class Judge(NamedTuple):
             if reads and not self.workspace.overlay:
                 self.cache.put(keys[target], cached, reads)
             self.progress(len(found))
+        self.workspace.memory.save()
         return found
 
     def again(self, target: Target, named_elsewhere: frozenset[str]) -> Cached:
@@ -67,7 +68,7 @@ class Judge(NamedTuple):
         from clickgen.commands.check.pool import in_processes
 
         # What this process has read stays here: sending it would cost more than reading it again.
-        workspace = Workspace(self.workspace.overlay)
+        workspace = Workspace(self.workspace.overlay, self.workspace.memory)
         tasks = [(target, self.selection, self.reserved, workspace) for target in targets]
         yield from zip(targets, in_processes(judged, tasks, cores), strict=True)
 
@@ -111,5 +112,6 @@ def judge(
         named_elsewhere=named_elsewhere,
     )
     result = check(target.path, settings, workspace)
+    workspace.memory.save()
     findings = tuple(finding for finding in result.diagnostics if selection.wants(finding.code))
     return Cached(findings, tuple(source.path for source in result.sources)), result.reads

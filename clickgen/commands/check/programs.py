@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from clickgen.commands.check.agree import agreed
-from clickgen.commands.check.cache import FOLDER, Cache, Cached
+from clickgen.commands.check.cache import Cache, Cached
 from clickgen.commands.check.judging import Judge
 from clickgen.config import Config
 from clickgen.dialects.discover import Target, discover, partly_judged, wholly_judged
 from clickgen.dialects.registry import dialect_of
-from clickgen.problems.codes import CODES, LEFT
+from clickgen.problems.codes import CODES, LEFT, waits_for_errors
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.rules.select import Selection
 from clickgen.text.edits import Fix
 from clickgen.text.patterns import matches
 from clickgen.workspace import Workspace
+from clickgen.workspace.memory import Memory
 
 if TYPE_CHECKING:
     from clickgen.commands.check.baseline import Baseline
@@ -44,6 +45,8 @@ class Request(NamedTuple):
     """Known findings: neither reported nor fixed nor silenced."""
     elsewhere: Callable[[Target], frozenset[str]] | None = None
     """The names that the other programs around the table of one use: called if a name seems to have left."""
+    files: Workspace | None = None
+    """The files that this run has read already."""
 
 
 class Outcome(NamedTuple):
@@ -91,7 +94,10 @@ class Outcome(NamedTuple):
 def run(request: Request, fix: bool = False, unsafe: bool = False) -> Outcome:
     """Check, and with ``fix`` apply fixes in memory. Raises CouldNotRun."""
     given = {os.path.realpath(request.paths[0]): request.stdin} if request.stdin is not None else {}
-    workspace = Workspace(given)
+    files = request.files or Workspace()
+    if request.use_cache:
+        files.memory = Memory(request.config.root)
+    workspace = files.apart(given)
     found, empty = discover(request.paths, request.config, request.exclude, request.force_exclude, workspace)
     outcome = _look(request, found, workspace)
     if not fix:
@@ -133,9 +139,8 @@ def add_ignores(outcome: Outcome) -> Outcome:
 
 
 def _look(request: Request, found: Sequence[Target], workspace: Workspace) -> Outcome:
-    cache = Cache(Path(request.config.root) / FOLDER if request.use_cache else None)
     judge = Judge(
-        cache,
+        Cache(workspace),
         request.selection,
         request.config.reserved,
         workspace,
@@ -147,7 +152,11 @@ def _look(request: Request, found: Sequence[Target], workspace: Workspace) -> Ou
             if any(finding.code == LEFT for finding in cached.findings):
                 judged[target] = judge.again(target, request.elsewhere(target))
     checked = tuple(sorted({path for cached in judged.values() for path in cached.sources}))
-    findings = agreed(judged, lambda paths: partly_judged(paths, judged, request.config, workspace))
+
+    def partly(paths: Iterable[str]) -> set[str]:
+        return partly_judged(paths, judged, request.config, workspace)
+
+    findings = agreed(judged, partly, workspace.real)
     left, about = _heard(request, findings, checked, judged, workspace)
     ignored = _Ignored(request.config)
     shown = [finding for finding in (*left, *about) if not ignored(finding)]
@@ -218,7 +227,7 @@ def _judged_codes(request: Request, path: str, judged: Mapping[Target, Cached]) 
     whole = not any(
         finding.is_error for cached in judged.values() if path in cached.sources for finding in cached.findings
     )
-    return [code for code in CODES if request.selection.wants(code) and (whole or not code.startswith("CG5"))]
+    return [code for code in CODES if request.selection.wants(code) and (whole or not waits_for_errors(code))]
 
 
 # -- fixing -----------------------------------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ from clickgen.commands.diff.revision import is_in_revision, is_revision, named_r
 from clickgen.commands.diff.sides import is_program
 from clickgen.config import Config
 from clickgen.dialects.discover import targets
-from clickgen.workspace import CouldNotRun
+from clickgen.workspace import CouldNotRun, Workspace
 
 
 class Pair(NamedTuple):
@@ -23,7 +23,9 @@ class Pair(NamedTuple):
     is_gone: bool = False
 
 
-def pairs_of(one: str, other: str, config: Config, configured_in: Callable[[str], list[str]]) -> list[Pair]:
+def pairs_of(
+    one: str, other: str, config: Config, configured_in: Callable[[str], list[str]], files: Workspace
+) -> list[Pair]:
     """Return the sides to compare, pair by pair.
 
     ``HEAD~1 HEAD`` means every program that the settings name, or the only one of the working folder, in both
@@ -34,22 +36,24 @@ def pairs_of(one: str, other: str, config: Config, configured_in: Callable[[str]
     if not first and not second:
         return [Pair(one, other)]
     if first and second:
-        return _in_both(one, other, config, configured_in)
+        return _in_both(one, other, config, configured_in, files)
     revision, named = (one, other) if first else (other, one)
     if not os.path.lexists(named) and named_revision(named) is None:
         raise CouldNotRun(f"there is no file, folder or revision {named!r}")
     path = _program_of(named)
     if path is None:
-        path, *more = _programs(revision, config)
+        path, *more = _programs(revision, config, files)
         if more:
             raise CouldNotRun(_which(revision, [path, *more]))
     return [Pair(f"{one}:{path}", other) if first else Pair(one, f"{other}:{path}")]
 
 
-def _in_both(one: str, other: str, config: Config, configured_in: Callable[[str], list[str]]) -> list[Pair]:
+def _in_both(
+    one: str, other: str, config: Config, configured_in: Callable[[str], list[str]], files: Workspace
+) -> list[Pair]:
     """The programs in both revisions, and those that only one of them has."""
     paths = dict.fromkeys([*configured_in(one), *configured_in(other)])
-    paths = dict.fromkeys([*(_programs(one, config) if config.programs or not paths else ()), *paths])
+    paths = dict.fromkeys([*(_programs(one, config, files) if config.programs or not paths else ()), *paths])
     pairs: list[Pair] = []
     for path in paths:
         older, newer = f"{one}:{path}", f"{other}:{path}"
@@ -74,11 +78,11 @@ def _from_here(path: str | Path) -> str:
     return "./" + os.path.relpath(path).replace(os.sep, "/")
 
 
-def _programs(revision: str, config: Config) -> list[str]:
+def _programs(revision: str, config: Config, files: Workspace) -> list[str]:
     """The programs that the settings name, else the only one below the working folder."""
     if config.programs:
         return [_from_here(program.path) for program in config.programs]
-    found = [_from_here(target.path) for target in targets(["."], config) if not target.is_part]
+    found = [_from_here(target.path) for target in targets(["."], config, workspace=files) if not target.is_part]
     if len(found) == 1:
         return found
     if not found:

@@ -25,7 +25,9 @@ def name_key(row: Row) -> tuple[str, str]:
     return row.address.bank, row.nickname.lower()
 
 
-def placed_alike(result: BuildResult, settings: Settings, shared: Sequence[Row], theirs: Sequence[Row]) -> BuildResult:
+def placed_alike(
+    result: BuildResult, settings: Settings, shared: Sequence[Row], theirs: Sequence[Row], files: Workspace
+) -> BuildResult:
     """Build again, with these shared names where the other side has them, as far as nothing else is there.
 
     ``theirs`` has all names that got their addresses only on the other side; no other name gets one of these.
@@ -36,8 +38,8 @@ def placed_alike(result: BuildResult, settings: Settings, shared: Sequence[Row],
     rows = [row for row in shared if _with_twin(row.address).isdisjoint(taken)]
     table = _with_rows(result, rows)
     alike = settings._replace(reserved=(*settings.reserved, *(row.address for row in theirs)))
-    files = Workspace({os.path.realpath(result.table_path): table.to_bytes()})
-    found = build(str(result.program), settings=alike, workspace=files)
+    with_table = files.apart({os.path.realpath(result.table_path): table.to_bytes()})
+    found = build(str(result.program), settings=alike, workspace=with_table)
     full = next((problem for problem in found.diagnostics if problem.code == "CG208"), None)
     if full is not None:
         raise CouldNotRun(

@@ -15,7 +15,7 @@ from clickgen.problems.diagnostics import Diagnostic
 from clickgen.table.names import TABLE_NAME
 from clickgen.table.rows import Row
 from clickgen.text.source import SourceFile, Span
-from clickgen.workspace import CouldNotRun
+from clickgen.workspace import CouldNotRun, Workspace
 
 _LADDER_FILES = (".csv", ".json", ".tmp", ".scr")
 """The files that are read in a folder: ladder, nicknames, the source map, CLICK's program files."""
@@ -26,10 +26,11 @@ class Wanted:
     """How sides are read: the settings of a program on disk, and the tables and settings that the person named.
 
     ``nicknames`` is the address table of programs, ``export`` that of ladder without its own. ``placed`` has the
-    names that got their addresses on the other side only from a build.
+    names that got their addresses on the other side only from a build. ``files`` is what this run has read.
     """
 
     settings_of: Callable[[str], Settings]
+    files: Workspace
     nicknames: str | None = None
     export: str | None = None
     config: str | None = None
@@ -42,11 +43,11 @@ def read_side(text: str, wanted: Wanted, folder: Path, note: Callable[[str], Non
     ``folder`` is empty and receives the files that are read from git. Raises CouldNotRun.
     """
     if os.path.lexists(text):
-        if os.path.isdir(text) and (name := program_in(Path(text), text)) is not None:
+        if os.path.isdir(text) and (name := program_in(Path(text), text, wanted.files)) is not None:
             text = os.path.join(text, name)
         if is_program(text) and not os.path.isdir(text):
-            return program_side(Path(text), text, wanted.settings_of(text), wanted.placed)
-        return ladder_side(Path(text), text, Path(wanted.export) if wanted.export else None)
+            return program_side(Path(text), text, wanted.settings_of(text), wanted.files, wanted.placed)
+        return ladder_side(Path(text), text, Path(wanted.export) if wanted.export else None, wanted.files)
     named = named_revision(text)
     if named is None:
         raise CouldNotRun(
@@ -97,7 +98,7 @@ class _Revision:
             around = posixpath.dirname(self.path)
             tree.put(tree.below(around, lambda name: "/" not in name and name.endswith(".py")))
             tree.put([posixpath.join(around, TABLE_NAME)], must_be_there=True)
-            return program_side(place, shown, self._settings(place), self.wanted.placed)
+            return program_side(place, shown, self._settings(place), self.wanted.files, self.wanted.placed)
         if tree.is_folder(self.path):
             name = self._program()
             if name is not None:
@@ -110,14 +111,14 @@ class _Revision:
             folders = (posixpath.dirname(self.path), posixpath.dirname(posixpath.dirname(self.path)))
             tree.put(posixpath.join(folder, name) for folder in folders for name in ("main.csv", TABLE_NAME))
         export = self.wanted.export
-        return ladder_side(place, shown, self._as_it_was(Path(export)) if export else None)
+        return ladder_side(place, shown, self._as_it_was(Path(export)) if export else None, self.wanted.files)
 
     def _program(self) -> str | None:
         """The program in a folder of programs."""
         tree, place = self.tree, self.tree.place(self.path)
         tree.put(tree.below(self.path, lambda name: "/" not in name and name.lower().endswith((".py", *_LADDER_FILES))))
         place.mkdir(parents=True, exist_ok=True)
-        return program_in(place, tree.shown(self.path))
+        return program_in(place, tree.shown(self.path), self.wanted.files)
 
     def _settings(self, place: Path) -> Settings:
         config = self.config()
@@ -132,7 +133,7 @@ class _Revision:
     def config(self) -> Config:
         """The named settings, else those of the working folder, as the revision has them."""
         if self.wanted.config:
-            return read_config(self._as_it_was(Path(self.wanted.config)))
+            return read_config(self._as_it_was(Path(self.wanted.config)), self.wanted.files)
         tree = self.tree
         folder = tree.here
         while True:
@@ -141,10 +142,10 @@ class _Revision:
                 break
             folder = posixpath.dirname(folder)
         tree.working_folder.mkdir(parents=True, exist_ok=True)
-        config = find_config(tree.working_folder)
+        config = find_config(tree.working_folder, self.wanted.files)
         if config.file is None or config.file.is_relative_to(tree.folder):
             return config
-        return find_config(self._top.parent)
+        return find_config(self._top.parent, self.wanted.files)
 
     @property
     def _top(self) -> Path:

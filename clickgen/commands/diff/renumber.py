@@ -32,6 +32,8 @@ Numbers = Mapping[Address, Address]
 
 def numbers_of(one: Side, other: Side) -> Numbers:
     """Return the addresses for comparing the scratch cells of the other side; unchanged ones are left out."""
+    if not other.scratch:
+        return {}
     used = _Used(other)
     own = {address for address in other.scratch if used.is_alone(address)}
     waiting: defaultdict[tuple[str, str], list[Address]] = defaultdict(list)

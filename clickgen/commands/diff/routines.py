@@ -45,7 +45,7 @@ def _order(match: Match) -> tuple[bool, str]:
 
 def _is_renamed(one: Sequence[WordedRung], other: Sequence[WordedRung]) -> bool:
     is_something = any(not rung.is_plain for rung in one)
-    return is_something and [rung.lines for rung in one] == [rung.lines for rung in other]
+    return is_something and [rung.words for rung in one] == [rung.words for rung in other]
 
 
 def _parts(one: Side, other: Side, first: Routines, second: Routines) -> tuple[tuple[Match, ...], tuple[str, ...]]:

@@ -90,7 +90,7 @@ class RungDiff:
                 yield from self._in_gap(rungs, block)
 
     def _in_gap(self, rungs: Rungs, gap: Block) -> Iterator[Block]:
-        one, other = ([rung.lines for rung in held] for held in _held(rungs, gap))
+        one, other = ([rung.words for rung in held] for held in _held(rungs, gap))
         common = longest_common(one, other)
         shared = [single((gap.one.start + i, gap.other.start + j)) for i, j in common]
         for is_shared, block in steps(shared, gap):
@@ -133,9 +133,9 @@ class RungDiff:
             return
         for before, after in zip(one, other, strict=True):
             comparison = self._compare([before], [after])
-            if before.lines == after.lines and comparison.likeness is Likeness.DIFFERENT:
+            if comparison.likeness is Likeness.DIFFERENT and before.words == after.words:
                 self._contradicted[id(after)] = RungChange(CHANGED, before, after, comparison.reason, is_drawn=True)
-            elif comparison.likeness is not Likeness.IDENTICAL or before.shown.lines != after.shown.lines:
+            elif comparison.likeness is not Likeness.IDENTICAL or before.shown.words != after.shown.words:
                 self.drawn_otherwise += 1
 
     # -- rungs that moved ---------------------------------------------------------------------------------------------

@@ -24,10 +24,10 @@ from clickgen.table.address_table import AddressTable, Entry
 from clickgen.table.form import TableForm
 from clickgen.table.judge_row import initial_value_fault, retention_fault
 from clickgen.table.names import TABLE_NAME, is_workbook
-from clickgen.table.read import PROBLEMS_MAX, TableUnreadable, read_table
+from clickgen.table.read import PROBLEMS_MAX, TableUnreadable, bytes_of_table, read_table
 from clickgen.table.rows import HEADER, Row, format_row, is_scratch
 from clickgen.text.source import SourceFile
-from clickgen.workspace import CouldNotRun, read_file
+from clickgen.workspace import CouldNotRun, Workspace
 
 _PROBLEMS_SHOWN = 20
 _ADDRESS_MAX = 16
@@ -91,15 +91,15 @@ _MAIN = re.compile(rb"^def main\(", re.MULTILINE)
 _IS_LADDER = re.compile(r"main\.csv|Scr\d+\.(tmp|scr)", re.IGNORECASE)
 
 
-def program_in(folder: Path, shown: str) -> str | None:
+def program_in(folder: Path, shown: str, files: Workspace) -> str | None:
     """The name of the program in a folder of programs; None for a folder of ladder, or of neither.
 
     Raises CouldNotRun if it has several.
     """
-    files = sorted(path for path in folder.iterdir() if path.is_file())
-    if any(_IS_LADDER.fullmatch(path.name) for path in files):
+    there = sorted(path for path in folder.iterdir() if path.is_file())
+    if any(_IS_LADDER.fullmatch(path.name) for path in there):
         return None
-    programs = [path.name for path in files if is_program(path.name) and _MAIN.search(read_file(path))]
+    programs = [path.name for path in there if is_program(path.name) and _MAIN.search(files.read(path))]
     if len(programs) > 1:
         place = shown if shown.endswith(("/", ":", os.sep)) else f"{shown}/"
         listed = ", ".join(f"{place}{name}" for name in programs)
@@ -107,19 +107,20 @@ def program_in(folder: Path, shown: str) -> str | None:
     return programs[0] if programs else None
 
 
-def program_side(path: Path, shown: str, settings: Settings, placed: Sequence[Row] = ()) -> Side:
+def program_side(path: Path, shown: str, settings: Settings, files: Workspace, placed: Sequence[Row] = ()) -> Side:
     """Return a program, built in memory; its ladder is that of its files, as CLICK gets it.
 
     ``placed`` has the names that got their addresses on the other side only from a build: if this side needs an address
     for the same name, it gets that one. Raises BrokenProgram, and CouldNotRun if there is no program.
     """
-    result = build(str(path), settings=settings)
+    result = build(str(path), settings=settings, workspace=files)
     if not result.ok:
         errors = [problem for problem in result.diagnostics if problem.is_error]
         raise BrokenProgram(shown, errors, [*result.sources, *_text_of_table(result)])
     names = {name_key(row) for row in result.placed_rows if row.nickname}
     if names and placed:
-        result = placed_alike(result, settings, [row for row in placed if name_key(row) in names], placed)
+        shared = [row for row in placed if name_key(row) in names]
+        result = placed_alike(result, settings, shared, placed, files)
     table = _table_of(str(result.table_path), result.rows)
     own = tuple(row for row in result.rows if name_key(row) in names)
     return Side(shown, tuple(_routines(result, shown)), table, placed=own)
@@ -145,12 +146,12 @@ def _text_of_table(result: BuildResult) -> list[SourceFile]:
     return [SourceFile(str(result.table_path), result.table_before.decode("utf-8-sig", "replace"))]
 
 
-def ladder_side(path: Path, shown: str, nicknames: Path | None) -> Side:
+def ladder_side(path: Path, shown: str, nicknames: Path | None, files: Workspace) -> Side:
     """Return a bundle, a ladder file, a capture, or CLICK's program files; ``nicknames`` if it has no table itself.
 
     Raises Damaged, and CouldNotRun if there is no ladder.
     """
-    project = read_project(path)
+    project = read_project(path, files)
     problems = [*project.problems, *(each for one in project.routines for rung in one.rungs for each in rung.problems)]
     if problems:
         raise Damaged(shown, problems)
@@ -159,7 +160,7 @@ def ladder_side(path: Path, shown: str, nicknames: Path | None) -> Side:
     if twice is not None:
         raise CouldNotRun(f"{shown} has two routines of the name {twice}")
     side = Side(shown, project.routines, is_part=not path.is_dir())
-    return _with_table(side, project.nicknames or _beside(path, project) or nicknames)
+    return _with_table(side, project.nicknames or _beside(path, project) or nicknames, files)
 
 
 def _beside(path: Path, project: Project) -> Path | None:
@@ -170,12 +171,12 @@ def _beside(path: Path, project: Project) -> Path | None:
     return table if not path.is_dir() and is_in_bundle and table.is_file() else None
 
 
-def _with_table(side: Side, path: Path | None) -> Side:
+def _with_table(side: Side, path: Path | None, files: Workspace) -> Side:
     if path is None:
         return replace(side, doubt=f"{side.shown} has no {TABLE_NAME}")
     problems = Diagnostics()
     try:
-        table = _table(path, problems)
+        table = _table(path, problems, files)
     except TableUnreadable as error:
         return replace(side, doubt=str(error))
     errors = [problem for problem in problems.in_order() if problem.is_error]
@@ -206,12 +207,14 @@ def _has_values(row: Row, form: TableForm) -> bool:
     return fields[1] == row.address.kind.value and initial_is_legal and retention_is_legal
 
 
-def _table(path: Path, problems: Diagnostics) -> AddressTable:
+def _table(path: Path, problems: Diagnostics, files: Workspace) -> AddressTable:
     if not is_workbook(path):
-        return read_table(path, str(path), problems)
+        return read_table(path, str(path), problems, bytes_of_table(path, str(path), files))
+    from clickgen.table.workbook.archive import bytes_of_workbook
     from clickgen.table.workbook.read import read_workbook
 
-    return _table_of(str(path), read_workbook(path, str(path), problems))
+    data = bytes_of_workbook(path, str(path), files)
+    return _table_of(str(path), read_workbook(path, str(path), problems, data))
 
 
 def _table_of(path: str, rows: Iterable[Row]) -> AddressTable:

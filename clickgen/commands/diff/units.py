@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from clickgen.click.compare.outputs import Said, touched_by
 from clickgen.commands.diff.routines import Routines
@@ -22,14 +23,28 @@ _BANK = "C"
 
 @dataclass(frozen=True)
 class Unit:
-    """Neighbouring rungs, most often one, by their ``places``; ``outputs`` has what they drive, except scratch cells.
+    """Neighbouring rungs, most often one, by their ``places``; ``own`` has the scratch cells that only they use.
 
-    In ``words`` scratch cells of their own have no numbers.
+    ``outputs`` are what they drive, these cells aside; in ``words`` they have no numbers.
     """
 
     places: range
-    outputs: tuple[Said, ...] = ()
-    words: tuple[tuple[str, ...], ...] = ()
+    rungs: tuple[WordedRung, ...]
+    own: tuple[Address, ...] = ()
+
+    @cached_property
+    def outputs(self) -> tuple[Said, ...]:
+        coils = {f"out({address})" for address in self.own}
+        return tuple(said for rung in self.rungs for said in rung.outputs if said.token not in coils)
+
+    @cached_property
+    def words(self) -> tuple[Hashable, ...]:
+        if not self.own:
+            return tuple(rung.words for rung in self.rungs)
+        words = tuple(rung.lines for rung in self.rungs)
+        for number, address in enumerate(self.own):
+            words = tuple(tuple(without(line, address, f"scratch {number}") for line in lines) for lines in words)
+        return words
 
 
 class Units:
@@ -87,13 +102,7 @@ class Units:
 
     def _unit(self, rungs: Sequence[WordedRung], places: range) -> Unit:
         held = [rungs[n] for n in places]
-        own = self.own(held)
-        coils = {f"out({address})" for address in own}
-        outputs = (said for rung in held for said in rung.outputs)
-        words = tuple(rung.lines for rung in held)
-        for number, address in enumerate(own):
-            words = tuple(tuple(without(line, address, f"scratch {number}") for line in lines) for lines in words)
-        return Unit(places, tuple(said for said in outputs if said.token not in coils), words)
+        return Unit(places, tuple(held), tuple(self.own(held)))
 
     def own(self, rungs: Sequence[WordedRung]) -> list[Address]:
         """The scratch cells that these rungs use and no other rung of this side, in the order of their first use."""

@@ -29,9 +29,29 @@ _COMMON = frozenset(("if", "and", "or", "not", "always"))
 _ALONE = (Flow.END, Flow.RETURN, Flow.NEXT, Flow.PASS)
 
 
+class Words:
+    """The words of a rung, for comparison. Rungs that are drawn alike are equal, and then nobody needs the words."""
+
+    def __init__(self, drawn: DrawnRung, wording: Wording) -> None:
+        self._drawn = drawn
+        self._wording = wording
+
+    @cached_property
+    def lines(self) -> tuple[str, ...]:
+        return self._wording.lines(self._drawn)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Words):
+            return self.lines == other
+        return self._drawn.is_drawn_as(other._drawn) or self.lines == other.lines
+
+    def __hash__(self) -> int:
+        return hash(self.lines)
+
+
 @dataclass(frozen=True)
 class WordedRung:
-    """A rung and its words: ``lines`` without names, but with room for them. ``number`` counts in its routine.
+    """A rung and its words. ``number`` counts in its routine.
 
     If scratch cells have the numbers of the other side, ``origin`` is the rung with its own.
     """
@@ -39,10 +59,24 @@ class WordedRung:
     routine: str
     number: int
     drawn: DrawnRung
-    lines: tuple[str, ...]
-    is_plain: bool
-    """True for a rung that every program has: an unconditional end, return or next, or nothing at all."""
+    wording: Wording
     origin: WordedRung | None = None
+
+    @cached_property
+    def words(self) -> Words:
+        """Equal for two rungs in the same words."""
+        return Words(self.drawn, self.wording)
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """Its words without names, but with room for them."""
+        return self.words.lines
+
+    @cached_property
+    def is_plain(self) -> bool:
+        """True for a rung that every program has: an unconditional end, return or next, or nothing at all."""
+        rung = _imported(self.drawn)
+        return rung is not None and _is_plain(rung)
 
     @property
     def shown(self) -> WordedRung:
@@ -69,14 +103,12 @@ class WordedRung:
     @property
     def is_idle(self) -> bool:
         """True for a rung that does nothing, such as one that a person drew for its comment."""
-        return not self.outputs
+        return not outputs_of(self.drawn)
 
     @cached_property
     def cells(self) -> tuple[str, ...]:
         """The rung as drawn, a line for each row."""
-        pins = {row: token for box in self.drawn.boxes for token, row in box.pins}
-        tokens = {box.row: box.token for box in self.drawn.boxes} | pins
-        return tuple(_cells(row, tokens.get(n, row.output)) for n, row in enumerate(self.drawn.rows))
+        return drawn_cells(self.drawn)
 
 
 class Wording:
@@ -84,15 +116,23 @@ class Wording:
 
     def __init__(self, one: Names, other: Names) -> None:
         self._names = _WithRoom(one, other)
+        self._known: dict[tuple[tuple[str, ...], ...], tuple[str, ...]] = {}
+        """The words of rungs, by the text that they were read from."""
 
     def rung(self, routine: str, number: int, drawn: DrawnRung) -> WordedRung:
-        try:
-            # A comment is not logic, and some comments are not possible in a program.
-            rung = import_rung(replace(drawn, comment="")).rung
-        except LadderProblem:
-            bare = WordedRung(routine, number, drawn, (), False)
-            return replace(bare, lines=tuple(map(self._with_room, bare.cells)))
-        return WordedRung(routine, number, drawn, tuple(self._lines(rung)), _is_plain(rung))
+        """Return a rung that is put into words on demand."""
+        return WordedRung(routine, number, drawn, self)
+
+    def lines(self, drawn: DrawnRung) -> tuple[str, ...]:
+        """Return a rung as the listing would show it, or as it is drawn if it cannot be written."""
+        text = drawn.text
+        found = self._known.get(text) if text is not None else None
+        if found is None:
+            rung = _imported(drawn)
+            found = tuple(map(self._with_room, drawn_cells(drawn)) if rung is None else self._lines(rung))
+            if text is not None:
+                self._known[text] = found
+        return found
 
     def _lines(self, rung: Rung) -> Iterator[str]:
         yield from condition_lines("", rung.condition, self._names)
@@ -140,6 +180,22 @@ def without(line: str, address: Address, word: str) -> str:
     parts = line.split('"')
     parts[::2] = (re.sub(rf"(?<!\w){address}(?!\w){_ROOM}*", word, part) for part in parts[::2])
     return '"'.join(parts)
+
+
+def _imported(drawn: DrawnRung) -> Rung | None:
+    """Return a rung as a program has it; None if it cannot be written."""
+    try:
+        # A comment is not logic, and some comments are not possible in a program.
+        return import_rung(replace(drawn, comment="")).rung
+    except LadderProblem:
+        return None
+
+
+def drawn_cells(drawn: DrawnRung) -> tuple[str, ...]:
+    """Return a rung as it is drawn, a line for each row."""
+    pins = {row: token for box in drawn.boxes for token, row in box.pins}
+    tokens = {box.row: box.token for box in drawn.boxes} | pins
+    return tuple(_cells(row, tokens.get(n, row.output)) for n, row in enumerate(drawn.rows))
 
 
 def _is_plain(rung: Rung) -> bool:

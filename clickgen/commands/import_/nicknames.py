@@ -17,7 +17,7 @@ from clickgen.table.judge_row import address_nickname_fault, may_share_a_name
 from clickgen.table.read import TableUnreadable, bytes_of_table, read_table
 from clickgen.table.rows import Row, is_scratch
 from clickgen.text.wording import counted
-from clickgen.workspace import CouldNotRun
+from clickgen.workspace import CouldNotRun, Workspace
 
 Names = Mapping[Address, str]
 """The nicknames to write in place of addresses."""
@@ -48,14 +48,14 @@ def no_nicknames() -> Nicknames:
     return Nicknames(table, names_of(table))
 
 
-def nicknames_of(path: Path, shown: str, is_kept: bool = False) -> Nicknames:
+def nicknames_of(path: Path, shown: str, is_kept: bool = False, files: Workspace | None = None) -> Nicknames:
     """Return the names of an address table, unchanged if it ``is_kept``. Raises CouldNotRun if it is not a table.
 
     A name that CLICK does not take, or that two addresses have, is left out of the table: nobody can say what it would
     mean in a program. So are the names that clickgen gave to its own cells in an earlier build.
     """
     try:
-        data = bytes_of_table(path, shown)
+        data = bytes_of_table(path, shown, files)
         before = Diagnostics()
         table = read_table(path, shown, before, data)
         if is_kept:

@@ -30,7 +30,7 @@ from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.source import SourceFile, Span
 from clickgen.text.wording import counted
 from clickgen.text.write import put_in_place
-from clickgen.workspace import CouldNotRun, Workspace, read_file, read_if_there
+from clickgen.workspace import CouldNotRun, Workspace, read_if_there
 
 if TYPE_CHECKING:
     from clickgen.commands.import_.proof import Redrawn, Verdict
@@ -101,7 +101,8 @@ class ImportResult:
         Raises CouldNotRun if an existing file differs, unless this ``replaces`` it (an address table
         is never replaced), and OSError.
         """
-        taken = [path for path, data in self.files.items() if _holds_otherwise(path, data)]
+        before = {path: _former(path) for path in self.files}
+        taken = [path for path, data in self.files.items() if path.exists() and before[path] != data]
         table = self.target.table
         if table in taken and self.named_by is not None and table.resolve() == self.named_by.resolve():
             message = f"{table} would lose the nicknames that are left out"
@@ -112,16 +113,21 @@ class ImportResult:
         if taken and not replaces:
             names = ", ".join(map(str, taken))
             raise CouldNotRun(f"{names} would be overwritten: choose another place with -o, or add --force")
-        unchanged = {path: read_if_there(path) for path in self.files}
-        return put_in_place(self.files, (), unchanged, no_links=self.files)
+        return put_in_place(self.files, (), before, no_links=self.files)
 
 
-def _holds_otherwise(path: Path, data: bytes) -> bool:
-    return path.exists() and not (path.is_file() and read_file(path) == data)
+def _former(path: Path) -> bytes | None:
+    """Read a file that is about to be replaced. It may have changed since the import read it, so this reads it anew."""
+    return read_if_there(path) if path.is_file() else None
 
 
 def import_project(
-    source: Path, target: Target, nicknames: Path | None = None, keep_going: bool = False, verifies: bool = True
+    source: Path,
+    target: Target,
+    nicknames: Path | None = None,
+    keep_going: bool = False,
+    verifies: bool = True,
+    files: Workspace | None = None,
 ) -> ImportResult:
     """Import the contents of ``source``: a bundle, a ladder CSV, a clipboard capture, CLICK's program files.
 
@@ -129,23 +135,25 @@ def import_project(
     place for the program. A rung that cannot be kept is an error; with ``keep_going`` a marked rung takes its
     place. Nothing is written (see ``ImportResult.write``). Raises CouldNotRun if there is nothing to import.
     """
-    project = read_project(source)
+    files = files or Workspace()
+    project = read_project(source, files)
     for routine in project.routines:
         if routine.name == MAIN and not routine.is_main:
             raise CouldNotRun(f"{routine.file}: a subroutine cannot be called main, as the main program is")
     if not any(routine.rungs for routine in project.routines) and not project.problems:
         raise CouldNotRun(f"{source} holds no rungs")
-    run = _Import(project, target, keep_going, imported_routines(project), _nicknames(project, target, nicknames))
+    names = _nicknames(project, target, nicknames, files)
+    run = _Import(project, target, keep_going, imported_routines(project), names, files)
     verdict = run.verified() if verifies else None
     return run.result(verdict)
 
 
-def _nicknames(project: Project, target: Target, given: Path | None) -> Nicknames:
+def _nicknames(project: Project, target: Target, given: Path | None, files: Workspace) -> Nicknames:
     for path in (given, project.nicknames):
         if path is not None:
-            return nicknames_of(path, str(path))
+            return nicknames_of(path, str(path), files=files)
     if target.table.exists() and not target.table.is_dir():
-        return nicknames_of(target.table, str(target.table), is_kept=True)
+        return nicknames_of(target.table, str(target.table), True, files)
     return no_nicknames()
 
 
@@ -158,7 +166,10 @@ class _Import:
     keep_going: bool
     routines: list[ImportedRoutine]
     nicknames: Nicknames
+    files: Workspace
     problems: list[Diagnostic] = field(default_factory=list)
+    _written: tuple[Sequence[Routine], dict[Path, str]] = ((), {})
+    """The routines that were written last, and their texts: most often the proof and the result write the same ones."""
 
     def verified(self) -> Verdict:
         """Build and compare. Rungs that a build refuses, or that come back different, are no longer kept.
@@ -208,7 +219,7 @@ class _Import:
 
         files = {path: text.encode() for path, text in self._texts(as_proof(self.routines)).items()}
         overlay = {os.path.realpath(path): data for path, data in {**files, **self._table()}.items()}
-        return build(self.target.program, settings=self.target.settings, workspace=Workspace(overlay))
+        return build(self.target.program, settings=self.target.settings, workspace=self.files.apart(overlay))
 
     def _table(self) -> dict[Path, bytes]:
         """The address table at its place; none if names were not given, or are declared in the program."""
@@ -216,6 +227,11 @@ class _Import:
         return {self.target.table: self.nicknames.table.to_bytes()} if is_written else {}
 
     def _texts(self, routines: Sequence[Routine]) -> dict[Path, str]:
+        if routines != self._written[0]:
+            self._written = routines, self._text_of(routines)
+        return self._written[1]
+
+    def _text_of(self, routines: Sequence[Routine]) -> dict[Path, str]:
         names = self.nicknames.names
         if not self.target.is_folder:
             declared = declared_rows(routines, self.nicknames) if self.target.is_shown else ()

@@ -92,6 +92,8 @@ def _piece(drawn: DrawnRung) -> RungImport:
 
 def _between(project: Project, routine: DrawnRoutine) -> Iterator[LadderProblem]:
     """The problems in the files of a routine outside its rungs; main has those that belong to no routine."""
+    if not project.problems:
+        return
     files = {rung.file for rung in routine.rungs} | {routine.file}
     others = {file for other in project.routines for file in (other.file, *(rung.file for rung in other.rungs))}
     for problem in project.problems:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
@@ -43,7 +44,12 @@ class Program:
     settings: Settings
     is_job: bool
     is_part: bool
-    sources: tuple[SourceNames, ...]
+    read: Callable[[], tuple[SourceNames, ...]]
+
+    @cached_property
+    def sources(self) -> tuple[SourceNames, ...]:
+        """The files that the program is made of, read on demand."""
+        return self.read()
 
     @property
     def names(self) -> list[FileNames]:
@@ -79,18 +85,18 @@ def programs_around(
     read: dict[str, SourceNames] = {}
     for job in jobs:
         _add(found, read, files, Target(job.program), job.settings._replace(frozen=False), True)
-    for target in _around(folders.values(), config):
+    for target in _around(folders.values(), config, files.apart()):
         _add(found, read, files, target, Settings(target.nicknames, reserved=config.reserved), False)
     return list(found.values())
 
 
-def _around(folders: Iterable[str], config: Config) -> Iterator[Target]:
+def _around(folders: Iterable[str], config: Config, files: Workspace) -> Iterator[Target]:
     # A program that is excluded from checks uses the table all the same.
     config = config._replace(check=CheckSettings())
     for program in config.programs:
         if program.path.is_file():
             yield Target(str(program.path), str(program.nicknames) if program.nicknames else None)
-    yield from targets([*folders], config) if folders else ()
+    yield from targets([*folders], config, workspace=files) if folders else ()
 
 
 def _add(
@@ -109,14 +115,16 @@ def _add(
     except OSError as error:
         fault = "there is no such file" if isinstance(error, FileNotFoundError) else error.strerror or str(error)
         raise CouldNotRun(f"{target.path} cannot be read: {fault}") from None
-    dialect = dialect_of(target.path, data)
-    source = dialect.decode(target.path, data, Diagnostics())
-    sources = dialect.read(source, files, Diagnostics())[1] if source else ()
-    names: list[SourceNames] = []
-    for each in sources:
-        key = os.path.realpath(each.path)
-        if key not in read:
-            problems = Diagnostics()
-            read[key] = SourceNames(each, read_names(each, problems), problems.in_order())
-        names.append(read[key])
-    found[real] = Program(target.path, settings, is_job, target.is_part, tuple(names))
+
+    def names() -> tuple[SourceNames, ...]:
+        dialect = dialect_of(target.path, data)
+        source = dialect.decode(target.path, data, Diagnostics())
+        sources = dialect.read(source, files, Diagnostics())[1] if source else ()
+        for each in sources:
+            key = os.path.realpath(each.path)
+            if key not in read:
+                problems = Diagnostics()
+                read[key] = SourceNames(each, read_names(each, problems), problems.in_order())
+        return tuple(read[os.path.realpath(each.path)] for each in sources)
+
+    found[real] = Program(target.path, settings, is_job, target.is_part, names)

@@ -51,7 +51,9 @@ class Rename:
     """The result of finishing a rename that somebody had begun in the sources."""
 
 
-def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None) -> Rename:
+def rename(
+    old: str, new: str, jobs: Sequence[Job], config: Config | None = None, files: Workspace | None = None
+) -> Rename:
     """Rename a nickname or a block in the tables of these programs and in every source file of those that share them.
 
     Programs that are not named and share a table are found around it (``config`` holds the working folder's settings).
@@ -60,7 +62,8 @@ def rename(old: str, new: str, jobs: Sequence[Job], config: Config | None = None
     CouldNotRun if the new name is not free or not legal, or if a program would change.
     """
     _check_names(old, new)
-    files = Workspace()
+    # The files that the rename reads must be unchanged when it writes; the settings may change.
+    files = Workspace() if files is None else files.apart()
     programs = programs_around(jobs, find_config(Path.cwd()) if config is None else config, files)
     keys = {program.table_key for program in programs if program.is_job}
     sharing = [program for program in programs if program.table_key in keys]
@@ -288,7 +291,7 @@ def _records(tables: Iterable[Table], old: str, new: str, files: Workspace) -> d
         if table.row(old) is not None:
             data = table.record_renamed(files.look(str(table.record)), old, new)
             if data is not None:
-                read_record(table.record)  # refuses a file that is not clickgen's
+                read_record(table.record, files)  # refuses a file that is not clickgen's
                 renamed[os.path.realpath(table.record)] = data
     return renamed
 

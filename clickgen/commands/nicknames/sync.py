@@ -54,25 +54,26 @@ class Sync:
         return all(result.ok for result in self.results)
 
 
-def sync(jobs: Sequence[Job], config: Config, prune: bool = False) -> Sync:
+def sync(jobs: Sequence[Job], config: Config, prune: bool = False, files: Workspace | None = None) -> Sync:
     """Allocate the names that these programs lack. ``prune`` removes rows that clickgen placed and nothing refers to.
 
     Every other program that uses the same table is looked at too: beside it, below it, and in the settings. Raises
     CouldNotRun if a file cannot be read.
     """
-    results = build_all((job.program, job.settings) for job in jobs)
+    files = files or Workspace()
+    results = build_all(((job.program, job.settings) for job in jobs), files)
     if not all(result.ok for result in results):
         return Sync(tuple(results), (), {}, {})
     places = [result.table_path for result in results]
     places += [Path(os.path.realpath(place)) for place in places]
-    around = programs_around(jobs, _with_programs_of(config, places), Workspace(), places)
+    around = programs_around(jobs, _with_programs_of(config, places, files), files, places)
     tables: list[TableSync] = []
     writes: dict[Path, bytes] = {}
     unchanged: dict[Path, bytes | None] = {}
     for key in dict.fromkeys(os.path.realpath(result.table_path) for result in results):
         own = [result for result in results if os.path.realpath(result.table_path) == key]
         others = [program for program in around if not program.is_job]
-        table = _Table(own, others, prune)
+        table = _Table(own, others, prune, files)
         tables.append(table.sync)
         for path, data, before in table.files():
             unchanged[path] = before
@@ -81,9 +82,20 @@ def sync(jobs: Sequence[Job], config: Config, prune: bool = False) -> Sync:
     return Sync(tuple(results), tuple(tables), writes, unchanged)
 
 
-def _with_programs_of(config: Config, tables: Iterable[Path]) -> Config:
+def table_changes(results: Sequence[BuildResult]) -> list[TableSync]:
+    """Compare each table with what these programs make of it, built in this order; empty if one has errors."""
+    if not all(result.ok for result in results):
+        return []
+    last = {os.path.realpath(result.table_path): result for result in results}
+    first = {os.path.realpath(result.table_path): result for result in reversed(results)}
+    changes = {key: _changes(first[key].table_path, first[key].table_before, last[key].address_table) for key in last}
+    return [TableSync(first[key].table_path, *changed, (), (), {}, ()) for key, changed in changes.items()]
+
+
+def _with_programs_of(config: Config, tables: Iterable[Path], files: Workspace) -> Config:
     """The settings with the programs that those around the tables name."""
-    found = [find_config(table.parent) for table in tables if table.parent.is_dir()]
+    folders = dict.fromkeys(table.parent.absolute() for table in tables if table.parent.is_dir())
+    found = [find_config(folder, files) for folder in folders]
     return config._replace(programs=(*config.programs, *(each for one in found for each in one.programs)))
 
 
@@ -94,18 +106,18 @@ class _Table:
     one later, so the names that it uses stay.
     """
 
-    def __init__(self, own: Sequence[BuildResult], others: Sequence[Program], prune: bool) -> None:
+    def __init__(self, own: Sequence[BuildResult], others: Sequence[Program], prune: bool, files: Workspace) -> None:
         self._path = own[0].table_path
         key = os.path.realpath(self._path)
         self._strangers = [each for each in others if each.table_key != key and not os.path.exists(each.table_key)]
         others = [each for each in others if each.table_key == key]
         self._before = own[0].table_before
-        self._record = read_record(record_beside(self._path))
+        self._record = read_record(record_beside(self._path), files)
         self._placed = placed_in(self._record)
         self._placed |= {row.address: row.nickname for result in own for row in result.placed_rows}
         self._left = left_in(self._record)
         table = own[-1].address_table
-        readers, doubtful = _read(others, self._path, table)
+        readers, doubtful = _read(others, self._path, table, files)
         users = [*own, *readers]
         named = [row for row in table.own_rows if row.nickname and not BANKS[row.address.bank].settings_fixed]
         unused = [row for row in named if not any(_is_used(row, result) for result in users)]
@@ -121,10 +133,7 @@ class _Table:
             elif reason:
                 kept[row.address] = reason
         self._table = table.changed({row.address: None for row in removed})
-        before = _contents(self._path, self._before)
-        rows = self._table.own_rows
-        added = tuple(row for row in rows if row.address not in before)
-        changed = tuple(row for row in rows if before.get(row.address, row.content) != row.content)
+        added, changed = _changes(self._path, self._before, self._table)
         self.sync = TableSync(self._path, added, changed, tuple(unused), tuple(removed), kept, tuple(doubtful))
 
     def _is_ours(self, row: Row) -> bool:
@@ -158,21 +167,28 @@ class _Table:
         ]
 
 
-def _contents(path: Path, data: bytes | None) -> dict[Address, object]:
-    """The table's content for each address."""
-    if data is None:
-        return {}
-    return {row.address: row.content for row in read_table(path, str(path), Diagnostics(), data).own_rows}
+def _changes(path: Path, before: bytes | None, table: AddressTable) -> tuple[tuple[Row, ...], tuple[Row, ...]]:
+    """Return the rows that the file of a table lacks, and those that it has otherwise."""
+    if before == table.to_bytes():
+        return (), ()
+    said: dict[Address, object] = {}
+    if before is not None:
+        said = {row.address: row.content for row in read_table(path, str(path), Diagnostics(), before).own_rows}
+    rows = table.own_rows
+    added = tuple(row for row in rows if row.address not in said)
+    return added, tuple(row for row in rows if said.get(row.address, row.content) != row.content)
 
 
-def _read(programs: Iterable[Program], path: Path, table: AddressTable) -> tuple[list[BuildResult], list[str]]:
+def _read(
+    programs: Iterable[Program], path: Path, table: AddressTable, files: Workspace
+) -> tuple[list[BuildResult], list[str]]:
     """The other programs, built with the table as it will be, and those that have errors."""
     readers: list[BuildResult] = []
     doubtful: list[str] = []
-    overlay = {os.path.realpath(path): table.to_bytes()}
+    with_table = files.apart({os.path.realpath(path): table.to_bytes()})
     for program in programs:
         try:
-            result = build(program.path, settings=program.settings, workspace=Workspace(overlay))
+            result = build(program.path, settings=program.settings, workspace=with_table)
         except CouldNotRun:
             doubtful.append(program.path)
             continue

@@ -107,17 +107,19 @@ def read_tables(programs: Iterable[Program], files: Workspace) -> dict[str, Tabl
     return tables
 
 
-def over_workbook(table: AddressTable, workbook: Path, problems: Diagnostics) -> AddressTable:
+def over_workbook(table: AddressTable, workbook: Path, problems: Diagnostics, files: Workspace) -> AddressTable:
     """The table with the rows of a workbook in front. Raises TableUnreadable."""
+    from clickgen.table.workbook.archive import bytes_of_workbook
     from clickgen.table.workbook.read import read_workbook
 
-    return beside_workbook(table, read_workbook(workbook, str(workbook), problems), problems)
+    data = bytes_of_workbook(workbook, str(workbook), files)
+    return beside_workbook(table, read_workbook(workbook, str(workbook), problems, data), problems)
 
 
 def _look(path: Path, files: Workspace) -> bytes | None:
     """The bytes of a table, or None if there is none. Raises TableUnreadable, and OSError."""
     if path.exists():
-        bytes_of_table(path, str(path))
+        bytes_of_table(path, str(path), files)
     return files.look(str(path))
 
 
@@ -128,7 +130,7 @@ def _read(program: Program, files: Workspace) -> AddressTable:
         data = _look(program.table, files)
         table = AddressTable.empty(shown) if data is None else read_table(program.table, shown, problems, data)
         if program.workbook is not None:
-            table = over_workbook(table, program.workbook, problems)
+            table = over_workbook(table, program.workbook, problems, files)
     except OSError as error:
         raise CouldNotRun(f"{shown} cannot be read: {error.strerror or error}") from None
     except TableUnreadable as error:

@@ -9,15 +9,13 @@ from typing import NamedTuple
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, VALUE_BANK, Address, parse_address
 from clickgen.device.system import addresses_of_system_name, doubt_about, find_system_name, system_name_of
+from clickgen.dialects.base import Spelling
 from clickgen.facts.uses import Use, extents_of
-from clickgen.formula.spelling import SPELL
-from clickgen.ir.operands import Named
 from clickgen.problems.diagnostics import did_you_mean
 from clickgen.results import BuildResult
 from clickgen.table.blocks import Block, marked_blocks
 from clickgen.table.record import placed_in
 from clickgen.table.rows import Row, is_scratch
-from clickgen.text.source import Span
 from clickgen.text.wording import counted
 
 _PLACES = 8
@@ -136,7 +134,7 @@ def _block_lines(block: Block, result: BuildResult, blocks: Iterable[Block]) -> 
     first = Address(block.bank, block.first)
     said_by = [other.said_by for other in blocks if other.name.lower() == block.name.lower()]
     uses = [use for use in _every_use(result) if _is_in(use, block)]
-    lines = [*said_by, f"{_member(block, first)} is {first}", *_places(uses)]
+    lines = [*said_by, f"{_member(result.dialect.spell, block, first)} is {first}", *_places(uses)]
     return [
         f"{block.name} is the block {block}, {counted(block.size, 'address', 'addresses')}",
         *(f"  {line}" for line in lines),
@@ -150,20 +148,17 @@ def _is_in(use: Use, block: Block) -> bool:
     )
 
 
-def _memberships(address: Address, blocks: Iterable[Block]) -> Iterator[str]:
+def _memberships(spell: Spelling, address: Address, blocks: Iterable[Block]) -> Iterator[str]:
     told: set[str] = set()
     for block in blocks:
         is_inside = block.is_seen_as(address.bank) and block.first <= address.number <= block.last
         if is_inside and block.name.lower() not in told:
             told.add(block.name.lower())
-            yield f"{_member(block, address)} of the block {block.name}, {block}, {block.said_by}"
+            yield f"{_member(spell, block, address)} of the block {block.name}, {block}, {block.said_by}"
 
 
-def _member(block: Block, address: Address) -> str:
-    return SPELL.reference(Named(address.bank, block.name, _NOWHERE, address.number - block.first))
-
-
-_NOWHERE = Span("", 0, 0, 0, 0)
+def _member(spell: Spelling, block: Block, address: Address) -> str:
+    return spell.member(spell.name(address.bank, block.name), address.number - block.first)
 
 
 def _every_use(result: BuildResult) -> Sequence[Use]:
@@ -183,9 +178,9 @@ def _address_lines(
     rows = {row.address: row for row in result.rows}
     row = rows.get(address)
     bit = rows.get(Address(CURRENT_VALUE_OF.get(address.bank, ""), address.number))
-    own = _own_name(address, row, bit)
+    own = _own_name(result.dialect.spell, address, row, bit)
     uses = result.facts.uses.at(address) if result.facts else []
-    members = list(_memberships(address, blocks))
+    members = list(_memberships(result.dialect.spell, address, blocks))
     if not own and not members and row is None and not uses:
         return [f"{address} has no name and {result.program} does not use it"]
     lines = [*members, *_origin(address, row, result, blocks, reserved, record)]
@@ -198,10 +193,10 @@ def _address_lines(
     return [_head(address, own, row), *(f"  {line}" for line in lines)]
 
 
-def _own_name(address: Address, row: Row | None, bit: Row | None) -> str:
+def _own_name(spell: Spelling, address: Address, row: Row | None, bit: Row | None) -> str:
     """The nickname of an address; for a current value without one ``td.Pause``, by the nickname of its bit."""
     own = (row.nickname if row else "") or system_name_of(address) or ""
-    return own or (SPELL.reference(Named(address.bank, bit.nickname, _NOWHERE)) if bit and bit.nickname else "")
+    return own or (spell.name(address.bank, bit.nickname) if bit and bit.nickname else "")
 
 
 def _head(address: Address, own: str, row: Row | None) -> str:

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 from clickgen.emit.workbook import WRITER
-from clickgen.workspace import CouldNotRun, read_if_there
+from clickgen.workspace import CouldNotRun, Workspace
 
 
 def place_of(output: str | None, program: str, folder: Path) -> Path:
@@ -18,7 +18,7 @@ def place_of(output: str | None, program: str, folder: Path) -> Path:
     return Path(output)
 
 
-def former(path: Path, table: str | os.PathLike[str] | None) -> bytes | None:
+def former(path: Path, table: str | os.PathLike[str] | None, files: Workspace) -> bytes | None:
     """Return the earlier workbook at a place; None if nothing is there.
 
     Raises CouldNotRun for a file that clickgen did not write, that somebody has saved since, or that is the address
@@ -26,7 +26,10 @@ def former(path: Path, table: str | os.PathLike[str] | None) -> bytes | None:
     """
     if table is not None and os.path.realpath(path) == os.path.realpath(table):
         raise CouldNotRun(f"{path} is the address table; choose another file with -o")
-    before = read_if_there(path)
+    try:
+        before: bytes | None = files.read(path)
+    except (FileNotFoundError, NotADirectoryError):
+        before = None
     if before is not None and not WRITER.is_own(before):
         raise CouldNotRun(
             f"{path} was not written by clickgen, or somebody has saved it since; move it away, or choose another "

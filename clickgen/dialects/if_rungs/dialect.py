@@ -38,8 +38,8 @@ class IfRungs(Dialect):
 
         return IfRungsSpelling()
 
-    def look(self, path: str, text: str) -> Look:
-        return FileLook(path, text)
+    def look(self, path: str, text: str) -> Look:  # noqa: ARG002
+        return FileLook(text)
 
     # -- reading ------------------------------------------------------------------------------------------------------
 
@@ -53,7 +53,7 @@ class IfRungs(Dialect):
     ) -> tuple[Program | None, tuple[SourceFile, ...]]:
         from clickgen.dialects.if_rungs.read.imports import read_program
 
-        return read_program(source, files.read, problems)
+        return read_program(source, files.read, problems, files.memory)
 
     def read_file(self, source: SourceFile, problems: Diagnostics) -> Sequence[object] | None:
         from clickgen.dialects.if_rungs.read.program import read_file

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator
 from functools import cached_property
@@ -13,8 +12,7 @@ from clickgen.dialects.base import Look
 class FileLook(Look):
     """What a look at a file tells, found out when it is asked for."""
 
-    def __init__(self, path: str, text: str) -> None:
-        self._path = path
+    def __init__(self, text: str) -> None:
         self._text = text
 
     @cached_property
@@ -32,8 +30,8 @@ class FileLook(Look):
 
     @cached_property
     def imports(self) -> tuple[str, ...]:
-        """The files beside it that it imports, by their real paths; not all of them need be there."""
-        return tuple(_siblings(self._text, self._path))
+        """The names of the files beside it that it imports; not all of them need be there."""
+        return tuple(dict.fromkeys(_siblings(self._text)))
 
 
 # fmt: off
@@ -135,11 +133,10 @@ _MAIN = re.compile(r"^(?:async[ \t]+)?def[ \t]+main\b", re.MULTILINE)
 _IMPORT = re.compile(r"^[ \t]*(?:from[ \t]+(?:\.[ \t]*)?(\w+)[ \t]+import\b|import[ \t]+([\w., \t]+))", re.MULTILINE)
 
 
-def _siblings(text: str, path: str) -> Iterator[str]:
-    """The files that a file's imports stand for, by their real paths."""
-    folder = os.path.dirname(path)
+def _siblings(text: str) -> Iterator[str]:
+    """The files that a file's imports stand for."""
     for source, listed in _IMPORT.findall(text):
         for name in (source, *listed.split(",")):
             module = name.split()[0] if name.strip() else ""
             if module and "." not in module:
-                yield os.path.realpath(os.path.join(folder, f"{module}.py"))
+                yield f"{module}.py"

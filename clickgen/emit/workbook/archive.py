@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import re
+from collections.abc import Sequence
 from io import BytesIO
 from zipfile import ZIP_DEFLATED, BadZipFile, ZipFile, ZipInfo
 
@@ -22,13 +24,17 @@ _FIXED = {
 }
 """Author and time: no real time, so that the same project gives the same bytes."""
 _APPLICATION_MAX = 100_000
+_SHEET = re.compile(r"xl/worksheets/sheet([0-9]+)\.xml")
+_EMPTY = b"<sheetData></sheetData>"
+"""How openpyxl writes a sheet without rows."""
 
 
 class PinnedZip(ZipFile):
-    """A zip file in which nothing depends on the time or the machine."""
+    """A zip file in which nothing depends on the time or the machine; ``rows`` are those of each sheet, as XML."""
 
-    def __init__(self, file: BytesIO) -> None:
+    def __init__(self, file: BytesIO, rows: Sequence[str]) -> None:
         super().__init__(file, "w", ZIP_DEFLATED)
+        self._rows = rows
 
     def writestr(self, name: str | ZipInfo, data: object, *_: object) -> None:
         entry = ZipInfo(name if isinstance(name, str) else name.filename)
@@ -39,7 +45,14 @@ class PinnedZip(ZipFile):
 
     def write(self, path: str | os.PathLike[str], name: str | os.PathLike[str] | None = None, *_: object) -> None:
         with open(path, "rb") as file:
-            self.writestr(str(name), file.read())
+            data = file.read()
+        sheet = _SHEET.fullmatch(str(name))
+        if sheet:
+            before, empty, after = data.partition(_EMPTY)
+            assert empty, name
+            rows = self._rows[int(sheet[1]) - 1].encode()
+            data = b"".join((before, b"<sheetData>", rows, b"</sheetData>", after))
+        self.writestr(str(name), data)
 
 
 def is_ours(data: bytes) -> bool:

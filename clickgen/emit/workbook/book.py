@@ -9,8 +9,6 @@ from itertools import islice
 from typing import cast
 
 from openpyxl import Workbook
-from openpyxl.cell import Cell
-from openpyxl.cell.rich_text import CellRichText
 from openpyxl.utils import get_column_letter
 from openpyxl.workbook.properties import CalcProperties
 from openpyxl.worksheet.worksheet import Worksheet
@@ -18,6 +16,7 @@ from openpyxl.writer.excel import ExcelWriter
 
 from clickgen.emit.workbook.archive import PinnedZip
 from clickgen.emit.workbook.looks import TEXT_FORMAT_MAX, Style, set_up, styled_cell
+from clickgen.emit.workbook.markup import Entry, row_markup
 from clickgen.emit.workbook.sheet import Cells, Column, Look, Marked, Sheet, Value
 
 ROWS_MAX = 1_048_576
@@ -27,18 +26,23 @@ _CUT = " [cut]"
 
 
 def to_bytes(sheets: Iterable[Sheet], program: str) -> bytes:
-    """Return the workbook; ``program`` is named at the foot of each page."""
+    """Return the workbook; ``program`` is named at the foot of each page.
+
+    openpyxl writes everything but the rows: its sheets stay empty, and the rows go into them in the archive.
+    """
     book = Workbook(write_only=True)
     book.calculation = CalcProperties(fullCalcOnLoad=False)
+    rows: list[str] = []
     for sheet in sheets:
         # A sheet written row by row has everything that is used here of one in memory; its types say less.
-        _write(cast(Worksheet, book.create_sheet(sheet.name)), sheet, program)
+        rows.append(_write(cast(Worksheet, book.create_sheet(sheet.name)), sheet, program))
     file = BytesIO()
-    ExcelWriter(book, PinnedZip(file)).save()
+    ExcelWriter(book, PinnedZip(file, rows)).save()
     return file.getvalue()
 
 
-def _write(target: Worksheet, sheet: Sheet, program: str) -> None:
+def _write(target: Worksheet, sheet: Sheet, program: str) -> str:
+    """Set up a sheet and return the XML of its rows."""
     for index, column in enumerate(sheet.columns, 1):
         target.column_dimensions[get_column_letter(index)].width = column.width
     target.freeze_panes = "A2"
@@ -51,52 +55,49 @@ def _write(target: Worksheet, sheet: Sheet, program: str) -> None:
     if next(rows, None) is not None:
         pen.write((Marked("There are more rows than a sheet can hold.", Look.TITLE),))
     if sheet.has_filter:
-        target.auto_filter.ref = f"A1:{get_column_letter(len(sheet.columns))}{pen.rows}"
+        target.auto_filter.ref = f"A1:{get_column_letter(len(sheet.columns))}{len(pen.rows)}"
+    return "".join(pen.rows)
 
 
 class _Pen:
-    """Writes the rows of one sheet. It reuses one cell for each style, since each is written at once."""
+    """Writes the rows of one sheet."""
 
     def __init__(self, sheet: Worksheet, columns: tuple[Column, ...]) -> None:
         self._sheet = sheet
-        self._columns = columns
-        self._cells: dict[Style, Cell] = {}
-        self.rows = 0
+        self._columns = tuple((get_column_letter(index), column) for index, column in enumerate(columns, 1))
+        self._styles: dict[Style, int] = {}
+        self.rows: list[str] = []
 
     def write_titles(self) -> None:
         self._append(
-            self._cell(Marked(column.title, Look.TITLE), column._replace(wraps=True)) for column in self._columns
+            self._entry(Marked(column.title, Look.TITLE), letters, column._replace(wraps=True))
+            for letters, column in self._columns
         )
 
     def write(self, values: Cells) -> None:
-        self._append(self._cell(value, column) for value, column in zip(values, self._columns, strict=False))
+        self._append(
+            self._entry(value, letters, column) for value, (letters, column) in zip(values, self._columns, strict=False)
+        )
 
-    def _append(self, row: Iterator[Cell | None]) -> None:
-        self._sheet.append(cast(list[Cell], row))  # It takes generators too.
-        self.rows += 1
+    def _append(self, entries: Iterator[Entry | None]) -> None:
+        self.rows.append(row_markup(len(self.rows) + 1, (entry for entry in entries if entry is not None)))
 
-    def _cell(self, value: Value, column: Column) -> Cell | None:
+    def _entry(self, value: Value, letters: str, column: Column) -> Entry | None:
         look = Look.PLAIN
         if isinstance(value, Marked):
             value, look = value
-        if value in (None, ""):
-            return None if look in (Look.PLAIN, Look.FAINT) else self._blank(Style(look, column, False))
+        if value is None or value == "":
+            is_seen = look not in (Look.PLAIN, Look.FAINT)
+            return Entry(letters, self._style(Style(look, column, False)), None) if is_seen else None
         if not isinstance(value, str):
-            cell = self._blank(Style(look, column, False))
-            cell.value = value
-            return cell
+            return Entry(letters, self._style(Style(look, column, False)), value)
         text = clean(value)
-        cell = self._blank(Style(look, column, True, len(text) > TEXT_FORMAT_MAX))
-        cell.value = as_written(text)
-        cell.data_type = "s"
-        return cell
+        return Entry(letters, self._style(Style(look, column, True, len(text) > TEXT_FORMAT_MAX)), text)
 
-    def _blank(self, style: Style) -> Cell:
-        if style not in self._cells:
-            self._cells[style] = styled_cell(self._sheet, style)
-        cell = self._cells[style]
-        cell.value = None
-        return cell
+    def _style(self, style: Style) -> int:
+        if style not in self._styles:
+            self._styles[style] = styled_cell(self._sheet, style).style_id
+        return self._styles[style]
 
 
 _FORBIDDEN = re.compile(r"[\x00-\x08\x0b-\x1f\x7f\ud800-\udfff\ufffe\uffff]")
@@ -114,14 +115,3 @@ def _sign(match: re.Match[str]) -> str:
     if code == 0x7F:
         return "\u2421"
     return chr(0x2400 + code) if code < 0x20 else "\ufffd"
-
-
-_ESCAPE = re.compile(r"_x(?=[0-9A-Fa-f]{4}_)")
-
-
-def as_written(text: str) -> str | CellRichText:
-    """Divide ``_x0041_``, which Excel would take for the code of a character: it reads each piece as it is."""
-    if not _ESCAPE.search(text):
-        return text
-    pieces = _ESCAPE.sub("_x\0", text).split("\0")
-    return CellRichText(*pieces)

@@ -11,7 +11,7 @@ from clickgen.problems.diagnostics import Diagnostic
 from clickgen.problems.report import use_color
 from clickgen.text.source import SourceFile, Span
 from clickgen.text.wording import counted, escaped, printable
-from clickgen.workspace import read_file
+from clickgen.workspace import Workspace
 
 _COLORS = {Severity.ERROR: "31", Severity.WARNING: "33", Severity.INFO: "36"}
 _FRAME_WIDTH = 110
@@ -86,14 +86,15 @@ def summary(severities: Iterable[Severity]) -> str:
     return ", ".join(counted(counts[severity], noun) for severity, noun in _NOUNS.items() if counts[severity])
 
 
-def source_lines(sources: Iterable[SourceFile]) -> Callable[[str, int], str]:
-    """A reader of lines for frames, from the sources or else from files; what cannot be read has no lines."""
+def source_lines(sources: Iterable[SourceFile], files: Workspace | None = None) -> Callable[[str, int], str]:
+    """A reader of lines for frames, from the sources or else from ``files``; what cannot be read has no lines."""
+    files = files or Workspace()
     cache: dict[str, list[str]] = {source.path: source.lines for source in sources}
 
     def line_of(path: str, number: int) -> str:
         if path not in cache:
             try:
-                text = read_file(path).decode("utf-8-sig", "replace")
+                text = files.read(path).decode("utf-8-sig", "replace")
                 cache[path] = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
             except OSError:
                 cache[path] = []
@@ -103,8 +104,10 @@ def source_lines(sources: Iterable[SourceFile]) -> Callable[[str, int], str]:
     return line_of
 
 
-def write_problems(problems: Iterable[Diagnostic], sources: Iterable[SourceFile], stream: TextIO) -> None:
-    """Write all problems, a blank line after each."""
-    renderer = Renderer(use_color(stream), source_lines(sources))
+def write_problems(
+    problems: Iterable[Diagnostic], sources: Iterable[SourceFile], stream: TextIO, files: Workspace | None = None
+) -> None:
+    """Write all problems, a blank line after each; lines of other files than ``sources`` come from ``files``."""
+    renderer = Renderer(use_color(stream), source_lines(sources, files))
     for problem in problems:
         stream.write(renderer.render(problem) + "\n\n")

@@ -368,10 +368,10 @@ def test_a_pipe_is_no_file(tmp_path: Path) -> None:
 def test_what_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     put(tmp_path, {"main.csv": ladder(MAIN)})
 
-    def locked(path: Path, _limit: int) -> bytes:
-        raise PermissionError(13, "Permission denied", str(path))
+    def locked(path: str, _size: int) -> bytes:
+        raise PermissionError(13, "Permission denied", path)
 
-    monkeypatch.setattr("clickgen.click.read.project.read_file", locked)
+    monkeypatch.setattr("clickgen.workspace.read_start", locked)
     assert refused(tmp_path) == f"{tmp_path / 'main.csv'} cannot be read: Permission denied"
 
 

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import pytest
 
 from clickgen.cli import main
+from clickgen.problems.codes import CODES, waits_for_errors
 from clickgen.rules.select import Selection
 
 DOUBLE = """\
@@ -295,6 +296,13 @@ def test_what_was_not_judged_is_not_called_unused(check: Check) -> None:
     # With an error in it, a program is not judged by the rules about logic.
     write("plc.py", silenced(5, "# clickgen: ignore[CG501]").replace("        end()", "        out(c.A and c.B)"))
     assert "CG525" not in check("plc.py").out
+
+
+@pytest.mark.parametrize("code", [code for code in CODES if waits_for_errors(code)])
+def test_what_waits_for_errors_is_not_called_unused_before(code: str, check: Check) -> None:
+    """An error stops the stage that would report it, so nobody knows whether the comment is needed."""
+    write("plc.py", silenced(5, f"# clickgen: ignore[{code}]").replace("        end()", "        out(c.A and c.B)"))
+    assert codes(check("plc.py", "--output-format", "concise")) == ["CG113"]
 
 
 def test_unused_comments_are_removed(check: Check) -> None:

@@ -26,6 +26,7 @@ from clickgen.commands.diff.sides import Side, ladder_side, program_side
 from clickgen.commands.import_.project import Target, import_project
 from clickgen.config import Settings
 from clickgen.ir.conditions import Compare, Contact
+from clickgen.workspace import Workspace
 
 Rows = list[list[str]]
 
@@ -79,8 +80,8 @@ def sides(rungs: Sequence[Rows], folder: Path) -> tuple[Side, Side] | None:
     if not result.ok or result.verdict is None or result.verdict.verified != result.rungs:
         return None
     result.write()
-    program = program_side(folder / "prog.py", "prog.py", Settings())
-    return ladder_side(folder / "plant", "plant", None), program
+    program = program_side(folder / "prog.py", "prog.py", Settings(), Workspace())
+    return ladder_side(folder / "plant", "plant", None, Workspace()), program
 
 
 @given(plants)

@@ -38,6 +38,7 @@ from clickgen.device.banks import Address
 from clickgen.lower.scratch import purpose_of, rung_of
 from clickgen.table.address_table import AddressTable
 from clickgen.table.rows import default_row
+from clickgen.workspace import Workspace
 
 __all__ = ["run"]
 
@@ -72,7 +73,7 @@ def test_programs_with_other_scratch_cells_do_the_same(tmp_path: Path, seed: int
     rows = [row for row in built.rows if row not in built.scratch_rows]
     (tmp_path / "nicknames.csv").write_bytes(AddressTable.empty("").extended(rows).to_bytes())
     taken = Settings(reserved=tuple(Address("C", number) for number in range(1996, 2001)))
-    one, other = (program_side(tmp_path / "prog.py", "prog.py", each) for each in (Settings(), taken))
+    one, other = (program_side(tmp_path / "prog.py", "prog.py", each, Workspace()) for each in (Settings(), taken))
     found = diff(one, other)
     assert found.drawn_otherwise
     assert (found.differs, happened(found)) == (False, [])
@@ -142,7 +143,7 @@ def test_no_numbers_hide_a_change(tmp_path: Path, seed: int) -> None:
     for name, text in random_draft(seed).items():
         (tmp_path / name).write_text(text, "utf-8")
     taken = Settings(reserved=tuple(Address("C", number) for number in range(1996, 2001)))
-    one, other = (program_side(tmp_path / "prog.py", "prog.py", each) for each in (Settings(), taken))
+    one, other = (program_side(tmp_path / "prog.py", "prog.py", each, Workspace()) for each in (Settings(), taken))
     assert other.table
     rows = other.scratch_rows
     reasons = [row.comment for row in rows]

@@ -343,7 +343,8 @@ def test_a_rung_that_comes_back_otherwise_is_refused(
 ) -> None:
     """The comparison finds a mistake of the writer: here it writes another address."""
     monkeypatch.setattr(
-        "clickgen.commands.import_.project.write_source", lambda *args: write_source(*args).replace("y[1]", "y[2]")
+        "clickgen.dialects.if_rungs.write.routine.write_source",
+        lambda *args: write_source(*args).replace("y[1]", "y[2]"),
     )
     write_bundle(Path("plant"), main=[*SEAL, wired("X004", "out(C1)", "R")])
     _, err = ran(capsys, "plant", "-o", "prog.py", code=1)

@@ -30,10 +30,9 @@ from test_importing_cases import check_same, compared, drawn, ladder_text
 from test_importing_properties import ruff_changes
 
 import clickgen
-from clickgen.commands.import_ import project as run
 from clickgen.commands.import_.project import ImportResult, Target, import_project
 from clickgen.config import Settings
-from clickgen.dialects.if_rungs.write import files
+from clickgen.dialects.if_rungs.write import files, routine
 from clickgen.dialects.if_rungs.write.routine import write_source
 from clickgen.results import BuildResult
 from clickgen.table.rows import is_scratch
@@ -383,7 +382,7 @@ def check_refuses(plant: Plant, seed: int, damages: bool) -> None:
         writer = write if damages else write_otherwise
         with (
             patch("clickgen.api.build", built.build),
-            patch.object(run, "write_source", writer),
+            patch.object(routine, "write_source", writer),
             patch.object(files, "write_source", writer),
         ):
             result = import_project(

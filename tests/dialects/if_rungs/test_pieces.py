@@ -14,8 +14,9 @@ from strategies.broken import broken_programs, mutants
 from strategies.given import CASES, Given, case_texts
 
 from clickgen.dialects.if_rungs.read import pieces
+from clickgen.dialects.if_rungs.read.content import FileContent
 from clickgen.dialects.if_rungs.read.parse import soundness
-from clickgen.dialects.if_rungs.read.program import FileContent, read_file
+from clickgen.dialects.if_rungs.read.program import read_file
 from clickgen.ir.program import Routine
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.text.source import SourceFile

@@ -13,6 +13,7 @@ import libcst as cst
 from clickgen.dialects.if_rungs.read import statements
 from clickgen.dialects.if_rungs.read.nodes import Elements, Node, Statement, string_pieces, text_value
 from clickgen.dialects.if_rungs.read.places import Places
+from clickgen.dialects.if_rungs.read.remembered import RememberedFile
 from clickgen.ir.proposals import Proposal
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.edits import Fix
@@ -31,6 +32,8 @@ class Context:
     """True where it is only asked whether a text can be read: nobody looks for ways out then, which are tried again."""
     places: Places = field(default_factory=Places)
     """Where the nodes of the statement are that is being read."""
+    remembered: RememberedFile | None = None
+    """What is known of the rungs of this file."""
 
     def aside(self) -> Context:
         """The same nodes, with problems and proposals that nobody hears of."""

@@ -8,27 +8,30 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from clickgen.dialects.if_rungs.read.content import FileContent
 from clickgen.dialects.if_rungs.read.parse import decode
-from clickgen.dialects.if_rungs.read.program import FileContent, read_file
+from clickgen.dialects.if_rungs.read.remembered import read_content
 from clickgen.ir.imports import Import
 from clickgen.ir.program import BlockDeclaration, Declaration, Offer, Program, Routine
 from clickgen.ir.proposals import Proposal
 from clickgen.problems.diagnostics import Diagnostics, did_you_mean
 from clickgen.text.source import SourceFile, Span
+from clickgen.workspace.memory import Memory
 
 ReadBytes = Callable[[str], bytes]
 """The bytes of a file by its path as shown; raises OSError."""
 
 
 def read_program(
-    source: SourceFile, read_bytes: ReadBytes, problems: Diagnostics
+    source: SourceFile, read_bytes: ReadBytes, problems: Diagnostics, memory: Memory | None = None
 ) -> tuple[Program | None, tuple[SourceFile, ...]]:
-    """The program that begins in this file, and every file it is made of.
+    """The program that begins in this file, and every file it is made of. ``memory`` knows what was read before.
 
     None when this file is not Python. Everything else that is wrong is in ``problems``.
     """
-    files = _Files(read_bytes, problems, [source])
-    content = read_file(source, problems)
+    memory = memory or Memory()
+    files = _Files(read_bytes, problems, memory, [source])
+    content = read_content(source, problems, memory)
     if content is None:
         return None, tuple(files.sources)
     files.enter(content)
@@ -66,6 +69,7 @@ class _Files:
 
     read_bytes: ReadBytes
     problems: Diagnostics
+    memory: Memory
     sources: list[SourceFile]
     declarations: list[Declaration] = field(default_factory=list)
     blocks: list[BlockDeclaration] = field(default_factory=list)
@@ -151,7 +155,7 @@ class _Files:
         source = decode(path, data, self.problems)
         if source is not None:
             self.sources.append(source)
-        content = read_file(source, self.problems) if source is not None else None
+        content = read_content(source, self.problems, self.memory) if source is not None else None
         self.is_declared &= content is not None
         return content
 

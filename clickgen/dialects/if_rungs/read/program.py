@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 import libcst as cst
 
@@ -13,6 +12,7 @@ from clickgen.dialects.if_rungs.read import pieces
 from clickgen.dialects.if_rungs.read.calls import read_call
 from clickgen.dialects.if_rungs.read.comments import rung_comment
 from clickgen.dialects.if_rungs.read.conditions import read_condition
+from clickgen.dialects.if_rungs.read.content import FileContent
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import (
     Node,
@@ -35,17 +35,18 @@ from clickgen.dialects.if_rungs.read.operands import read_constant, read_operand
 from clickgen.dialects.if_rungs.read.parse import parse_tree
 from clickgen.dialects.if_rungs.read.pieces import Broken
 from clickgen.dialects.if_rungs.read.places import has_parameters
-from clickgen.dialects.if_rungs.read.statements import Refused, Statement, read_in_pieces, read_statements
+from clickgen.dialects.if_rungs.read.remembered import RememberedFile
+from clickgen.dialects.if_rungs.read.statements import Piece, Refused, Statement, read_in_pieces, read_statements
 from clickgen.dialects.if_rungs.spelling import IfRungsSpelling
 from clickgen.dialects.if_rungs.trade import ARGUMENTS
 from clickgen.dialects.if_rungs.ways_out.hints import flat_address, own, replaced
-from clickgen.dialects.if_rungs.ways_out.misplaced import WayOut, way_out
+from clickgen.dialects.if_rungs.ways_out.misplaced import way_out
+from clickgen.dialects.if_rungs.ways_out.way_out import WayOut
 from clickgen.ir.conditions import Always, Condition
 from clickgen.ir.imports import Import
 from clickgen.ir.made import ending, loop_opening, nothing
 from clickgen.ir.operands import Cell, Constant, Integer, Named, Operand, Range, Text
 from clickgen.ir.program import BlockDeclaration, Branch, Declaration, Item, Loop, Routine, Rung, Value, Word
-from clickgen.ir.proposals import Proposal
 from clickgen.problems.diagnostics import Diagnostic, Diagnostics, did_you_mean
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span
@@ -56,28 +57,18 @@ _LIBRARIES = frozenset(("clickgen", "pyrung", "pyclickplc", "clickplc", "ladderc
 """Python libraries that know CLICK; none of them has a place in a program."""
 
 
-@dataclass(frozen=True)
-class FileContent:
-    """What one file holds at its top level, in the order of its text."""
-
-    path: str
-    items: tuple[Routine | Declaration | BlockDeclaration | Import, ...]
-    proposals: tuple[Proposal, ...] = ()
-    """The fixes of what is wrong in its routines."""
-    is_declared: bool = True
-    """False when what it declares or imports could not be read."""
-
-
-def read_file(source: SourceFile, problems: Diagnostics) -> FileContent | None:
+def read_file(
+    source: SourceFile, problems: Diagnostics, remembered: RememberedFile | None = None
+) -> FileContent | None:
     """Read one program file; None when it is not Python. Everything else that is wrong is in ``problems``."""
     before = len(problems.found)
-    context = Context(source, problems)
+    context = Context(source, problems, remembered=remembered)
     if len(source.lines) > 2 * pieces.LINES:
         try:
             return _read_all(context, read_in_pieces(source, context.places))
         except (Broken, Refused):
             del problems.found[before:]
-            context = Context(source, problems)
+            context = Context(source, problems, remembered=remembered)
     tree = parse_tree(source, problems)
     if tree is None:
         return None
@@ -172,7 +163,7 @@ def _read_imports(context: Context, node: cst.Import | cst.ImportFrom) -> list[I
 # -- routines ---------------------------------------------------------------------------------------------------------
 
 
-def _read_routine(context: Context, node: cst.FunctionDef, body: Iterable[Node]) -> Routine:
+def _read_routine(context: Context, node: cst.FunctionDef, body: Iterable[Piece]) -> Routine:
     source, function = context.source, word(node.name)
     # From def to the end of the name.
     span = context.stretch(context.extent(node)[0], context.extent(node.name)[1])
@@ -207,7 +198,7 @@ def _read_routine(context: Context, node: cst.FunctionDef, body: Iterable[Node])
             )
     title = _read_title(context, mark) if isinstance(mark, cst.Call) and is_titled and function != "main" else None
     before = len(problems.found)
-    rungs = _read_rungs(context, body)
+    rungs = _read_body(context, body)
     is_whole = len(problems.found) == before
     if title is None:
         return Routine(name, rungs, span, name == "main", is_whole)
@@ -243,10 +234,30 @@ def _read_title(context: Context, mark: cst.Call) -> Word | None:
     return title
 
 
-def _read_rungs(context: Context, found: Iterable[Node], holder: str = "a routine") -> tuple[Rung, ...]:
+def _read_body(context: Context, body: Iterable[Piece]) -> tuple[Rung, ...]:
+    """The rungs of a routine. Those without a problem are remembered by their text."""
+    rungs: list[Rung] = []
+    remembered, problems, proposals = context.remembered, context.problems.found, context.proposals
+    for number, piece in enumerate(body):
+        known = remembered.rung(piece.text, piece.base) if remembered else None
+        if known is not None:
+            rungs.append(known)
+            continue
+        before = len(problems), len(proposals)
+        nodes = piece.read()
+        new = _read_rungs(context, nodes, is_first=number == 0)
+        is_plain = len(nodes) == len(new) == 1 and before == (len(problems), len(proposals))
+        if remembered and piece.text and is_plain:
+            remembered.keep(piece.text, piece.base, new[0])
+        rungs += new
+    return tuple(rungs)
+
+
+def _read_rungs(
+    context: Context, found: Iterable[Node], holder: str = "a routine", is_first: bool = True
+) -> tuple[Rung, ...]:
     """The rungs of a block."""
     rungs: list[Rung] = []
-    is_first = True
     for node in found:
         if isinstance(node, cst.If):
             rungs.append(_read_rung(context, node, rung_comment(node)))

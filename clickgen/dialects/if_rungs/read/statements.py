@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import ast
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
+from functools import partial
 from itertools import chain
 from typing import NamedTuple
 
@@ -32,11 +33,22 @@ _REFUSALS = (cst.ParserSyntaxError, cst.CSTValidationError, TypeError)
 """What libcst raises for a text that it does not read; a TypeError for ``not(lambda: a)`` (libcst 1.9.0)."""
 
 
+class Piece(NamedTuple):
+    """Statements of a routine that are read at once: one, or several that share a line."""
+
+    text: str
+    """All that the reading depends on; "" where they are read with their routine."""
+    base: int
+    """The line before the first, from 1."""
+    read: Callable[[], Sequence[nodes.Statement]]
+    """Gives libcst's nodes, whose places are noted until the next piece is read. Raises Refused."""
+
+
 class Statement(NamedTuple):
     """A statement of the top level. ``body`` has the statements of a routine, to be used up before the next one."""
 
     node: nodes.Statement
-    body: Iterable[nodes.Statement] = ()
+    body: Iterable[Piece] = ()
 
 
 class Refused(Exception):
@@ -96,9 +108,9 @@ class Reader:
         """The statements of the top level."""
         for part, body in self._parts(found):
             for node in self.read(part):
-                inner = chain.from_iterable(map(self.read, body))
+                inner: Iterable[Piece] = map(self._piece, body)
                 if part.ending == "" and isinstance(node, cst.FunctionDef):
-                    inner = chain(nodes.statements(node.body))
+                    inner = (Piece("", part.start, partial(nodes.statements, node.body)),)
                 yield Statement(node, inner)
 
     def parts(self, found: Iterable[pieces.Statement]) -> Iterator[Part]:
@@ -108,10 +120,21 @@ class Reader:
             yield from body
         yield Part(self._end, len(self._lines), "pass\n")
 
+    def _piece(self, part: Part) -> Piece:
+        return Piece(self._above(part) + self._text(part), part.start, partial(self.read, part))
+
+    def _text(self, part: Part) -> str:
+        return "\n".join([*self._lines[part.start : part.last], part.ending])
+
+    def _above(self, part: Part) -> str:
+        """A comment may belong to the block of the statement before: then that one is needed, in a word."""
+        if part.before and self._has_inner_comment(part):
+            return f"{part.indent}if 1:\n{part.before}pass\n"
+        return ""
+
     def read(self, part: Part) -> list[nodes.Statement]:
         """The statements of a part, whose places are noted. Raises Refused."""
-        starts = self._source.starts
-        text = "\n".join([*self._lines[part.start : part.last], part.ending])
+        starts, text = self._source.starts, self._text(part)
         deep = deep_bracket(text)
         if deep is not None:
             line, col = part.start + deep[0], deep[1]
@@ -123,10 +146,7 @@ class Reader:
                 default_indent = cst.parse_module(text).default_indent
             self._note([tree], part, starts[part.start], "", default_indent)
             return nodes.in_lines([tree])
-        above = ""
-        if part.before and self._has_inner_comment(part):
-            # A comment may belong to the block of the statement before: that one is needed, in a word.
-            above = f"{part.indent}if 1:\n{part.before}pass\n"
+        above = self._above(part)
         block = self._parsed(f"{_BLOCK}{above}{text}", part)
         assert isinstance(block, cst.If)
         assert isinstance(block.body, cst.IndentedBlock)

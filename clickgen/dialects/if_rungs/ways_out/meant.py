@@ -6,7 +6,7 @@ The caller shows it as a way out, and the judge of fixes looks at what is turned
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import libcst as cst
@@ -25,13 +25,22 @@ from clickgen.dialects.if_rungs.read.nodes import (
     is_name,
     is_starred,
     keywords,
-    literal,
     name_of,
     on_one_line,
     terms,
 )
 from clickgen.dialects.if_rungs.trade import CONDITIONS, advice
 from clickgen.dialects.if_rungs.ways_out.binding import compare, is_tight, unbound
+from clickgen.dialects.if_rungs.ways_out.condition_parts import (
+    MIRRORED,
+    SIGNS,
+    Part,
+    algebra,
+    is_bool,
+    is_listed,
+    joined,
+    single,
+)
 from clickgen.dialects.if_rungs.ways_out.formulas import bit_under_mask, calculated
 from clickgen.dialects.if_rungs.ways_out.hints import (
     Fits,
@@ -54,17 +63,6 @@ _LISTED = 8
 """So many values of a range are compared one by one."""
 _SWAPPED = {"all": "any", "any": "all"}
 _TURNED_EDGE = {"re": "fe", "fe": "re"}
-SIGNS: dict[type[Node], str] = {
-    cst.Equal: "==",
-    cst.NotEqual: "!=",
-    cst.Is: "==",
-    cst.IsNot: "!=",
-    cst.LessThan: "<",
-    cst.LessThanEqual: "<=",
-    cst.GreaterThan: ">",
-    cst.GreaterThanEqual: ">=",
-}
-MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 
 
 class Meant(NamedTuple):
@@ -98,30 +96,6 @@ def meant(context: Context, node: Node, fits: Fits, wanted: bool = True) -> Mean
     return Meant(text, tuple(reader.turned), tuple(reader.before), reader.is_exact)
 
 
-class _Part(NamedTuple):
-    """A single condition, or several in ``all`` or ``any``."""
-
-    function: str
-    texts: tuple[str, ...]
-
-    @property
-    def text(self) -> str:
-        return f"{self.function}({', '.join(self.texts)})" if self.function else self.texts[0]
-
-
-def _single(text: str) -> _Part:
-    return _Part("", (text,))
-
-
-def _joined(function: str, parts: Iterable[_Part | None]) -> _Part | None:
-    texts: list[str] = []
-    for part in parts:
-        if part is None:
-            return None
-        texts += part.texts if part.function in ("", function) else [part.text]
-    return _Part(function, tuple(texts)) if len(texts) > 1 else _single(texts[0]) if texts else None
-
-
 class _Reader:
     def __init__(self, context: Context, fits: Fits) -> None:
         self._context = context
@@ -132,12 +106,12 @@ class _Reader:
         self._results: dict[tuple[str, ...], str] = {}
         self.is_exact = True
 
-    def said(self, node: Node, wanted: bool) -> _Part | None:
+    def said(self, node: Node, wanted: bool) -> Part | None:
         """An expression in the language, or its opposite; None where that is not certain."""
         self._left -= 1
         if self._left < 0:
             return None
-        logic = python_logic(node) or _algebra(node)
+        logic = python_logic(node) or algebra(node)
         self.is_exact &= not logic or logic[0] != "+"
         if logic and logic[1] == "nc":
             return self.said(logic[2][0], not wanted)
@@ -165,21 +139,21 @@ class _Reader:
             return self._of_text(node, flat_address(name_of(node)), wanted)
         return self._leaf(node, wanted)
 
-    def _several(self, function: str, terms: Sequence[Node], wanted: bool) -> _Part | None:
+    def _several(self, function: str, terms: Sequence[Node], wanted: bool) -> Part | None:
         kept = [term for term in terms if truth_of(term) is not (function == "all")]
         function = function if wanted else _SWAPPED[function]
-        return _joined(function, (self.said(term, wanted) for term in kept))
+        return joined(function, (self.said(term, wanted) for term in kept))
 
-    def _leaf(self, node: Node, wanted: bool) -> _Part | None:
+    def _leaf(self, node: Node, wanted: bool) -> Part | None:
         """A single condition of the language, or its opposite."""
         text = own(self._context, node)
         if not text or not self._fits(text):
             return self._of_text(node, self._member(node), wanted)
         if wanted:
-            return _single(text)
+            return single(text)
         turned = opposite(node)
         self.turned.append(node)
-        return _single(on_one_line(turned.with_changes(lpar=[], rpar=[]))) if turned is not None else None
+        return single(on_one_line(turned.with_changes(lpar=[], rpar=[]))) if turned is not None else None
 
     def _member(self, node: Node) -> str:
         """The bit that ``t.A.done`` is; "" for anything else."""
@@ -189,17 +163,17 @@ class _Reader:
         help, _ = member_hint(self._context, node, bank, own(self._context, node.value).removeprefix(bank.dsl))
         return help.removeprefix("write ") if help.startswith("write ") else ""
 
-    def _of_text(self, node: Node, text: str, wanted: bool) -> _Part | None:
+    def _of_text(self, node: Node, text: str, wanted: bool) -> Part | None:
         """A bit that is written otherwise than the node has it."""
         self.is_exact = False
         if not text or not self._fits(text):
             return None
         if wanted:
-            return _single(text)
+            return single(text)
         self.turned.append(node)
-        return _single(f"nc({text})") if re.fullmatch(r"[a-z]+[.\[][\w\"\]]+", text) else None
+        return single(f"nc({text})") if re.fullmatch(r"[a-z]+[.\[][\w\"\]]+", text) else None
 
-    def _called(self, node: cst.Call, wanted: bool) -> _Part | None:
+    def _called(self, node: cst.Call, wanted: bool) -> Part | None:
         name, given = called(node), arguments(node)
         if keywords(node) or any(map(is_starred, given)):
             return None
@@ -212,32 +186,32 @@ class _Reader:
             part = self.said(inner, True)
             bit = re.fullmatch(r"(nc\()?([a-z]+(?:\.\w+|\[[^\[\]]+\]))\)?", part.text) if part else None
             edge = bit and f"{_TURNED_EDGE[name] if bit[1] else name}({bit[2]})"
-            return _single(edge) if edge and wanted and self._fits(edge) else None
+            return single(edge) if edge and wanted and self._fits(edge) else None
         if self._fits(own(self._context, node) or "-"):
             return self._leaf(node, wanted)
         found = advice(name, CONDITIONS)
         text = own_code(self._context, found, around_value(name, given), self._fits) if found else ""
         return self._of_text(node, text, wanted)
 
-    def _chosen(self, node: cst.IfExp, wanted: bool) -> _Part | None:
+    def _chosen(self, node: cst.IfExp, wanted: bool) -> Part | None:
         """``x[1] if x[2] else x[3]``: two ways in parallel."""
-        legs: list[_Part | None] = []
+        legs: list[Part | None] = []
         for holds, value in ((True, node.body), (False, node.orelse)):
             truth = truth_of(value)
             if truth is None:
-                legs.append(_joined("all", [self.said(node.test, holds), self.said(value, wanted)]))
+                legs.append(joined("all", [self.said(node.test, holds), self.said(value, wanted)]))
             elif truth is wanted:
                 legs.append(self.said(node.test, holds))
-        return _joined("any", legs)
+        return joined("any", legs)
 
-    def _unlike(self, one: Node, other: Node, wanted: bool) -> _Part | None:
+    def _unlike(self, one: Node, other: Node, wanted: bool) -> Part | None:
         """One of two conditions, but not both; where that is not wanted, both or none."""
         pairs = ((holds, holds is not wanted) for holds in (True, False))
-        return _joined("any", [_joined("all", [self.said(one, a), self.said(other, b)]) for a, b in pairs])
+        return joined("any", [joined("all", [self.said(one, a), self.said(other, b)]) for a, b in pairs])
 
     # -- comparisons --------------------------------------------------------------------------------------------------
 
-    def _compared(self, node: cst.Comparison, wanted: bool) -> _Part | None:
+    def _compared(self, node: cst.Comparison, wanted: bool) -> Part | None:
         groups = unbound(self._context, node)
         if groups is not None:
             self.is_exact = False
@@ -251,8 +225,8 @@ class _Reader:
         if isinstance(operator, cst.In | cst.NotIn):
             return self._listed(left, right, wanted is isinstance(operator, cst.In))
         sign = SIGNS[operator.__class__]
-        if _is_listed(right) or _is_listed(left):
-            listed, other = (right, left) if _is_listed(right) else (left, right)
+        if is_listed(right) or is_listed(left):
+            listed, other = (right, left) if is_listed(right) else (left, right)
             return self._each(listed, other, sign, wanted)
         if is_literal(left) or (truth_of(left) is not None and truth_of(right) is None):
             left, right, sign = right, left, MIRRORED.get(sign, sign)
@@ -263,7 +237,7 @@ class _Reader:
                 self.turned.append(left)
             return self.said(left, wanted is (truth is (sign == "==")))
         bank = bank_of(left)
-        if sign in ("==", "!=") and bank is not None and not bank.is_bit and _is_bool(right):
+        if sign in ("==", "!=") and bank is not None and not bank.is_bit and is_bool(right):
             self.is_exact = False
             is_on = (truth is (sign == "==")) is wanted
             return self._of_register(left, "!=" if is_on else "==", "0", wanted)
@@ -282,7 +256,7 @@ class _Reader:
             return None
         return self._of_register(node, sign if wanted else OPPOSITE[sign], texts[1], wanted, texts[0])
 
-    def _of_choice(self, node: Node, sign: str, other: Node, wanted: bool) -> _Part | None:
+    def _of_choice(self, node: Node, sign: str, other: Node, wanted: bool) -> Part | None:
         """``abs(ds.A) > 5``, ``max(ds.A, ds.B) > 5``: each possible value is compared."""
         name = called(node).lower()
         if not isinstance(node, cst.Call) or name not in ("abs", "max", "min") or keywords(node) or not arguments(node):
@@ -304,11 +278,11 @@ class _Reader:
             pairs = [f"{value} {sign} {limit}" for value in values]
         return self._checked(function, pairs, node, wanted)
 
-    def _of_register(self, node: Node, sign: str, value: str, wanted: bool, shown: str = "") -> _Part | None:
+    def _of_register(self, node: Node, sign: str, value: str, wanted: bool, shown: str = "") -> Part | None:
         text = f"{shown or own(self._context, node)} {sign} {value}"
         if not wanted:
             self.turned.append(node)
-        return _single(text) if self._fits(text) else None
+        return single(text) if self._fits(text) else None
 
     def _value(self, node: Node) -> str:
         """A side of a comparison: a register, a constant, or the register that a rung before calculates."""
@@ -336,18 +310,18 @@ class _Reader:
             self._results[shown] = found.result
         return self._results[shown]
 
-    def _calculated(self, node: Node, wanted: bool) -> _Part | None:
+    def _calculated(self, node: Node, wanted: bool) -> Part | None:
         """A calculation alone: it is not zero."""
         bit = bit_under_mask(self._context, node)
         if bit is not None:
             self.before += bit.rungs
-            return _single(bit.result if wanted else f"nc({bit.result})")
+            return single(bit.result if wanted else f"nc({bit.result})")
         result = self._result(node)
         return self._of_register(node, "!=" if wanted else "==", "0", wanted, result) if result else None
 
     # -- lists --------------------------------------------------------------------------------------------------------
 
-    def _listed(self, left: Node, values: Node, wanted: bool) -> _Part | None:
+    def _listed(self, left: Node, values: Node, wanted: bool) -> Part | None:
         """``ds.A in (1, 2)``, ``ds.A in range(1, 5)``, ``ds.A in ds[1:5]``."""
         texts: list[str] = []
         if isinstance(values, cst.Call) and called(values) == "range":
@@ -376,7 +350,7 @@ class _Reader:
         pairs = [f"{shown} {sign} {text}" for text in texts]
         return self._checked(function, pairs, left, wanted) if shown and all(texts) else None
 
-    def _each(self, listed: Node, other: Node, sign: str, wanted: bool) -> _Part | None:
+    def _each(self, listed: Node, other: Node, sign: str, wanted: bool) -> Part | None:
         """``ds.A == (1, 2)``, ``ds.A == (1 or 2)``, ``(ds.A or ds.B) == 5``: each compared by itself."""
         self.is_exact = False
         values = terms(listed) if isinstance(listed, cst.BooleanOperation) else elements(listed)
@@ -392,32 +366,7 @@ class _Reader:
         function = function if wanted else _SWAPPED[function]
         return self._checked(function, pairs, other, wanted) if shown and all(one) else None
 
-    def _checked(self, function: str, texts: Sequence[str], node: Node, wanted: bool) -> _Part | None:
+    def _checked(self, function: str, texts: Sequence[str], node: Node, wanted: bool) -> Part | None:
         if not wanted:
             self.turned.append(node)
-        return _joined(function, map(_single, texts)) if all(map(self._fits, texts)) else None
-
-
-# -- what a part is ---------------------------------------------------------------------------------------------------
-
-
-_ALGEBRA: dict[type[Node], str] = {cst.Add: "any", cst.Multiply: "all"}
-
-
-def _algebra(node: Node) -> tuple[str, str, list[cst.BaseExpression]] | None:
-    """``c.A + c.B`` and ``c.A * c.B``, as boolean algebra writes or and and."""
-    function = _ALGEBRA.get(node.operator.__class__) if isinstance(node, cst.BinaryOperation) else None
-    if function is None or not isinstance(node, cst.BinaryOperation) or not is_condition(node):
-        return None
-    return ("+", function, [node.left, node.right])
-
-
-def _is_listed(node: Node) -> bool:
-    """True for several values where one is compared."""
-    if isinstance(node, cst.BooleanOperation):
-        return not any(map(is_condition, terms(node)))
-    return len(elements(node)) > 0
-
-
-def _is_bool(node: Node) -> bool:
-    return isinstance(literal(node), bool) or (is_name(node) and truth_of(node) is not None)
+        return joined(function, map(single, texts)) if all(map(self._fits, texts)) else None

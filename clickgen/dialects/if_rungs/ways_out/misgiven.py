@@ -56,7 +56,10 @@ def misgiven(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiv
 
 def _of_coil(context: Context, spec: Spec, node: cst.Call, fits: Fits) -> Misgiven | None:
     first, *rest = given = arguments(node)
-    bank, shown = bank_of(first), own(context, first)
+    bank = bank_of(first)
+    if bank is not None and bank.is_bit and not rest:
+        return None
+    shown = own(context, first)
     if not shown:
         return None
     if bank is None:

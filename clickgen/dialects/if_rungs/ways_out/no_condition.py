@@ -30,6 +30,7 @@ from clickgen.dialects.if_rungs.read.nodes import (
 )
 from clickgen.dialects.if_rungs.read.operands import address_hint
 from clickgen.dialects.if_rungs.trade import ACTIONS, CONDITIONS, advice
+from clickgen.dialects.if_rungs.ways_out.condition_parts import SIGNS
 from clickgen.dialects.if_rungs.ways_out.hints import (
     Fits,
     around_value,
@@ -44,7 +45,7 @@ from clickgen.dialects.if_rungs.ways_out.hints import (
     trade_advice,
     truth_of,
 )
-from clickgen.dialects.if_rungs.ways_out.meant import SIGNS, Meant, meant
+from clickgen.dialects.if_rungs.ways_out.meant import Meant, meant
 from clickgen.dialects.if_rungs.ways_out.no_call import routine_named
 from clickgen.instructions import INSTRUCTIONS
 from clickgen.ir.operands import Immediate, Operand, Range

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from clickgen.dialects.if_rungs.read.calls import fits_action
-from clickgen.dialects.if_rungs.ways_out.slip_kinds import Line, Told, after_head, condition_of, without
+from clickgen.dialects.if_rungs.ways_out.slip_line import Line, Told, after_head, condition_of, without
 from clickgen.ir.addresses import BANK_NAMES
 
 _BANKS = "|".join(sorted(BANK_NAMES, key=len, reverse=True))

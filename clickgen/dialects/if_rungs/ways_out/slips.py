@@ -11,12 +11,13 @@ import re
 from collections.abc import Callable
 from typing import NamedTuple
 
-from clickgen.dialects.if_rungs.read.context import Context
-from clickgen.dialects.if_rungs.ways_out import slip_kinds as kinds
+from clickgen.dialects.if_rungs.ways_out import slip_actions as actions
+from clickgen.dialects.if_rungs.ways_out import slip_addresses as addresses
+from clickgen.dialects.if_rungs.ways_out import slip_conditions as conditions
+from clickgen.dialects.if_rungs.ways_out import slip_signs as signs
 from clickgen.dialects.if_rungs.ways_out import slip_words as words
-from clickgen.dialects.if_rungs.ways_out.slip_kinds import Line, Told
+from clickgen.dialects.if_rungs.ways_out.slip_line import Line, Told, line_of, says
 from clickgen.instructions import INSTRUCTIONS, of_instructions
-from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import SourceFile, Span
 
@@ -36,12 +37,9 @@ class Slip(NamedTuple):
 
 def slip(source: SourceFile, number: int, fault: str) -> tuple[str, Span, str, Fix | None] | None:
     """The message, place, way out and fix for the line where Python failed; None if nothing is known of it."""
-    text = source.line(number)
-    if len(text) > _LINE_MAX:
+    if len(source.line(number)) > _LINE_MAX:
         return None
-    line = Line(
-        text, _blanked(text, True), _blanked(text, False), Context(SourceFile(source.path, text), Diagnostics()), fault
-    )
+    line = line_of(source, number, fault)
     for kind in SLIPS:
         match = kind.pattern.search(line.plain if kind.with_comment else line.code)
         told = kind.tell(line, match) if match else None
@@ -52,20 +50,6 @@ def slip(source: SourceFile, number: int, fault: str) -> tuple[str, Span, str, F
         edits = tuple(Edit(Span(source.path, number, a + 1, number, b + 1), new) for a, b, new in told.edits)
         return told.message, span, told.help, Fix(edits) if edits else None
     return None
-
-
-_QUOTED = re.compile(r"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|(#.*)""")
-
-
-def _blanked(text: str, with_comment: bool) -> str:
-    """The line with blanks for its comment and for the text between quotes."""
-
-    def blank(found: re.Match[str]) -> str:
-        if found[1]:
-            return f'"{" " * (len(found[0]) - 2)}"'
-        return " " * len(found[0]) if with_comment else found[0]
-
-    return _QUOTED.sub(blank, text)
 
 
 def _re(pattern: str, flags: int = 0) -> re.Pattern[str]:
@@ -83,13 +67,13 @@ def _arguments() -> frozenset[str]:
 
 SLIPS: tuple[Slip, ...] = (
     Slip(
-        kinds.SIGN,
-        kinds.typographic,
+        signs.SIGN,
+        signs.typographic,
         ("if \N{LEFT DOUBLE QUOTATION MARK}A:", "if ds.A \N{GREATER-THAN OR EQUAL TO} 5:", "if c.A \N{EN DASH} c.B:"),
     ),
     Slip(
         _re(r"^(?:<{7}|={7}|>{7})(?:\s|$)"),
-        kinds.says("this is the mark of a merge conflict", "keep one of the two versions, and take the marks away"),
+        says("this is the mark of a merge conflict", "keep one of the two versions, and take the marks away"),
         ("<<<<<<< HEAD", "=======", ">>>>>>> branch"),
     ),
     Slip(words.ACTED, words.acted, ("out(y[1]) if x[1]", "if x[1] then out(y[1])", "x[1] -> out(y[1])")),
@@ -102,7 +86,7 @@ SLIPS: tuple[Slip, ...] = (
     Slip(
         _re(r"(?:^|\s|;)(?P<sign>//)|(?P<other>/\*|\(\*|^\s*\*/)"),
         lambda line, match: (
-            kinds.comment(line, match)
+            signs.comment(line, match)
             if match["sign"]
             else Told(
                 "a comment begins with #", "write # at the beginning of each line of a comment", match.span("other")
@@ -112,120 +96,126 @@ SLIPS: tuple[Slip, ...] = (
     ),
     Slip(
         _re(r"^\s*(?P<sign>--|;|'|REM\b|rem\b|%(?!\s*[IQMiqm]))"),
-        kinds.old_comment,
+        signs.old_comment,
         ("-- comment here", "; comment", "' comment", "REM comment"),
         with_comment=True,
     ),
     # Addresses and numbers of other machines
     Slip(
         _re(r"%(?P<letter>[IQMiqm])(?P<size>[XBWDLxbwdl]?)\d+(?:\.\d+)?"),
-        kinds.foreign,
+        addresses.foreign,
         ("if %I0.1:", "copy(%MW10, ds.A)", "if %QX0.0:"),
     ),
     Slip(
         _re(r"(?<![\w.\])])(?P<letter>[IOBNFTCSRiobnftcsr])\d{0,3}:\d+(?:[./]\w+)?(?P<size>)"),
-        kinds.foreign,
+        addresses.foreign,
         ("if I:0/1:", "if N7:0 > 5:", "if T4:0.DN:", "if B3:0/1:"),
     ),
-    Slip(_re(r"\b(?P<letter>[IQMiqm])(?P<size>[XBWDxbwd]?)\d+\.\d+\b"), kinds.foreign, ("if I0.1:", "if M10.3:")),
+    Slip(_re(r"\b(?P<letter>[IQMiqm])(?P<size>[XBWDxbwd]?)\d+\.\d+\b"), addresses.foreign, ("if I0.1:", "if M10.3:")),
     Slip(
         _re(r"\b16#(?P<digits>[0-9A-Fa-f_]{1,9})\b|\b2#(?P<two>[01_]{1,32})\b"),
-        kinds.hexadecimal,
+        addresses.hexadecimal,
         ("if dh.A == 16#FF:", "copy(16#00FF, dh.A)", "copy(2#1010, dh.A)"),
         with_comment=True,
     ),
     Slip(
         _re(r"(?:\$|&[Hh]|(?<=[(,=])\s?#)(?P<digits>[0-9A-Fa-f]{1,8})\b(?P<two>)"),
-        kinds.hexadecimal,
+        addresses.hexadecimal,
         ("if dh.A == $FF:", "copy(&HFF, dh.A)", "copy(#FF, dh.A)"),
         with_comment=True,
     ),
     Slip(
         _re(r"(?<![\w.#\"'])(?P<digits>[0-9][0-9A-Fa-f]{0,7})[hH]\b(?P<two>)"),
-        kinds.hexadecimal,
+        addresses.hexadecimal,
         ("if dh.A == 0FFh:", "copy(00FFh, dh.A)"),
     ),
     Slip(
         _re(r"\b(?:T|TIME|t|time)#(?P<number>[0-9]{1,9}(?:\.[0-9]{1,9})?)(?P<unit>[A-Za-z]{1,12})"),
-        kinds.duration,
+        addresses.duration,
         ("ton(t.A, T#5s)",),
         with_comment=True,
     ),
     Slip(
         _re(r"(?<![\w.])(?P<number>[0-9]{1,9}(?:\.[0-9]{1,9})?)(?P<unit>[A-Za-z]{1,12})\b"),
-        kinds.duration,
+        addresses.duration,
         ("ton(t.A, 5s)", "ton(t.A, setpoint=500ms)", "ton(t.A, 5.5s)"),
     ),
-    Slip(_re(r"(?P<zeros>(?<![\w.])0+)(?P<number>[1-9][0-9]*)\b(?!\.)"), kinds.zeros, ("if x[001]:", "if x[01]:")),
+    Slip(_re(r"(?P<zeros>(?<![\w.])0+)(?P<number>[1-9][0-9]*)\b(?!\.)"), addresses.zeros, ("if x[001]:", "if x[01]:")),
     Slip(
-        _re(rf"{kinds.BANK}\[\s*(?P<first>[0-9]{{1,6}})\s*\.\.\.?\s*(?P<last>[0-9]{{1,6}})\s*\]"),
-        kinds.dotted_range,
+        _re(rf"{addresses.BANK}\[\s*(?P<first>[0-9]{{1,6}})\s*\.\.\.?\s*(?P<last>[0-9]{{1,6}})\s*\]"),
+        addresses.dotted_range,
         ("if x[1..4]:",),
     ),
     Slip(
-        _re(rf"{kinds.BANK}\[(?P<first>[0-9]{{1,6}})\]\s*\.\.\.?\s*(?P=bank)\[(?P<last>[0-9]{{1,6}})\]"),
-        kinds.dotted_range,
+        _re(rf"{addresses.BANK}\[(?P<first>[0-9]{{1,6}})\]\s*\.\.\.?\s*(?P=bank)\[(?P<last>[0-9]{{1,6}})\]"),
+        addresses.dotted_range,
         ("if x[1]..x[2]:",),
     ),
-    Slip(_re(rf"{kinds.BANK}\.(?P<number>[0-9]{{1,6}})\b(?!\.)"), kinds.dotted, ("if x.1:", 'copy("a", txt.1)')),
     Slip(
-        _re(rf"{kinds.BANK}(?P<index>\[[^\[\]]{{0,60}}\]|\.[A-Za-z_]\w{{0,60}})\.(?P<number>[0-9]{{1,4}})\b"),
-        kinds.bit_of,
+        _re(rf"{addresses.BANK}\.(?P<number>[0-9]{{1,6}})\b(?!\.)"), addresses.dotted, ("if x.1:", 'copy("a", txt.1)')
+    ),
+    Slip(
+        _re(rf"{addresses.BANK}(?P<index>\[[^\[\]]{{0,60}}\]|\.[A-Za-z_]\w{{0,60}})\.(?P<number>[0-9]{{1,4}})\b"),
+        addresses.bit_of,
         ("if ds[1].3:", "if ds.A.3:", "if xd[0].3:"),
     ),
     Slip(
-        _re(rf"{kinds.BANK}\.(?P<name>[0-9]\w{{0,30}}|(?:{'|'.join(keyword.kwlist)})\b)"),
-        kinds.quoted_name,
+        _re(rf"{addresses.BANK}\.(?P<name>[0-9]\w{{0,30}}|(?:{'|'.join(keyword.kwlist)})\b)"),
+        addresses.quoted_name,
         ("if c.1st:", "if c.if:"),
     ),
     Slip(
         _re(r"^\s*(?P<name>[A-Za-z_]\w*)\s*(?P<open>\(|\s)(?=.*[\w\])\"']\s+[\w\"'-])"),
-        kinds.missing_comma,
+        actions.missing_comma,
         ("copy(5 ds.A)", "copy(ds.A ds.B)", "ton(t.A 5)", "copy 5 ds.A", "copy ds.A ds.B", "out(y[1] oneshot=True)"),
     ),
     Slip(
         _re(r"^\s*(?P<name>out|set|reset)\s*\((?P<address>[^=()]{1,120}?)\s*(?P<sign>:?=)\s*(?P<value>\w{1,8})\s*\)"),
-        kinds.coil_value,
+        actions.coil_value,
         ("out(y[1] = True)", "set(c.A = 0)"),
     ),
     Slip(
-        _re(rf"{kinds.BANK}\.(?P<name>[A-Za-z_]\w{{0,30}} [A-Za-z0-9_]\w{{0,30}})\b(?!\s*[(=.\[])"),
-        kinds.quoted_name,
+        _re(rf"{addresses.BANK}\.(?P<name>[A-Za-z_]\w{{0,30}} [A-Za-z0-9_]\w{{0,30}})\b(?!\s*[(=.\[])"),
+        addresses.quoted_name,
         ("if c.My Name:",),
     ),
     Slip(
-        _re(rf"{kinds.BANK}\{{"),
+        _re(rf"{addresses.BANK}\{{"),
         lambda _, match: Told("an address has square brackets", f"write {match['bank']}[1]", match.span()),
         ("if x{1}:",),
     ),
     # Conditions
     Slip(
         _re(r"^\s*(?P<word>else\s+if|elseif|elsif|elseif|ELSE\s+IF|ELSEIF|ELSIF|ELIF|Else\s+If|ElseIf|Elseif)\b"),
-        kinds.else_if,
+        conditions.else_if,
         ("elseif c.B:", "else if c.B:", "ELSIF c.B THEN"),
     ),
-    Slip(_re(rf"^\s*(?P<word>{_START})\b"), kinds.capitals, ("If c.A:", "ELSE:", "DEF main():", "IF c.A THEN")),
-    Slip(_re(r"\b(?P<word>then|THEN|Then|do|DO)\b\s*(?:[:;]\s*)?$"), kinds.then_word, ("if c.A then", "if c.A then:")),
+    Slip(_re(rf"^\s*(?P<word>{_START})\b"), conditions.capitals, ("If c.A:", "ELSE:", "DEF main():", "IF c.A THEN")),
+    Slip(
+        _re(r"\b(?P<word>then|THEN|Then|do|DO)\b\s*(?:[:;]\s*)?$"),
+        conditions.then_word,
+        ("if c.A then", "if c.A then:"),
+    ),
     Slip(
         _re(r"\b(?P<word>xor|XOR|Xor)\b"),
-        kinds.says(
+        says(
             "CLICK has no such contact", "write any(all(c.A, nc(c.B)), all(nc(c.A), c.B)) for one of two, but not both"
         ),
         ("if c.A xor c.B:",),
     ),
     Slip(
         _re(r"\b(?P<word>nand|NAND|Nand)\b"),
-        kinds.says("CLICK has no such contact", "write any(nc(c.A), nc(c.B)) for not both"),
+        says("CLICK has no such contact", "write any(nc(c.A), nc(c.B)) for not both"),
         ("if c.A nand c.B:",),
     ),
     Slip(
         _re(r"\b(?P<word>nor|NOR|Nor)\b"),
-        kinds.says("CLICK has no such contact", "write all(nc(c.A), nc(c.B)) for none of them"),
+        says("CLICK has no such contact", "write all(nc(c.A), nc(c.B)) for none of them"),
         ("if c.A nor c.B:",),
     ),
     Slip(
         _re(r"=>|=<|<>|===|!=="),
-        kinds.comparison(("=>", ">="), ("=<", "<="), ("<>", "!="), ("===", "=="), ("!==", "!=")),
+        conditions.comparison(("=>", ">="), ("=<", "<="), ("<>", "!="), ("===", "=="), ("!==", "!=")),
         (
             "if ds.A => 5:",
             "if ds.A =< 5:",
@@ -233,20 +223,20 @@ SLIPS: tuple[Slip, ...] = (
             "if ds.A === 5:",
         ),
     ),
-    Slip(_re(r":="), kinds.assigned, ("ds.A := 5", "if ds.A := 5:", "c.A := TRUE;")),
+    Slip(_re(r":="), actions.assigned, ("ds.A := 5", "if ds.A := 5:", "c.A := TRUE;")),
     Slip(
-        kinds.LOGIC,
-        kinds.logic,
+        conditions.LOGIC,
+        conditions.logic,
         ("if x[1] AND x[2]:", "if x[1] && x[2]:", "if x[1]||x[2]:", "if !x[1]:", "if NOT x[1]:"),
     ),
     Slip(
         _re(r"^\s*(?:if|elif|while)\b.*?[^=!<>:+*/%&|^-](?P<sign>=)(?!=)"),
-        kinds.equals,
+        conditions.equals,
         ("if x[1] = 1:", "if ds.A = 5:"),
     ),
     Slip(
         _re(r"^\s*(?:search)\s*\([^()=,]{0,80}[^=!<>](?P<sign>=)(?!=)[^()]*"),
-        kinds.equals,
+        conditions.equals,
         ("search(ds[1:5] = 5, ds.A)",),
     ),
     Slip(
@@ -266,7 +256,7 @@ SLIPS: tuple[Slip, ...] = (
         ),
         ("if c.A and:", "if x[1] == :"),
     ),
-    Slip(_re(r"^\s*if\b.*?(?P<sign>,)"), kinds.comma, ("if c.A, c.B:", "if ds.A == 1,5:")),
+    Slip(_re(r"^\s*if\b.*?(?P<sign>,)"), conditions.comma, ("if c.A, c.B:", "if ds.A == 1,5:")),
     Slip(
         _re(r"^\s*(?P<name>[A-Za-z_]\w*)\{"),
         lambda _, match: (
@@ -278,25 +268,23 @@ SLIPS: tuple[Slip, ...] = (
     ),
     Slip(
         _re(r"^[^:]*:\s.*?\S\s(?P<word>else|elif)\b"),
-        kinds.second_half,
+        signs.second_half,
         ("if c.A: out(y[1]) else: out(y[2])",),
     ),
     # Blocks
     Slip(
         _re(r"[{}]\s*(?:;\s*)?$"),
-        kinds.says("braces make no block here", "end the line of the if with a colon, and indent what is under it"),
+        says("braces make no block here", "end the line of the if with a colon, and indent what is under it"),
         ("if c.A {", "}"),
     ),
     Slip(
         _re(rf"^\s*(?P<word>{_ENDS})\b", re.IGNORECASE),
-        kinds.says(
-            "a block has no closing word", "it ends where its lines stop being indented: leave this out", "word"
-        ),
+        says("a block has no closing word", "it ends where its lines stop being indented: leave this out", "word"),
         ("end if", "END_IF;", "end_if x"),
     ),
     Slip(
         _re(r"^\s*(?P<word>VAR\w*|PROGRAM|FUNCTION\w*|SUB|function|void|int|bool|var|let|const)\b(?=\s)"),
-        kinds.says(
+        says(
             "declarations of other languages are not read",
             "the rungs belong in def main():, and a name gets its address with nickname(x.Start, x[1])",
             "word",
@@ -308,7 +296,7 @@ SLIPS: tuple[Slip, ...] = (
             r"^\s*(?P<word>LD[NIPF]?|LDNOT|STR(?:N|PD|ND)?|AND(?:N|P|F|PD|ND|NOT)?|OR(?:N|P|F|PD|ND|NOT)?|ANI|ORI|ANB|ORB"
             r"|X?NOR|XORN?|MPS|MRD|MPP|OUT|SET|RST|TON|CTU|ST|A|AN|O|ON|X|XN|FP|FN|S|R)\s+[%A-Za-z_]"
         ),
-        kinds.says(
+        says(
             "an instruction list is no program here",
             "a rung is an if with its actions under it: if x[1]: out(y[1])",
             "word",
@@ -317,34 +305,34 @@ SLIPS: tuple[Slip, ...] = (
     ),
     Slip(
         _re(r"^\s*(?P<word>main\s*\(\s*\)\s*:)"),
-        kinds.says("a routine begins with def", "write def main():", "word"),
+        says("a routine begins with def", "write def main():", "word"),
         ("main():",),
     ),
     Slip(
         _re(r"^\s*(?P<word>if|elif|else|def|for|while|with)\b"),
-        kinds.no_colon,
+        conditions.no_colon,
         ("if c.A", "def main()", "else", "if c.A;"),
     ),
     # Actions
     Slip(
         _re(r"\b(?P<target>[A-Za-z_]\w*(?:\.\w+|\[[^\[\]]{0,60}\]))\s*(?P<sign>\+\+|--)"),
-        kinds.counted,
+        actions.counted,
         ("ds.A++", "ds[1]--"),
     ),
-    Slip(_re(r"->|\N{RIGHTWARDS ARROW}"), kinds.arrow, ("copy(5 -> ds.A)", "5 → ds.A")),
+    Slip(_re(r"->|\N{RIGHTWARDS ARROW}"), actions.arrow, ("copy(5 -> ds.A)", "5 → ds.A")),
     Slip(
         _re(r"[\])]\s+(?P<second>[A-Za-z_]\w*\s*\()"),
-        kinds.says("there are two actions on one line", "write each action on a line of its own", "second"),
+        says("there are two actions on one line", "write each action on a line of its own", "second"),
         ("out(y[1]) out(y[2])",),
     ),
     Slip(
         _re(r"^\s*(?P<name>[A-Za-z_]\w*)\s+(?P<argument>[A-Za-z_\"'0-9-][^=]*)$"),
-        kinds.bare_call,
+        actions.bare_call,
         ("out y[1]", "call fill", "set y[1]", "copy 5, ds.A", "copy -1, ds.A"),
     ),
     Slip(
         _re(r"\(.*;"),
-        kinds.semicolon,
+        signs.semicolon,
         ("ton(t.A; 5)", "copy(5; ds.A)"),
     ),
     Slip(

@@ -10,31 +10,42 @@ from __future__ import annotations
 
 import errno
 import os
-import stat
 from collections.abc import Mapping
-from typing import TypeVar
 
-MIB = 2**20
-READ_MAX = 64 * MIB
-"""Far more than any program, table or report has."""
+from clickgen.workspace.digest import digest_of
+from clickgen.workspace.disk import (
+    MIB,
+    READ_MAX,
+    CouldNotRun,
+    NoRegularFile,
+    StrPath,
+    leads_elsewhere,
+    open_file,
+    read_file,
+    read_if_there,
+    read_start,
+    require_size,
+)
+from clickgen.workspace.memory import Memory
 
-StrPath = str | os.PathLike[str]
-Data = TypeVar("Data", bytes, str)
+__all__ = [
+    "MIB",
+    "READ_MAX",
+    "CouldNotRun",
+    "NoRegularFile",
+    "StrPath",
+    "Workspace",
+    "leads_elsewhere",
+    "open_file",
+    "read_file",
+    "read_if_there",
+    "read_start",
+    "require_size",
+]
 
 
-class CouldNotRun(Exception):
-    """There is nothing to judge: a file is missing or unreadable, an output folder unusable. The message says which.
-
-    ``lines`` are the message and what is listed below it.
-    """
-
-    def __init__(self, message: str = "", *more: str) -> None:
-        super().__init__("\n".join((message, *more)))
-        self.lines = (message, *more)
-
-
-class NoRegularFile(OSError):
-    """A pipe or a device is in the place of a file."""
+_DEEP = 100
+"""A path through more folders than this is looked up as a whole."""
 
 
 class Workspace:
@@ -43,28 +54,38 @@ class Workspace:
     ``overlay`` has contents that count instead of those on disk, by real path: what an editor has not saved, what
     comes from the standard input, a table that the build before this one has extended. ``reads`` has what was read
     through this object, by path as it was asked for; None for a file that is not there. The same bytes give the same
-    result.
+    result. ``memory`` has what was made of texts before.
     """
 
-    def __init__(self, overlay: Mapping[str, bytes] | None = None) -> None:
+    def __init__(self, overlay: Mapping[str, bytes] | None = None, memory: Memory | None = None) -> None:
         self.overlay: Mapping[str, bytes] = dict(overlay or {})
+        self.memory = memory or Memory()
         self.reads: dict[str, bytes | None] = {}
         self._known: dict[str, bytes | None] = {}
         self._shown: dict[str, str] = {}
         self._reals: dict[str, str] = {}
+        self._digests: dict[str, str | None] = {}
 
     def apart(self, overlay: Mapping[str, bytes] | None = None) -> Workspace:
         """The same files, with a record of its own of what is read. ``overlay`` adds to what counts instead."""
-        other = Workspace({**self.overlay, **overlay} if overlay else self.overlay)
+        other = Workspace({**self.overlay, **overlay} if overlay else self.overlay, self.memory)
         other._known, other._reals = self._known, self._reals
         return other
 
     def real(self, path: StrPath) -> str:
         """The real path of a file, looked up once."""
         asked = os.fspath(path)
-        if asked not in self._reals:
-            self._reals[asked] = os.path.realpath(asked)
-        return self._reals[asked]
+        found = self._reals.get(asked)
+        if found is None:
+            folder, name = os.path.split(asked)
+            # Most files are no links, and each folder above them costs a look at the disk: it is looked up once.
+            is_deep = asked.count("/") > _DEEP
+            if os.name == "nt" or is_deep or name in ("", ".", "..") or os.path.islink(asked):
+                found = os.path.realpath(asked)
+            else:
+                found = os.path.join(self.real(folder or "."), name)
+            self._reals[asked] = found
+        return found
 
     @property
     def found(self) -> dict[str, bytes | None]:
@@ -107,6 +128,14 @@ class Workspace:
             return None
         return self.read(path, limit)
 
+    def digest(self, path: StrPath) -> str | None:
+        """The digest of a file's bytes; None where nothing is there. Raises OSError as ``look`` does."""
+        real = self.real(path)
+        if real not in self._digests:
+            data = self.look(path)
+            self._digests[real] = None if data is None else digest_of(data)
+        return self._digests[real]
+
     def _on_disk(self, asked: str, real: str, size: int) -> bytes | None:
         """What was first found on the disk; None where nothing was there. Raises OSError."""
         self._shown.setdefault(real, asked)
@@ -122,67 +151,3 @@ class Workspace:
         if len(data) < size:  # Only a whole file is remembered.
             self._known[real] = data
         return data
-
-
-def read_file(path: StrPath, limit: int = READ_MAX) -> bytes:
-    """The bytes of a regular file.
-
-    Raises OSError with the path as ``filename``: also for a pipe or a device, and for a file of more than ``limit``
-    bytes.
-    """
-    with open(path, "rb", opener=open_file) as file:
-        data = file.read(limit + 1)
-    return require_size(data, path, limit)
-
-
-def read_start(path: StrPath, size: int) -> bytes:
-    """The first bytes of a regular file, at most ``size``. Raises OSError as ``read_file`` does."""
-    with open(path, "rb", opener=open_file) as file:
-        return file.read(size)
-
-
-def open_file(path: StrPath, flags: int) -> int:
-    """An opener for ``open`` that opens regular files alone. Raises OSError."""
-    # To open a device can already do something, so the kind is asked for before; and after, for what was swapped.
-    _require_file(path, os.stat(path))
-    descriptor = os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
-    try:
-        _require_file(path, os.fstat(descriptor))
-    except BaseException:
-        os.close(descriptor)
-        raise
-    return descriptor
-
-
-def require_size(data: Data, path: StrPath, limit: int = READ_MAX) -> Data:
-    """What was read of a file, where that is not more than the limit. Raises OSError."""
-    if len(data) > limit:
-        raise OSError(errno.EFBIG, f"it has more than {limit // MIB} MB", os.fspath(path))
-    return data
-
-
-def read_if_there(path: StrPath, limit: int = READ_MAX) -> bytes | None:
-    """The bytes of a regular file; None where there is none. Raises OSError as ``read_file`` does."""
-    try:
-        return read_file(path, limit)
-    except (FileNotFoundError, NotADirectoryError):
-        return None
-
-
-def leads_elsewhere(path: StrPath) -> bool:
-    """True where the last name of a path is a link, or a junction of Windows, to another place.
-
-    The folders above it may be reached by links.
-    """
-    folder, name = os.path.split(path)
-    if name in ("", ".", ".."):
-        return False
-    straight = os.path.join(os.path.realpath(folder), name)
-    return os.path.normcase(os.path.realpath(path)) != os.path.normcase(straight)
-
-
-def _require_file(path: StrPath, status: os.stat_result) -> None:
-    if stat.S_ISDIR(status.st_mode):
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), os.fspath(path))
-    if not stat.S_ISREG(status.st_mode):
-        raise NoRegularFile(errno.EINVAL, "it is a pipe or a device, not a file", os.fspath(path))

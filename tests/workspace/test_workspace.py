@@ -7,6 +7,7 @@ import os
 from pathlib import Path
 
 import pytest
+from hostile import posix_only
 
 import clickgen
 from clickgen.api import build, check
@@ -105,9 +106,9 @@ def test_what_a_command_reads_goes_through_the_workspace() -> None:
     """Other modules open no file: a pipe, a device and a file without an end are refused in one place."""
     package = Path(clickgen.__file__).parent
     ours = {
-        "workspace.py",  # the place
-        "text/write.py", "text/lock.py", "commands/check/secret.py", "commands/check/cache.py",  # files of clickgen
-        "formula/parse.py", "device/system.py", "commands/explain.py",  # what is installed with clickgen
+        "workspace/disk.py",  # the place
+        "text/write.py", "text/lock.py", "workspace/secret.py", "workspace/memory.py",  # files of clickgen
+        "formula/parse.py", "device/system.py", "commands/explain.py", "problems/declared.py",  # installed with it
         "emit/workbook/archive.py", "device/project_file.py", "table/workbook/archive.py",  # parts of an archive
         "cli/__init__.py",  # the null device
     }  # fmt: skip
@@ -127,3 +128,21 @@ def _opens(node: ast.AST) -> bool:
         return node.func.id == "open"
     is_method = isinstance(node.func, ast.Attribute) and node.func.attr in ("open", "read_text", "read_bytes")
     return is_method and ast.unparse(node.func) not in ("os.open", "self.read_bytes")
+
+
+@posix_only
+def test_a_real_path_is_that_of_the_system(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "there" / "deep").mkdir(parents=True)
+    (tmp_path / "there" / "deep" / "file.py").write_text("")
+    (tmp_path / "link").symlink_to(tmp_path / "there")
+    (tmp_path / "there" / "own.py").symlink_to("deep/file.py")
+    (tmp_path / "round").symlink_to("round")
+    monkeypatch.chdir(tmp_path / "there")
+    paths = (
+        *("own.py", "./own.py", "deep/file.py", "../link/own.py", "../link/deep/../own.py"),
+        *("", ".", "..", "/", "deep/"),
+        *("nowhere.py", "nowhere/file.py", "../round", "../round/file.py", str(tmp_path / "link" / "deep" / "file.py")),
+        *("a/" * 2000, "deep/../" * 600 + "own.py"),
+    )
+    files = Workspace()
+    assert [files.real(path) for path in paths] == [os.path.realpath(path) for path in paths]

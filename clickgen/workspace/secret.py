@@ -7,12 +7,12 @@ import stat
 import sys
 from pathlib import Path
 
-from clickgen.workspace import read_file
+from clickgen.workspace.disk import StrPath, read_file
 
 _BYTES = 32
 
 
-def user_secret(root: Path) -> bytes | None:
+def user_secret(root: StrPath) -> bytes | None:
     """Return the secret, made at first use; None if there is no place for it that is private to this user.
 
     A place below ``root``, the folder that is checked, does not count: whoever made the repository could have put it
