@@ -129,9 +129,7 @@ def _resolve(state: Build) -> None:
 def _judge_fixes(state: Build) -> None:
     if state.program is not None and state.resolved is not None:
         is_part = state.settings.is_part
-        judge_proposals(
-            state.program.proposals, state.resolved, state.sources, state.dialect.spell, state.problems, is_part
-        )
+        judge_proposals(state.program.proposals, state.resolved, state.sources, state.dialect, state.problems, is_part)
 
 
 def _lay_out(state: Build) -> None:
@@ -172,7 +170,8 @@ def _try_fixes(state: Build) -> None:
         def look(texts: Mapping[str, bytes]) -> Seen:
             files = state.files.apart({state.files.real(path): data for path, data in texts.items()})
             trial = run(state.path, state.settings, files, _TRIAL)
-            return Seen(trial.problems.found, trial.resolved is not None and trial.resolved.is_declared)
+            is_declared = trial.resolved is not None and trial.resolved.is_declared
+            return Seen(trial.problems.found, is_declared, trial.program)
 
         texts = {source.path: state.files.reads[source.path] or b"" for source in state.sources}
         state.problems.found = tried(state.problems.found, texts, look, state.dialect.idle)

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from clickgen.ir.modbus import Remote
     from clickgen.ir.operands import Named, Operand
     from clickgen.ir.program import Action, FormulaText, Program, Routine
+    from clickgen.ir.proposals import Proposal
     from clickgen.problems.diagnostics import Diagnostic, Diagnostics
     from clickgen.problems.silence import Directive
     from clickgen.table.rows import Row
@@ -262,6 +263,25 @@ class Place(NamedTuple):
         return tuple(Edit(span, "" if index else name) for index, span in enumerate(self.stretches))
 
 
+class Written(NamedTuple):
+    """A fix: its edits, and what it writes on one line, for a message; "" for none."""
+
+    edits: tuple[Edit, ...]
+    shown: str = ""
+
+
+class Mender(ABC):
+    """Writes parts of the statements of one file otherwise. Every byte that is no part of them stays."""
+
+    @abstractmethod
+    def proposed(self, proposal: Proposal) -> Written | None:
+        """The fix of a proposal as the reader left it, with names; None where there is none to write."""
+
+    @abstractmethod
+    def without_terms(self, terms: Sequence[Span]) -> tuple[Edit, ...] | None:
+        """The edits that take these terms out of a condition; None if more than the terms would go."""
+
+
 class NamePlaces(ABC):
     """Where names are written in one file."""
 
@@ -319,6 +339,12 @@ class Dialect(ABC):
     @abstractmethod
     def comments_with(self, source: SourceFile, word: str) -> int:
         """How many comments of a file hold this word, in any case."""
+
+    # -- fixes --------------------------------------------------------------------------------------------------------
+
+    def mender(self, source: SourceFile) -> Mender | None:  # noqa: ARG002
+        """What writes the fixes of a file that can be read; None in a dialect without fixes."""
+        return None
 
     # -- comments that silence findings -------------------------------------------------------------------------------
 

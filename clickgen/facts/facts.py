@@ -9,7 +9,7 @@ from itertools import product
 
 from clickgen.device.banks import BANKS, CURRENT_VALUE_OF, Address
 from clickgen.device.system import ALWAYS_ON, system_name_of
-from clickgen.dialects.base import Dialect, Spelling
+from clickgen.dialects.base import Dialect, Mender, Spelling
 from clickgen.facts.uses import Uses, addresses_of
 from clickgen.instructions.effects import Effects, Flow
 from clickgen.instructions.spec import Spec
@@ -100,6 +100,16 @@ class Facts:
     def spell(self) -> Spelling:
         """How the program's dialect writes what messages show."""
         return self.dialect.spell
+
+    def mender(self, path: str) -> Mender | None:
+        """What writes fixes in one of the files; None in a dialect without fixes."""
+        if path not in self._menders:
+            self._menders[path] = self.dialect.mender(self.sources[path])
+        return self._menders[path]
+
+    @cached_property
+    def _menders(self) -> dict[str, Mender | None]:
+        return {}
 
     def shown(self, address: Address) -> str:
         """An address with its nickname, for a message: ``C5 (Motor)``."""

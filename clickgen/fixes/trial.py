@@ -6,10 +6,12 @@ The program is read again with the fix in it, and with the fixes of the errors t
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from clickgen.ir.operands import Immediate, Named
+from clickgen.ir.program import Program
+from clickgen.ir.walk import rung_operands
 from clickgen.problems.diagnostics import Diagnostic
 from clickgen.text.edits import Edit, Fix, apply_fixes, fixes_that_fit
 
@@ -24,18 +26,18 @@ _ACTION = "CG112"
 """A statement that becomes an action. ``fixes.judge`` has judged those in conditions."""
 _OF_THE_ROUTINE = ("CG401", "CG403", "CG404", "CG408", "CG409")
 """Errors that another line of the routine removes."""
-_NAME = re.compile(r"\b[a-z]{1,3}(?:\.[A-Za-z_]|\[[\"'])")
-
 
 Idle = Callable[[str], str]
 """A line that does nothing in the place of one that cannot be read; "" where there is none."""
 
 
 class Seen(NamedTuple):
-    """The findings in a program. ``is_declared`` is False if some of what declares names could not be read."""
+    """A program and its findings. ``is_declared`` is False if some of what declares names could not be read."""
 
     problems: Sequence[Diagnostic]
     is_declared: bool
+    program: Program | None = None
+    """The program as it is written, with names."""
 
 
 Look = Callable[[Mapping[str, bytes]], Seen]
@@ -60,6 +62,8 @@ def tried(problems: Sequence[Diagnostic], texts: Mapping[str, bytes], look: Look
 class _Verdict(NamedTuple):
     holds: bool
     is_declared: bool
+    has_names: bool
+    """True if the fix writes an action with a name."""
     fault: Diagnostic | None
     """The problem of the statement after the fix."""
     written: frozenset[str]
@@ -71,7 +75,7 @@ def _judged(problem: Diagnostic, verdict: _Verdict) -> Diagnostic:
     assert fix is not None
     if not verdict.holds:
         return problem._replace(fix=None, help=_help(problem, verdict))
-    if fix.is_safe and problem.code == _ACTION and any(_NAME.search(edit.text) for edit in fix.edits):
+    if fix.is_safe and verdict.has_names:
         return problem._replace(fix=fix._replace(is_safe=verdict.is_declared, rests_on_names=True))
     return problem
 
@@ -121,7 +125,8 @@ class _Trials:
             fault = next((each for each in errors if place and place.holds(each)), None)
             holds = place is not None and fault is None and is_whole[_file_of(one)]
             written = frozenset(edit.text for fix in (one.fix, *followers) if fix for edit in fix.edits)
-            verdicts[one] = _Verdict(holds, seen.is_declared, fault, written)
+            has_names = holds and place is not None and one.code == _ACTION and _writes_names(one, place, seen.program)
+            verdicts[one] = _Verdict(holds, seen.is_declared, has_names, fault, written)
         return verdicts
 
     def _until_quiet(self, files: Mapping[str, _File], is_safe: bool) -> tuple[Seen, dict[str, bool], list[Fix]]:
@@ -160,6 +165,16 @@ class _Trials:
                     put_aside = True
             if not put_aside:
                 return seen, is_whole, followers
+
+
+def _writes_names(problem: Diagnostic, place: _Place, program: Program | None) -> bool:
+    """True if the fix of a problem writes the name of an address into its statement."""
+    texts = [edit.text for edit in problem.fix.edits] if problem.fix else []
+    path = _file_of(problem)
+    routines = [one for one in program.routines if one.span.path == path] if program is not None else []
+    operands = (one for routine in routines for rung in routine.rungs for one in rung_operands(rung))
+    targets = (one.target if isinstance(one, Immediate) else one for one in operands if one.span.line in place.lines)
+    return any(isinstance(one, Named) and any(one.name in text for text in texts) for one in targets)
 
 
 _UNREAD = ("CG101", "CG118")

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from clickgen.dialects.base import Spelling
+from clickgen.dialects.base import Dialect, Mender
 from clickgen.fixes.hazards import Hazards
 from clickgen.fixes.proof import stand_alone
 from clickgen.ir.conditions import Compare, Contact
@@ -30,7 +30,7 @@ def judge_proposals(
     written: Iterable[Proposal],
     resolved: Resolved,
     sources: Iterable[SourceFile],
-    spell: Spelling,
+    dialect: Dialect,
     problems: Diagnostics,
     is_part: bool = False,
 ) -> None:
@@ -41,7 +41,7 @@ def judge_proposals(
     """
     pairs = {(one.code, one.span): (one, known) for one, known in zip(written, resolved.proposals, strict=True)}
     if pairs:
-        judge = _Judge(resolved, {source.path: source for source in sources}, spell, problems, is_part)
+        judge = _Judge(resolved, {source.path: source for source in sources}, dialect, problems, is_part)
         problems.found = [
             judge.judged(problem, *pairs[problem.code, problem.span])
             if problem.span and (problem.code, problem.span) in pairs
@@ -55,12 +55,13 @@ class _Judge:
         self,
         resolved: Resolved,
         sources: Mapping[str, SourceFile],
-        spell: Spelling,
+        dialect: Dialect,
         problems: Diagnostics,
         is_part: bool,
     ) -> None:
-        self._spell = spell
+        self._dialect = dialect
         self._sources = sources
+        self._menders: dict[str, Mender | None] = {}
         self._chosen = resolved.chosen
         self._is_declared = resolved.is_declared and not is_part
         # A part is called by programs, and runs beside routines, that nobody sees here.
@@ -72,18 +73,26 @@ class _Judge:
         for said, leaf in zip(written.turned, resolved.turned, strict=True):
             shown = self._text(said.span)
             if _is_block(said, leaf):
-                return problem._replace(help=self._spell.no_opposite(shown, is_negated), fix=None)
+                return problem._replace(help=self._dialect.spell.no_opposite(shown, is_negated), fix=None)
             if self._may_be_block(leaf):
                 why = f"{shown} may be a block, and nothing is the opposite of one"
                 return problem._replace(help=f"{why}: {_OTHERS_FIRST}", fix=None)
-        if not written.edits:
+        mender = self._mender(written.span.path)
+        mended = mender.proposed(written) if mender is not None else None
+        if mended is None:
             return problem
         rests_on_names = bool(resolved.turned or resolved.arms)
-        fix = Fix(written.edits, self._is_safe(resolved), rests_on_names)
-        help = written.help or problem.help
+        fix = Fix(mended.edits, self._is_safe(resolved), rests_on_names)
+        help = f"write {mended.shown}" if mended.shown else problem.help
         if is_negated and any(map(_is_float, resolved.turned)):
             help += "; neither may hold while a DF register holds no number (NaN)"
         return problem._replace(help=help, fix=fix)
+
+    def _mender(self, path: str) -> Mender | None:
+        """What writes the fixes of a file: it reads the statements with proposals again."""
+        if path not in self._menders:
+            self._menders[path] = self._dialect.mender(self._sources[path])
+        return self._menders[path]
 
     def _text(self, span: Span) -> str:
         source = self._sources[span.path]

@@ -1,6 +1,6 @@
-"""Fixes that the text of a program suggests: the edits, and what must be proved before one may be called safe.
+"""Fixes that the text of a program suggests: the facts that a fix needs, and what must be proved before it is safe.
 
-The reader proposes; ``clickgen.fixes`` judges, once names are addresses.
+The reader proposes; ``clickgen.fixes`` judges, once names are addresses, and only then the dialect writes the fix.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from clickgen.ir.conditions import Compare, Condition, Contact
 from clickgen.ir.program import Item, Rung
 from clickgen.records import dataclass
-from clickgen.text.edits import Edit
 from clickgen.text.source import Span
 
 
@@ -23,20 +22,35 @@ class Alternative:
     alone: Condition
     """The condition that the fix writes, so that the arm can stand alone."""
     items: tuple[Item, ...]
+    word: Span
+    """The place of the arm's ``if``, ``elif`` or ``else``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rewrite:
+    """An expression, by its span, and what a fix puts in its place."""
+
+    span: Span
+    meaning: Span
+    """The expression whose meaning is written in the language."""
+    is_wanted: bool = True
+    """False if the opposite of the meaning is written."""
+    text: str = ""
+    """The text to write, where the expression's own terms do not make it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Proposal:
-    """The fix of the problem with this code and span; without edits there is none to write."""
+    """The fix of the problem with this code and span; without a rewrite and without arms that are written, none."""
 
     code: str
     span: Span
-    edits: tuple[Edit, ...]
-    help: str
-    """The help of the problem if the fix holds; "" keeps the problem's own."""
+    rewrite: Rewrite | None
     turned: tuple[Contact | Compare, ...]
     """The conditions, as written, that the fix replaces by their opposites."""
     arms: tuple[Alternative, ...] = ()
+    is_written: bool = False
+    """True if the fix gives the arms their own conditions."""
     is_branch: bool = False
     """True if the arms become branches of one rung, which looks at all their conditions before it acts."""
     is_read: bool = True

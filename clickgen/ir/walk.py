@@ -139,7 +139,7 @@ class Rewriter:
 
     def proposal(self, proposal: Proposal) -> Proposal:
         arms = tuple(
-            Alternative(self.condition(arm.test), self.condition(arm.alone), self.items(arm.items))
+            Alternative(self.condition(arm.test), self.condition(arm.alone), self.items(arm.items), arm.word)
             for arm in proposal.arms
         )
         return replace(proposal, turned=tuple(map(self.leaf, proposal.turned)), arms=arms)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from budget import examples
 from hypothesis import given, note
-from judges.mending import check_mended
+from judges.mending import check_fix_stays_in_its_statement, check_mended, findings, mended
 from strategies.conditions import BitRange, Compare, Condition, Contact, Group, Logic
 from strategies.mending import Mending, mendings
 from strategies.programs import Act, Arm, Branch, Item, Program, Rung
@@ -16,6 +18,24 @@ from strategies.programs import Act, Arm, Branch, Item, Program, Rung
 def test_safe_fixes_keep_the_meaning(mending: Mending) -> None:
     note(mending.text)
     check_mended(mending)
+
+
+@given(mendings())
+@examples(15)
+def test_a_fix_changes_its_statement_alone_and_is_done_once(mending: Mending) -> None:
+    texts = {name: _commented(text) for name, text in mending.texts.items()}
+    note("\n".join(texts.values()))
+    for finding in findings(texts):
+        if finding.fix:
+            check_fix_stays_in_its_statement(texts[Path(finding.fix.edits[0].span.path).name], finding)
+    after, _ = mended(texts, lambda _: True)
+    assert mended(after, lambda _: True) == (after, {})
+
+
+def _commented(text: str) -> str:
+    """A program with a comment of its own after each line of code."""
+    lines = text.split("\n")
+    return "\n".join(f"{line}  # {number} and (" if line.strip() else line for number, line in enumerate(lines, 1))
 
 
 C1, C2, X1 = Contact("C1"), Contact("C2"), Contact("X001")

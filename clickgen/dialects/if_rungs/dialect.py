@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Mapping, Sequence
 
     from clickgen.device.banks import Address
-    from clickgen.dialects.base import Look, NamePlaces, Spelling
+    from clickgen.dialects.base import Look, Mender, NamePlaces, Spelling
     from clickgen.ir.program import FormulaText, Program, Routine
     from clickgen.problems.diagnostics import Diagnostic, Diagnostics
     from clickgen.problems.silence import Directive
@@ -65,14 +65,21 @@ class IfRungs(Dialect):
         return _ROUTINE.findall(source.text)
 
     def places(self, source: SourceFile, formulas: Sequence[FormulaText]) -> NamePlaces:
-        from clickgen.dialects.if_rungs.read.names import FilePlaces
+        from clickgen.dialects.if_rungs.fix.names import FilePlaces
 
         return FilePlaces(source, formulas)
 
     def comments_with(self, source: SourceFile, word: str) -> int:
-        from clickgen.dialects.if_rungs.read.names import comments_with
+        from clickgen.dialects.if_rungs.fix.names import comments_with
 
         return comments_with(source, word)
+
+    # -- fixes --------------------------------------------------------------------------------------------------------
+
+    def mender(self, source: SourceFile) -> Mender:
+        from clickgen.dialects.if_rungs.fix.proposed import IfRungsMender
+
+        return IfRungsMender(source)
 
     # -- comments that silence findings -------------------------------------------------------------------------------
 

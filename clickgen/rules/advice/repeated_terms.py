@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable
-from itertools import combinations, pairwise
+from itertools import combinations
 
 from clickgen.facts.facts import Facts
 from clickgen.ir.conditions import All, Any, Compare, Condition, Contact
@@ -23,8 +22,7 @@ from clickgen.logic.conditions import (
 )
 from clickgen.problems.diagnostics import Diagnostic, Label
 from clickgen.rules.rule import Code, Findings, Rule, Severity, Wrong, finding
-from clickgen.text.edits import Edit, Fix
-from clickgen.text.source import Span
+from clickgen.text.edits import Fix
 
 CODE = "CG509"
 
@@ -95,7 +93,7 @@ class _Judge:
                     f"{' and '.join(named)} {verb} twice in {wiring}: the second time changes nothing",
                     "leave it out, or name the address that was meant",
                     tuple(Label(first.span, "the first time") for _, first in again),
-                    _removal(self._facts, part, again),
+                    _removal(self._facts, again),
                 )
             )
         return list(seen.values())
@@ -146,77 +144,21 @@ def _has_edge(condition: Condition) -> bool:
 # -- the fix ----------------------------------------------------------------------------------------------------------
 
 
-def _removal(facts: Facts, part: Condition, again: list[_Pair]) -> Fix | None:
+def _removal(facts: Facts, again: list[_Pair]) -> Fix | None:
     """Remove terms that repeat an earlier one from a series or a parallel; None if more would go."""
-    gone = {id(term) for term, _ in again}
-    lines = range(part.span.line, part.span.end_line + 1)
-    has_comment = len(lines) > 1 and any("#" in facts.sources[part.span.path].line(line) for line in lines)
-    cuts = None if has_comment or not isinstance(part, All | Any) else _cuts(facts, part, gone)
-    if cuts is None:
+    mender = facts.mender(again[0][0].span.path)
+    edits = mender.without_terms([term.span for term, _ in again]) if mender is not None else None
+    if edits is None:
         return None
     # Two words for one address are equal only by the table of this program.
     rests_on_names = any(_words(facts, term) != _words(facts, first) for term, first in again)
-    return Fix(tuple(Edit(cut, "") for cut in cuts), rests_on_names=rests_on_names)
+    return Fix(edits, rests_on_names=rests_on_names)
 
 
 def _words(facts: Facts, term: Condition) -> set[str]:
     """The words with which a term writes its addresses."""
     operands = (operand for operand in condition_operands(term) if isinstance(operand, Cell | Range | Immediate))
     return {"".join(facts.text(operand.span).split()) for operand in operands}
-
-
-def _cuts(facts: Facts, part: All | Any, gone: set[int]) -> list[Span] | None:
-    """The stretches to cut from all(...) or any(...), and from the same inside it."""
-    cuts: list[Span] = []
-    kept = [term for term in part.terms if not _is_gone(part, term, gone)]
-    for term in kept:
-        if isinstance(term, All | Any) and type(term) is type(part):
-            inside = _cuts(facts, term, gone)
-            if inside is None:
-                return None
-            cuts += inside
-    if len(kept) == len(part.terms):
-        return cuts
-    is_call = _start(part) != _start(part.terms[0])
-    if len(kept) == 1 and is_call:
-        # A comparison over several lines needs the parentheses that would go.
-        is_loose = isinstance(kept[0], Compare) and kept[0].span.line < kept[0].span.end_line
-        outside = [_cut(part, _start(part), _start(kept[0])), _cut(part, _end(kept[0]), _end(part))]
-        return None if is_loose else cuts + outside
-    head = part.terms.index(kept[0])
-    if head:
-        cuts.append(_cut(part, _start(part.terms[0]), _start(kept[0])))
-    staying = set(map(id, kept))
-    for index, (before, term) in enumerate(pairwise(part.terms), 1):
-        if index > head and id(term) in staying:
-            continue
-        if not _COMMA.fullmatch(facts.text(_cut(part, _end(before), _start(term)))):
-            return None
-        if index > head:
-            cuts.append(_cut(part, _end(before), _end(term)))
-    return cuts
-
-
-def _is_gone(part: All | Any, term: Condition, gone: set[int]) -> bool:
-    """True also for a group of the same kind of which nothing is left."""
-    inside = term.terms if isinstance(term, All | Any) and type(term) is type(part) else ()
-    return id(term) in gone or (bool(inside) and all(_is_gone(part, inner, gone) for inner in inside))
-
-
-_COMMA = re.compile(r"\s*,\s*")
-_Point = tuple[int, int]
-
-
-def _start(condition: Condition) -> _Point:
-    return condition.span.line, condition.span.col
-
-
-def _end(condition: Condition) -> _Point:
-    return condition.span.end_line, condition.span.end_col
-
-
-def _cut(part: Condition, start: _Point, end: _Point) -> Span:
-    return Span(part.span.path, *start, *end)
 
 
 ABOUT = Code(

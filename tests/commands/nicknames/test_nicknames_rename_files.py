@@ -16,7 +16,7 @@ from clickgen.cli import main as run
 from clickgen.commands.nicknames.rename import rename
 from clickgen.commands.nicknames.uses import places_in, read_names
 from clickgen.config import Config, ProgramSettings, Settings
-from clickgen.dialects.if_rungs.read.names import comments_with
+from clickgen.dialects.if_rungs.fix.names import comments_with
 from clickgen.dialects.if_rungs.read.parse import decode
 from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.write import ChangedMeanwhile, put_in_place

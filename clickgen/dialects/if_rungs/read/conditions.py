@@ -8,7 +8,7 @@ from functools import partial
 import libcst as cst
 
 from clickgen.device.banks import BANKS, Kind
-from clickgen.dialects.if_rungs.fix.rewrite import Rewritten, has_opposite, in_language, python_logic, terms_in
+from clickgen.dialects.if_rungs.fix.logic import in_language, opposite, python_logic, terms_in
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import (
     ADDRESSES,
@@ -31,8 +31,8 @@ from clickgen.dialects.if_rungs.ways_out.meant import Meant, meant
 from clickgen.dialects.if_rungs.write.expressions import EDGE_FUNCTIONS
 from clickgen.ir.conditions import All, Always, Any, Compare, Condition, Contact
 from clickgen.ir.operands import Cell, Hex, Immediate, Integer, Named, Pointer, Range, Real, form_of
-from clickgen.ir.proposals import Proposal
-from clickgen.problems.diagnostics import Diagnostic
+from clickgen.ir.proposals import Proposal, Rewrite
+from clickgen.problems.diagnostics import Diagnostic, Diagnostics
 from clickgen.text.edits import Edit, Fix
 from clickgen.text.source import Span
 from clickgen.text.wording import shorten
@@ -106,13 +106,13 @@ def _read_term(context: Context, node: Node) -> Condition | None:
 def _refuse_logic(context: Context, node: Node, word: str) -> None:
     """Python's and, or and not: rewritten where that is plain, said where a rung before is needed."""
     fault = f"{word} is not part of the language"
-    rewritten = None if context.is_trial else _rewritten(context, node)
-    if rewritten is None and _said_otherwise(context, node, "CG105", fault):
+    proposal = None if context.is_trial else _proposal(context, "CG105", context.span(node), node, node)
+    if proposal is None and _said_otherwise(context, node, "CG105", fault):
         return
-    help = _WAY_OUT if rewritten or context.is_trial else _in_the_way(context, node)
+    help = _WAY_OUT if proposal or context.is_trial else _in_the_way(context, node)
     context.problem("CG105", node, fault, help)
-    if rewritten:
-        context.proposals.append(_proposal(context, "CG105", context.span(node), rewritten))
+    if proposal:
+        context.proposals.append(proposal)
 
 
 def _said_otherwise(context: Context, node: Node, code: str, fault: str) -> bool:
@@ -127,11 +127,9 @@ def _said_otherwise(context: Context, node: Node, code: str, fault: str) -> bool
 
 def propose_turned(context: Context, code: str, node: Node, said: Meant) -> None:
     """Have the judge of fixes say it where something that is turned round has no opposite, such as a block."""
-    trial = context.aside()
-    leaves = [_read_term(trial, term) for term in said.turned]
-    turned = tuple(leaf for leaf in leaves if isinstance(leaf, Contact | Compare))
+    turned = tuple(leaf for leaf in _leaves(context, said.turned) if isinstance(leaf, Contact | Compare))
     if turned:
-        context.proposals.append(Proposal(code, context.span(node), (), "", turned))
+        context.proposals.append(Proposal(code, context.span(node), None, turned))
 
 
 def pin_readings(context: Context, node: Node) -> list[Meant]:
@@ -147,29 +145,40 @@ def _meant(context: Context, node: Node, wanted: bool = True) -> Meant | None:
     return None if context.is_trial else meant(context, node, partial(fits_condition, context), wanted)
 
 
-def _rewritten(context: Context, node: Node, wanted: bool = True) -> Rewritten | None:
-    """An expression, or its opposite, in the language; None where that is no condition, or needs a rung before."""
-    rewritten = in_language(context, node, wanted)
-    if rewritten and fits_condition(context, rewritten.text):
-        return rewritten
+def _is_plain(context: Context, node: Node, wanted: bool = True) -> bool:
+    """True for an expression that can be written in the language, itself or its opposite, with its own terms."""
+    if in_language(node, wanted) is None:
+        return False
+    trial = Context(context.source, Diagnostics(), is_trial=True, places=context.places)
+    return all(_read_term(trial, term) is not None for term, _, _ in terms_in(node)) and not trial.problems.found
+
+
+def _exactly_meant(context: Context, node: Node, wanted: bool = True) -> Meant | None:
+    """What an expression means that is not plain; None where that is not certain, or needs a rung before."""
     said = None if "#" in context.text(node) else _meant(context, node, wanted)
-    if said is None or said.before or not said.is_exact:
-        return None
-    return Rewritten(said.text, Edit(context.span(node), said.text), said.turned)
+    return said if said and said.is_exact and not said.before else None
 
 
-def _proposal(context: Context, code: str, place: Span, rewritten: Rewritten) -> Proposal:
-    """The fix of the problem at this place that writes an expression in the language, with all that it turns round."""
+def _proposal(
+    context: Context, code: str, place: Span, old: Node, meaning: Node, wanted: bool = True
+) -> Proposal | None:
+    """The fix of the problem at this place that writes what an expression means, or the opposite; None without one."""
+    turned: Sequence[Node] = [term for term, _, is_wanted in terms_in(meaning, wanted=wanted) if not is_wanted]
+    text = ""
+    if not _is_plain(context, meaning, wanted):
+        said = _exactly_meant(context, meaning, wanted)
+        if said is None:
+            return None
+        text, turned = said.text, said.turned
+    leaves = _leaves(context, turned)
+    kept = tuple(term for term in leaves if isinstance(term, Contact | Compare))
+    rewrite = Rewrite(context.span(old), context.span(meaning), wanted, text)
+    return Proposal(code, place, rewrite, kept, is_read=None not in leaves)
+
+
+def _leaves(context: Context, nodes: Sequence[Node]) -> list[Condition | None]:
     trial = context.aside()
-    turned = [_read_term(trial, term) for term in rewritten.turned]
-    return Proposal(
-        code,
-        place,
-        (rewritten.edit,),
-        f"write {_on_one_line(context, rewritten.text)}",
-        tuple(term for term in turned if isinstance(term, Contact | Compare)),
-        is_read=None not in turned,
-    )
+    return [_read_term(trial, node) for node in nodes]
 
 
 def fits_condition(context: Context, text: str) -> bool:
@@ -184,32 +193,31 @@ def as_condition(context: Context, node: Node) -> str:
         return ""
     if fits_condition(context, text):
         return text
-    rewritten = _rewritten(context, node)
-    if rewritten is None:
+    if _is_plain(context, node):
+        made = in_language(node)
+        assert made is not None
+        written, turned = on_one_line(made), [term for term, _, is_wanted in terms_in(node) if not is_wanted]
+    else:
         said = _meant(context, node)
         if said is None or said.before:
             return ""
-        rewritten = Rewritten(said.text, Edit(context.span(node), said.text), said.turned)
-    return rewritten.text if _has_plain_opposites(context, rewritten) else ""
+        written, turned = said.text, [*said.turned]
+    return written if all(map(_has_plain_opposite, _leaves(context, turned))) else ""
 
 
 def rewrites(context: Context, node: Node) -> bool:
     """True for and, or and not that can be written in the language, as far as the text says."""
-    return _rewritten(context, node) is not None
+    return _is_plain(context, node) or _exactly_meant(context, node) is not None
 
 
-def _has_plain_opposites(context: Context, rewritten: Rewritten) -> bool:
-    """True where all that is turned round has an opposite, whatever the names of the program stand for.
+def _has_plain_opposite(leaf: Condition | None) -> bool:
+    """True for what has an opposite, whatever the names of the program are.
 
     A name may be that of a block, whose bits are asked for together, and a DF register may hold no number.
     """
-    proposal = _proposal(context, "", rewritten.edit.span, rewritten)
-    return proposal.is_read and all(
-        isinstance(leaf.operand, Cell | Immediate)
-        if isinstance(leaf, Contact)
-        else "DF" not in (form_of(leaf.left), form_of(leaf.right))
-        for leaf in proposal.turned
-    )
+    if isinstance(leaf, Contact):
+        return isinstance(leaf.operand, Cell | Immediate)
+    return isinstance(leaf, Compare) and "DF" not in (form_of(leaf.left), form_of(leaf.right))
 
 
 def condition_fault(context: Context, text: str, is_trial: bool = False) -> Diagnostic | None:
@@ -220,14 +228,6 @@ def condition_fault(context: Context, text: str, is_trial: bool = False) -> Diag
         return Diagnostic("CG107", "this is not a condition", None, _WAY_OUT)
     read_condition(trial, node)
     return next(iter(trial.problems.found), None)
-
-
-def _on_one_line(context: Context, text: str) -> str:
-    """A condition for a message, without the line breaks and comments in it."""
-    if "#" in text and "\n" in text:
-        node = context.of_text(f"({text})").expression()
-        return "" if node is None else on_one_line(node.with_changes(lpar=[], rpar=[]))
-    return " ".join(text.split())
 
 
 def _in_the_way(context: Context, node: Node) -> str:
@@ -244,7 +244,7 @@ def _in_the_way(context: Context, node: Node) -> str:
                 # Its own way out is not yet the opposite that is asked for.
                 return f"correct {shown} first: {fault.help}"
             return f"{shown} has no place in it: {f'compare it as well, {both}' if both else fault.help}"
-        if not wanted and not has_opposite(context, term):
+        if not wanted and opposite(term) is None:
             return IfRungsSpelling().no_opposite(shown, is_negated=True)
         compared = term if isinstance(term, cst.Comparison) else None
     return f"in series write all(...), in parallel any(...); {_WAY_OUT}"
@@ -362,7 +362,8 @@ def _refuse_compared(context: Context, node: cst.Comparison, bit: no_condition.C
     context.problem("CG303", node, fault, no_condition.bit_help(context.text(bit.turned)))
     if isinstance(leaf, Contact):
         place = context.span(node)
-        context.proposals.append(Proposal("CG303", place, bit.fix.edits, bit.help, (leaf,)))
+        text = bit.fix.edits[0].text
+        context.proposals.append(Proposal("CG303", place, Rewrite(place, place, text=text), (leaf,)))
 
 
 def _read_function(context: Context, node: cst.Call, name: str) -> Condition | None:
@@ -442,10 +443,9 @@ def _without_function(context: Context, node: cst.Call, name: str, argument: Nod
         return "", None
     text = " ".join(context.text(argument).split())
     if name == "nc" and "#" not in text:
-        rewritten = _rewritten(context, argument, wanted=False)
-        if rewritten is not None:
-            written = rewritten._replace(edit=Edit(context.span(node), rewritten.text))
-            context.proposals.append(_proposal(context, "CG107", context.span(argument), written))
+        proposal = _proposal(context, "CG107", context.span(argument), node, argument, wanted=False)
+        if proposal is not None:
+            context.proposals.append(proposal)
             return _WAY_OUT, None
     said = None if "#" in text else _meant(context, node)
     if said is not None:

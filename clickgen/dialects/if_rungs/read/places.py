@@ -29,7 +29,8 @@ class Places:
         self.roots: Sequence[Node] = ()
         """The statements of these nodes. Kept, so that no other node can have the identity of one of theirs."""
         self._indents: list[str] = []
-        self._default_indent = ""
+        self.default_indent = ""
+        """The indentation of blocks for which libcst notes none."""
 
     def read(self, nodes: Sequence[Node], at: int, indent: str = "", default_indent: str = "    ") -> int:
         """Note the places of these statements, which follow each other from here on; returns where they end.
@@ -39,7 +40,7 @@ class Places:
         self.table = {}
         self.roots = nodes
         self._indents = [indent] if indent else []
-        self._default_indent = default_indent
+        self.default_indent = default_indent
         for node in nodes:
             at = self.other(node, at)
         return at
@@ -95,7 +96,7 @@ class Places:
 
     def block(self, node: cst.IndentedBlock, at: int) -> int:
         """Note the places of the lines of a block, and of the blank lines and comments below them."""
-        self._indents.append(self._default_indent if node.indent is None else node.indent)
+        self._indents.append(self.default_indent if node.indent is None else node.indent)
         for statement in node.body:
             at = self.other(statement, at)
         at = _lines(self, node.footer, at)
@@ -105,7 +106,7 @@ class Places:
 
     def written_out(self, node: Node, at: int) -> int:
         """Note the places of a node of a rare kind, as libcst writes it out; returns where it ends."""
-        state = Recorder(self.table, at, self._indents, self._default_indent)
+        state = Recorder(self.table, at, self._indents, self.default_indent)
         node._codegen(state)
         return state.at
 

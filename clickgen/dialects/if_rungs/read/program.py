@@ -286,10 +286,10 @@ def _read_if(context: Context, node: cst.If, is_branch: bool) -> tuple[Condition
     items = _read_items(context, statements(node.body))
     span = _else_span(context, node)
     if span is not None:
-        arms = [Arm(context.span(node), node.test, condition, items), *_read_arms(context, node)]
+        arms = [Arm(context.span(node), condition, items), *_read_arms(context, node)]
         is_read = not any(problem.is_error for problem in context.problems.found[before:])
         word = context.source.line(span.line)[span.col - 1 : span.end_col - 1]
-        proposal, place = propose(context, "CG104", span, arms, is_branch, is_read)
+        proposal, place = propose("CG104", span, arms, is_branch, is_read)
         help = "write a rung of its own with the opposite condition: nc(...) of a bit, or the opposite comparison"
         if place is not None:
             help = IfRungsSpelling().no_opposite(
@@ -306,10 +306,10 @@ def _read_arms(context: Context, node: cst.If) -> Iterator[Arm]:
     while other is not None:
         span = _word_span(context, other)
         if isinstance(other, cst.Else):
-            yield Arm(span, None, Always(span), _read_items(context, statements(other.body)))
+            yield Arm(span, Always(span), _read_items(context, statements(other.body)))
             return
         condition = read_condition(context, other.test)
-        yield Arm(span, other.test, condition, _read_items(context, statements(other.body)))
+        yield Arm(span, condition, _read_items(context, statements(other.body)))
         other = other.orelse
 
 

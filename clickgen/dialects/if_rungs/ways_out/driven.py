@@ -7,7 +7,7 @@ from functools import partial
 
 import libcst as cst
 
-from clickgen.dialects.if_rungs.fix.rewrite import python_logic
+from clickgen.dialects.if_rungs.fix.logic import python_logic
 from clickgen.dialects.if_rungs.read.calls import fits_action
 from clickgen.dialects.if_rungs.read.conditions import as_condition, fits_condition, rewrites
 from clickgen.dialects.if_rungs.read.context import Context

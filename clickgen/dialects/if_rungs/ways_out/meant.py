@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import libcst as cst
 
-from clickgen.dialects.if_rungs.fix.rewrite import opposite_text, python_logic
+from clickgen.dialects.if_rungs.fix.logic import opposite, python_logic
 from clickgen.dialects.if_rungs.read.context import Context
 from clickgen.dialects.if_rungs.read.nodes import (
     Node,
@@ -26,6 +26,7 @@ from clickgen.dialects.if_rungs.read.nodes import (
     is_starred,
     keywords,
     name_of,
+    on_one_line,
     terms,
 )
 from clickgen.dialects.if_rungs.trade import CONDITIONS, advice
@@ -150,9 +151,9 @@ class _Reader:
             return self._of_text(node, self._member(node), wanted)
         if wanted:
             return single(text)
-        turned = opposite_text(self._context, node)
+        turned = opposite(node)
         self.turned.append(node)
-        return single(" ".join(turned.split())) if turned else None
+        return single(on_one_line(turned.with_changes(lpar=[], rpar=[]))) if turned is not None else None
 
     def _member(self, node: Node) -> str:
         """The bit that ``t.A.done`` is; "" for anything else."""

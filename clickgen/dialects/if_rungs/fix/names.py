@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from bisect import bisect_left
 from collections.abc import Sequence
 from functools import cached_property
 from keyword import iskeyword
@@ -11,16 +10,14 @@ from keyword import iskeyword
 import libcst as cst
 
 from clickgen.dialects.base import NamePlaces, Place
-from clickgen.dialects.if_rungs.read.context import Context
-from clickgen.dialects.if_rungs.read.nodes import ADDRESSES, Node, index_of, text_value
-from clickgen.dialects.if_rungs.read.statements import Layout, Part, layout_of
+from clickgen.dialects.if_rungs.fix.statement import Statements
+from clickgen.dialects.if_rungs.read.nodes import Node, index_of, text_value
+from clickgen.dialects.if_rungs.read.statements import layout_of
 from clickgen.ir.operands import Named
 from clickgen.ir.program import FormulaText
-from clickgen.problems.diagnostics import Diagnostics
 from clickgen.text.source import EmbeddedText, SourceFile, Span
 from clickgen.text.wording import word_pattern
 
-_LAST_WORD = re.compile(r"(?<!\w)\w+$")
 _IN_FORMULA = re.compile(r"""\w++\s*+(?:\.\s*(?P<plain>\w+)|\[\s*(?:"(?P<double>[^"\n]*)"|'(?P<single>[^'\n]*)'))""")
 _ESCAPE = re.compile(r"\\(?:[0-7]{1,3}|x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|N\{[^}]*\}|.)")
 
@@ -31,6 +28,7 @@ class FilePlaces(NamePlaces):
     def __init__(self, source: SourceFile, formulas: Sequence[FormulaText]) -> None:
         self.source = source
         self.formulas = formulas
+        self._statements = Statements(source)
 
     def takes(self, named: Named, name: str) -> bool:
         _, is_plain, in_formula = self._found(named)
@@ -41,9 +39,9 @@ class FilePlaces(NamePlaces):
 
     def _found(self, named: Named) -> tuple[tuple[Span, ...], bool, bool]:
         """Where a name is, whether only a plain word can be written there, and whether that is in a formula."""
-        node = self._node(named.span)
+        node = self._statements.node(named.span)
         if isinstance(node, cst.Subscript) and named.part is not None:
-            # ds.Recipe[3] and ds["Door alarms"][0:4]: the name stands before the index.
+            # ds.Recipe[3] and ds["Door alarms"][0:4]: the name is before the index.
             node = node.value
         if node is None:
             text, start = self._characters(named.span)
@@ -53,43 +51,10 @@ class FilePlaces(NamePlaces):
             return _stretches(text, *match.span(group)), group == "plain", True
         index = index_of(node) if isinstance(node, cst.Subscript) else None
         if isinstance(index, Node) and text_value(index) is not None:
-            text = self._context.embedded(index)
+            text = self._statements.context.embedded(index)
             return _stretches(text, 0, len(text.value)), False, False
-        _, _, _, line, end, _ = self._context.span(node)
-        word = _LAST_WORD.search(self.source.line(line)[: end - 1])
-        assert word is not None
-        return (self.source.span(line, word.start() + 1, line, end),), True, False
-
-    @cached_property
-    def _layout(self) -> Layout:
-        layout = layout_of(self.source)
-        assert layout is not None
-        return layout
-
-    @cached_property
-    def _context(self) -> Context:
-        return Context(self.source, Diagnostics(), places=self._layout.places)
-
-    @cached_property
-    def _starts(self) -> list[int]:
-        return [part.start for part in self._layout.parts]
-
-    @cached_property
-    def _read_last(self) -> dict[Part, dict[Span, Node]]:
-        """The addresses and texts of the part that was looked at last, by their spans."""
-        return {}
-
-    def _node(self, span: Span) -> Node | None:
-        """The address or the text with this span; None for what is inside a text."""
-        part = self._layout.parts[bisect_left(self._starts, span.line) - 1]
-        if part not in self._read_last:
-            self._read_last.clear()
-            self._read_last[part] = {
-                self._context.span(node): node
-                for node in self._layout.nodes(part)
-                if node.__class__ in ADDRESSES or text_value(node) is not None
-            }
-        return self._read_last[part].get(span)
+        assert isinstance(node, cst.Attribute)
+        return (self._statements.context.span(node.attr),), True, False
 
     @cached_property
     def _formulas_by_line(self) -> dict[int, list[FormulaText]]:
@@ -102,16 +67,16 @@ class FilePlaces(NamePlaces):
     def _characters(self, span: Span) -> tuple[EmbeddedText, int]:
         """The text of the formula that has a name at this place, and the character with which the name begins."""
         for formula in self._formulas_by_line[span.line]:
-            node = self._node(formula.span)
+            node = self._statements.node(formula.span)
             assert node is not None
-            text = self._context.embedded(node)
+            text = self._statements.context.embedded(node)
             if (span.line, span.col) in text.positions[:-1]:
                 return text, text.positions.index((span.line, span.col))
         raise LookupError(span)
 
 
 def _stretches(text: EmbeddedText, start: int, end: int) -> tuple[Span, ...]:
-    """Where ``value[start:end]`` stands in the file, without the quotes and line ends between its pieces."""
+    """The place of ``value[start:end]`` in the file, without the quotes and line ends between its pieces."""
     source = text.source
     stretches: list[Span] = []
     for line, col in text.positions[start:end]:
