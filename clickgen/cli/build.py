@@ -181,11 +181,19 @@ def _shared(result: BuildResult, job: Job, this: Run) -> Iterator[str]:
     for path in sorted(result.program.parent.glob("*.py")):
         if is_configured and os.path.realpath(path) in configured:
             continue
-        if os.path.realpath(path) not in own and path.is_file() and _MAIN.search(this.files.read(path)):
+        if os.path.realpath(path) not in own and path.is_file() and _has_main(path, this.files):
             copy = near(result.program).with_suffix(".csv")
             yield f"{near(path)} has this table too. For two PLCs copy it to {copy}, and name that in clickgen.toml:"
             yield f"  {own_table_setting(near(result.program))}"
             return
+
+
+def _has_main(path: Path, files: Workspace) -> bool:
+    """True for a program; a neighbour that cannot be read is no reason for a build to fail after it has written."""
+    try:
+        return _MAIN.search(files.read(path)) is not None
+    except OSError:
+        return False
 
 
 def _summary(results: Iterable[BuildResult]) -> str:

@@ -321,6 +321,13 @@ def main():
 """
 
 
+def test_a_neighbour_that_cannot_be_read_does_not_make_a_build_fail(folder: Path) -> None:
+    """Once everything is written, it is too late to fail."""
+    with open(folder / "other.py", "wb") as file:
+        file.truncate(64 * 1024 * 1024 + 1)
+    assert main(["build", "prog.py"]) == 0
+
+
 def test_two_programs_of_one_table_are_told_how_to_part(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "prog.py").unlink()
     (folder / "filler.py").write_text(FILLER)
