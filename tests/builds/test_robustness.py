@@ -123,3 +123,11 @@ def test_a_condition_without_end_is_told(tmp_path: Path) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 1, done.stderr[-200:]
     assert "CG118" in done.stderr
+
+
+@pytest.mark.parametrize("condition", ["()", "(x for x in y)", "(c.A, c.B)"])
+def test_parentheses_that_belong_to_their_expression_are_told(condition: str, tmp_path: Path) -> None:
+    """A line without its colon is read for the condition that it may have had."""
+    program = tmp_path / "prog.py"
+    program.write_text(f"def main():\n    if {condition}\n        out(y[1])\n    if True:\n        end()\n", "utf-8")
+    assert {problem.code for problem in clickgen.check(program).diagnostics} == {"CG101"}

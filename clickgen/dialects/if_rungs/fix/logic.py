@@ -97,6 +97,8 @@ class _Made(NamedTuple):
 def in_language(node: Node, wanted: bool = True) -> cst.BaseExpression | None:
     """An expression without the parentheses around it, or its opposite, in the language; None where it has none."""
     assert isinstance(node, cst.BaseExpression)
+    if isinstance(node, cst.Tuple | cst.GeneratorExp):
+        return None  # Some of these cannot be without their parentheses, and none of them is a condition.
     made = _made(node.with_changes(lpar=[], rpar=[]) if node.lpar else node, wanted)
     return made and made.node
 
